@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::model {
+
+/// Linear coefficients of a bearing at one spin speed. The force on the shaft is -(k u + c u').
+struct BearingCoefficients {
+    Eigen::Matrix2d k = Eigen::Matrix2d::Zero();  ///< [kxx kxy; kyx kyy] on (x, y), N/m
+    Eigen::Matrix2d c = Eigen::Matrix2d::Zero();  ///< [cxx cxy; cyx cyy], N s/m
+    Eigen::Matrix2d kt = Eigen::Matrix2d::Zero(); ///< on the slopes (phi_x, phi_y), N m/rad
+    Eigen::Matrix2d ct = Eigen::Matrix2d::Zero(); ///< on the slopes, N m s/rad
+};
+
+/// An isotropic support below the bearing: mass on a spring and damper to the ground.
+struct Pedestal {
+    double mass = 0; ///< kg
+    double k = 0;    ///< N/m
+    double c = 0;    ///< N s/m
+};
+
+/// A bearing at z: constant coefficients (one row) or a table over spin speed.
+struct Bearing {
+    std::string name;
+    double z = 0;                          ///< m
+    std::vector<double> speeds;            ///< rad/s, ascending; empty for constant coefficients
+    std::vector<BearingCoefficients> rows; ///< one, or one for each of `speeds`
+    std::optional<Pedestal> pedestal;
+
+    [[nodiscard]] bool depends_on_speed() const { return rows.size() > 1; }
+
+    /// Coefficients at a spin speed (rad/s): linear between table rows, constant outside.
+    [[nodiscard]] BearingCoefficients at(double speed) const;
+};
+
+} // namespace whirl::model

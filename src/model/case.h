@@ -1,0 +1,72 @@
+#pragma once
+
+#include "model/rotor.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::model {
+
+/// Spin speeds of an analysis, evenly spaced; count == 1 means `from` alone.
+struct SpeedRange {
+    double from = 0; ///< rad/s
+    double to = 0;   ///< rad/s
+    int count = 1;
+
+    /// The speeds, ascending, rad/s.
+    [[nodiscard]] std::vector<double> values() const {
+        std::vector<double> speeds(static_cast<std::size_t>(count), from);
+        for (int i = 1; i < count; ++i)
+            speeds[static_cast<std::size_t>(i)] =
+                i == count - 1 ? to : from + (to - from) * i / (count - 1);
+        return speeds;
+    }
+};
+
+/// Which form of the equations the user forces; see docs/theory.md, "Three forms".
+enum class FormChoice { automatic, planar, hyperbolic, general };
+
+/// Entries of [campbell].
+struct CampbellSettings {
+    int modes = 8;                     ///< whirl modes with the lowest frequencies
+    std::vector<double> multiples{1.0}; ///< orders of the spin speed whose crossings are wanted
+};
+
+/// Entries of [simulate].
+struct SimulateSettings {
+    double time = 0;                                ///< s
+    std::vector<std::pair<double, double>> run_up;  ///< (time s, speed rad/s)
+    std::vector<std::vector<double>> ball_angles;   ///< per balancer, rad
+    double tolerance = 1e-8;                        ///< relative, of the integrator
+};
+
+/// One axis of a map: a numeric entry of the case, or "speed".
+struct MapAxis {
+    std::string path;
+    double from = 0;
+    double to = 0;
+    int count = 1;
+};
+
+struct MapSettings {
+    MapAxis x;
+    MapAxis y;
+};
+
+/// A whole case file.
+struct Case {
+    std::string name; ///< folder name, or file name without its ending
+    std::string title;
+    std::filesystem::path file;
+    Rotor rotor;
+    std::optional<SpeedRange> speeds; ///< empty where the file has no [speeds]
+    FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
+    CampbellSettings campbell;
+    SimulateSettings simulate;
+    std::optional<MapSettings> map;
+};
+
+} // namespace whirl::model

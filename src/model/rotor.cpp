@@ -1,0 +1,50 @@
+#include "model/rotor.h"
+
+#include <algorithm>
+
+namespace whirl::model {
+
+namespace {
+
+bool isotropic(const Eigen::Matrix2d &a) {
+    return a(0, 0) == a(1, 1) && a(0, 1) == 0 && a(1, 0) == 0;
+}
+
+bool diagonal(const Eigen::Matrix2d &a) { return a(0, 1) == 0 && a(1, 0) == 0; }
+
+template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
+    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const Bearing &bearing) {
+        return std::all_of(bearing.rows.begin(), bearing.rows.end(), holds);
+    });
+}
+
+} // namespace
+
+bool Rotor::bearings_isotropic() const {
+    return every_row(*this, [](const BearingCoefficients &row) {
+        return isotropic(row.k) && isotropic(row.c) && isotropic(row.kt) && isotropic(row.ct);
+    });
+}
+
+bool Rotor::bearings_orthotropic() const {
+    return every_row(*this, [](const BearingCoefficients &row) {
+        return diagonal(row.k) && diagonal(row.c) && diagonal(row.kt) && diagonal(row.ct);
+    });
+}
+
+bool Rotor::damped() const {
+    const bool pedestals = std::any_of(bearings.begin(), bearings.end(), [](const Bearing &b) {
+        return b.pedestal && b.pedestal->c != 0;
+    });
+    const bool undamped = every_row(*this, [](const BearingCoefficients &row) {
+        return row.c.isZero(0) && row.ct.isZero(0);
+    });
+    return pedestals || !undamped || shaft.internal_damping != 0;
+}
+
+bool Rotor::bearings_depend_on_speed() const {
+    return std::any_of(bearings.begin(), bearings.end(),
+                       [](const Bearing &b) { return b.depends_on_speed(); });
+}
+
+} // namespace whirl::model

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "model/attachments.h"
+#include "model/bearing.h"
+#include "model/disc.h"
+#include "model/shaft.h"
+
+#include <vector>
+
+namespace whirl::model {
+
+/// Everything physical in a scene. z runs along the shaft from 0 to shaft.length().
+struct Rotor {
+    Shaft shaft;
+    std::vector<Disc> discs;
+    std::vector<Bearing> bearings;
+    std::vector<Anisotropy> anisotropies;
+    std::vector<Balancer> balancers;
+    std::vector<CorrectionPlane> planes;
+    std::vector<Imbalance> imbalances;
+
+    /// Bearings are equal in x and y, without cross coupling, at every speed.
+    [[nodiscard]] bool bearings_isotropic() const;
+    /// No bearing couples x with y, at any speed.
+    [[nodiscard]] bool bearings_orthotropic() const;
+    /// Damping anywhere: bearings, pedestals or shaft material.
+    [[nodiscard]] bool damped() const;
+    /// A bearing table over spin speed is present.
+    [[nodiscard]] bool bearings_depend_on_speed() const;
+    /// Something turns with the rotor and is not axisymmetric.
+    [[nodiscard]] bool rotating_anisotropy() const {
+        return !anisotropies.empty() || !balancers.empty();
+    }
+};
+
+} // namespace whirl::model

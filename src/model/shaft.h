@@ -1,0 +1,48 @@
+#pragma once
+
+#include "model/material.h"
+
+#include <vector>
+
+namespace whirl::model {
+
+/// Which shear coefficient a circular section gets.
+enum class ShearFormula {
+    cowper,     ///< Cowper, J. Appl. Mech. 33 (1966) 335
+    hutchinson, ///< Hutchinson, J. Appl. Mech. 68 (2001) 87
+    given       ///< the number in Shaft::shear_coefficient
+};
+
+/// A length of shaft whose diameters vary linearly from its start to its end.
+struct Segment {
+    double length = 0;      ///< m
+    double outer_start = 0; ///< outer diameter at the start, m
+    double outer_end = 0;   ///< outer diameter at the end, m
+    double inner_start = 0; ///< bore diameter at the start, m
+    double inner_end = 0;   ///< bore diameter at the end, m
+    Material material;
+    int elements = 1; ///< elements of equal length before nodes of attached components are added
+};
+
+/// The flexible shaft, from z = 0 to the sum of the lengths of its segments.
+struct Shaft {
+    std::vector<Segment> segments;
+    int order = 4;           ///< 1: classical two-node element; p >= 2: order-p element
+    bool order_auto = false; ///< raise the order until `tolerance` holds
+    double tolerance = 1e-8; ///< relative error wanted in the frequencies asked for (order_auto)
+    ShearFormula shear = ShearFormula::cowper;
+    double shear_coefficient = 0; ///< kappa, where shear == given
+    bool rigid = false;           ///< no elastic unknowns: the rigid-body limit
+    double internal_damping = 0;  ///< s; stress = E (strain + internal_damping * strain rate)
+    double axial_force = 0;       ///< N, tension positive
+
+    /// Length of the shaft, m.
+    [[nodiscard]] double length() const {
+        double sum = 0;
+        for (const Segment &segment : segments)
+            sum += segment.length;
+        return sum;
+    }
+};
+
+} // namespace whirl::model
