@@ -1,0 +1,103 @@
+#include "assembly/assemble.h"
+
+#include <vector>
+
+namespace whirl::assembly {
+
+namespace {
+
+/// Rows: the unknowns of a beam element; columns: the two unknowns of a rigid shaft.
+Eigen::MatrixXd rigid_element_motion(const Discretization &d, int span) {
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(d.beam(span).M.rows(), 2);
+    for (int end = 0; end < 2; ++end) {
+        for (const auto &[unknown, value] : d.deflection_at_node(span + end))
+            T(2 * end, unknown) = value;
+        T(2 * end + 1, 1) = 1;
+    }
+    return T;
+}
+
+void assemble_shaft(const Discretization &d, const AddPlanar &add) {
+    const double eta = d.rotor().shaft.internal_damping;
+    for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
+        const elements::PlanarMatrices &beam = d.beam(span);
+        if (d.rigid()) {
+            const std::vector<int> both{0, 1};
+            const Eigen::MatrixXd T = rigid_element_motion(d, span);
+            add(Term::mass, both, T.transpose() * beam.M * T);
+            add(Term::gyroscopic, both, T.transpose() * beam.G * T);
+            add(Term::stiffness, both, T.transpose() * beam.K_axial * T);
+            continue;
+        }
+        const std::vector<int> unknowns = d.beam_unknowns(span);
+        add(Term::mass, unknowns, beam.M);
+        add(Term::gyroscopic, unknowns, beam.G);
+        add(Term::stiffness, unknowns, beam.K + beam.K_axial);
+        if (eta != 0) {
+            add(Term::damping, unknowns, eta * beam.K);
+            add(Term::circulatory, unknowns, eta * beam.K);
+        }
+    }
+}
+
+/// coefficient * c c^T for a combination c of unknowns.
+void add_square(Term term, const Combination &c, double coefficient, const AddPlanar &add) {
+    std::vector<int> unknowns;
+    Eigen::VectorXd values(static_cast<Eigen::Index>(c.size()));
+    for (const auto &[unknown, value] : c) {
+        values(static_cast<Eigen::Index>(unknowns.size())) = value;
+        unknowns.push_back(unknown);
+    }
+    add(term, unknowns, coefficient * values * values.transpose());
+}
+
+void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
+    add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
+    add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
+    add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
+}
+
+void add_product(Term term, const Combination &row, const Combination &column,
+                 const Eigen::Matrix2d &block, const AddCoupling &add) {
+    if (block.isZero(0))
+        return;
+    for (const auto &[i, a] : row)
+        for (const auto &[j, b] : column)
+            add(term, i, j, a * b * block);
+}
+
+void assemble_bearing(const Discretization &d, int index, double speed, const AddCoupling &add) {
+    const model::Bearing &bearing = d.rotor().bearings[static_cast<std::size_t>(index)];
+    const model::BearingCoefficients at = bearing.at(speed);
+    const Combination phi = d.slope_at(bearing.z);
+    add_product(Term::stiffness, phi, phi, at.kt, add);
+    add_product(Term::damping, phi, phi, at.ct, add);
+    Combination stretch = d.deflection_at(bearing.z); // of the film: shaft minus pedestal
+    if (bearing.pedestal) {
+        const Combination below{{d.pedestal_unknown(index), 1.0}};
+        const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+        add_product(Term::mass, below, below, bearing.pedestal->mass * one, add);
+        add_product(Term::damping, below, below, bearing.pedestal->c * one, add);
+        add_product(Term::stiffness, below, below, bearing.pedestal->k * one, add);
+        stretch.emplace_back(d.pedestal_unknown(index), -1.0);
+    }
+    add_product(Term::stiffness, stretch, stretch, at.k, add);
+    add_product(Term::damping, stretch, stretch, at.c, add);
+}
+
+} // namespace
+
+void assemble_rotating_parts(const Discretization &discretization, const AddPlanar &add) {
+    assemble_shaft(discretization, add);
+    for (const model::Disc &disc : discretization.rotor().discs)
+        assemble_disc(discretization, disc, add);
+}
+
+void assemble_supports(const Discretization &discretization, double speed,
+                       const AddCoupling &add) {
+    const auto count = static_cast<int>(discretization.rotor().bearings.size());
+    for (int i = 0; i < count; ++i)
+        assemble_bearing(discretization, i, speed, add);
+}
+
+} // namespace whirl::assembly

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "assembly/discretization.h"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <span>
+
+namespace whirl::assembly {
+
+/// The matrices of M q'' + (C + speed G) q' + (K + speed Kc) q = f; docs/conventions.md.
+enum class Term { mass, damping, gyroscopic, stiffness, circulatory };
+
+/// Receives an axisymmetric block: the same in both planes, except that the gyroscopic and the
+/// circulatory ones couple the planes: real form [0 B; -B 0] for (x; y).
+using AddPlanar =
+    std::function<void(Term, std::span<const int> unknowns, const Eigen::MatrixXd &block)>;
+
+/// Receives a 2 x 2 block on (x, y) between the planar unknowns `row` and `column`.
+using AddCoupling =
+    std::function<void(Term, int row, int column, const Eigen::Matrix2d &block)>;
+
+/// Shaft elements and discs: everything axisymmetric that turns.
+void assemble_rotating_parts(const Discretization &discretization, const AddPlanar &add);
+
+/// Bearings with the coefficients they have at a spin speed (rad/s), and their pedestals.
+void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add);
+
+} // namespace whirl::assembly

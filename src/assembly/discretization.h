@@ -1,0 +1,62 @@
+#pragma once
+
+#include "elements/planar_matrices.h"
+#include "mesh/shaft_mesh.h"
+
+#include <utility>
+#include <vector>
+
+namespace whirl::assembly {
+
+/// A quantity as a combination of planar unknowns: sum of coefficient times unknown.
+using Combination = std::vector<std::pair<int, double>>;
+
+/// A rotor with its mesh, its planar unknowns and its shaft element matrices, which do not depend
+/// on spin speed and are computed once.
+///
+/// Planar unknowns: at each node (w, phi), between nodes the internal unknowns of the element, at
+/// the end one w for each pedestal. For a rigid shaft: w at the centre of the shaft and phi, then
+/// the pedestals. In real form planar unknown i becomes 2 i (x) and 2 i + 1 (y).
+class Discretization {
+  public:
+    /// @param order       of the shaft elements (1: classical)
+    /// @param refinement  every element is split into that many
+    Discretization(const model::Rotor &rotor, int order, int refinement = 1);
+
+    [[nodiscard]] const model::Rotor &rotor() const { return _rotor; }
+    [[nodiscard]] const mesh::ShaftMesh &shaft_mesh() const { return _mesh; }
+    [[nodiscard]] int order() const { return _order; }
+    [[nodiscard]] bool rigid() const { return _rotor.shaft.rigid; }
+    [[nodiscard]] int planar_size() const { return _size; }
+
+    /// Element matrices of span i over beam_unknowns(i).
+    [[nodiscard]] const elements::PlanarMatrices &beam(int span) const {
+        return _beams[static_cast<std::size_t>(span)];
+    }
+    /// Planar unknowns of span i, elastic shaft: w0, phi0, w1, phi1, internal.
+    [[nodiscard]] std::vector<int> beam_unknowns(int span) const;
+
+    [[nodiscard]] Combination deflection_at_node(int node) const;
+    [[nodiscard]] Combination slope_at_node(int node) const;
+    [[nodiscard]] Combination deflection_at(double z) const;
+    [[nodiscard]] Combination slope_at(double z) const;
+    /// Deflection of the pedestal below a bearing that has one.
+    [[nodiscard]] int pedestal_unknown(int bearing) const;
+    /// Deflection and slope anywhere inside span i, xi in [0, 1].
+    [[nodiscard]] Combination deflection_inside(int span, double xi) const;
+    /// Rigid motion of all (translation: tilt = false; unit slope about z = 0: true) as unknowns.
+    [[nodiscard]] std::vector<double> rigid_motion(bool tilt) const;
+
+  private:
+    model::Rotor _rotor;
+    mesh::ShaftMesh _mesh;
+    int _order;
+    int _internal;
+    int _size = 0;
+    std::vector<int> _pedestals;
+    std::vector<elements::PlanarMatrices> _beams;
+
+    [[nodiscard]] int node_base(int node) const { return node * (2 + _internal); }
+};
+
+} // namespace whirl::assembly

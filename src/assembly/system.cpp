@@ -1,0 +1,84 @@
+#include "assembly/system.h"
+
+#include <map>
+
+namespace whirl::assembly {
+
+namespace {
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+using TermEntries = std::map<Term, Entries>;
+
+void for_each_entry(std::span<const int> unknowns, const Eigen::MatrixXd &block,
+                    const std::function<void(int, int, double)> &visit) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        for (std::size_t j = 0; j < unknowns.size(); ++j)
+            visit(unknowns[i], unknowns[j],
+                  block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+}
+
+/// Same block in both planes, or coupling them with the sign of `across` in the lower half.
+void add_real(Entries &entries, int i, int j, double value, bool couples, double across) {
+    if (!couples) {
+        entries.emplace_back(2 * i, 2 * j, value);
+        entries.emplace_back(2 * i + 1, 2 * j + 1, value);
+    } else {
+        entries.emplace_back(2 * i, 2 * j + 1, value);
+        entries.emplace_back(2 * i + 1, 2 * j, across * value);
+    }
+}
+
+} // namespace
+
+PlanarSystem assemble_planar(const Discretization &discretization, double speed) {
+    TermEntries terms;
+    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
+                                                const Eigen::MatrixXd &block) {
+        for_each_entry(unknowns, block,
+                       [&](int i, int j, double v) { terms[term].emplace_back(i, j, v); });
+    });
+    assemble_supports(discretization, speed,
+                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                          terms[term].emplace_back(i, j, block(0, 0));
+                      });
+    const int n = discretization.planar_size();
+    return {linalg::Matrix::from_entries(n, terms[Term::mass]),
+            linalg::Matrix::from_entries(n, terms[Term::gyroscopic]),
+            linalg::Matrix::from_entries(n, terms[Term::stiffness])};
+}
+
+FixedSystem assemble_fixed(const Discretization &discretization, double speed) {
+    TermEntries terms;
+    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
+                                                const Eigen::MatrixXd &block) {
+        const bool couples = term == Term::gyroscopic || term == Term::circulatory;
+        for_each_entry(unknowns, block, [&](int i, int j, double v) {
+            add_real(terms[term], i, j, v, couples, -1);
+        });
+    });
+    assemble_supports(discretization, speed,
+                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                          for (int a = 0; a < 2; ++a)
+                              for (int b = 0; b < 2; ++b)
+                                  if (block(a, b) != 0)
+                                      terms[term].emplace_back(2 * i + a, 2 * j + b, block(a, b));
+                      });
+    const int n = 2 * discretization.planar_size();
+    const auto matrix = [&](Term term) { return linalg::Matrix::from_entries(n, terms[term]); };
+    return {matrix(Term::mass), matrix(Term::damping), matrix(Term::gyroscopic),
+            matrix(Term::stiffness), matrix(Term::circulatory)};
+}
+
+linalg::Matrix hyperbolic_coupling(const Discretization &discretization) {
+    Entries entries;
+    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
+                                                const Eigen::MatrixXd &block) {
+        if (term == Term::gyroscopic)
+            for_each_entry(unknowns, block, [&](int i, int j, double v) {
+                add_real(entries, i, j, v, true, 1);
+            });
+    });
+    return linalg::Matrix::from_entries(2 * discretization.planar_size(), entries);
+}
+
+} // namespace whirl::assembly

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "assembly/assemble.h"
+#include "linalg/matrix.h"
+
+namespace whirl::assembly {
+
+/// Isotropic, undamped, axisymmetric: M w'' - i speed G w' + K w = 0 for w = x + i y.
+struct PlanarSystem {
+    linalg::Matrix M; ///< symmetric positive definite
+    linalg::Matrix G; ///< symmetric
+    linalg::Matrix K; ///< symmetric positive semidefinite
+};
+
+/// In which axes a real system is written. Systems of different frames are different types.
+enum class Frame { fixed, rotating };
+
+/// M q'' + (C + speed G) q' + (K + speed Kc) q = f, real unknowns in pairs (x, y).
+template <Frame frame> struct RealSystem {
+    linalg::Matrix M;
+    linalg::Matrix C;
+    linalg::Matrix G;  ///< skew
+    linalg::Matrix K;
+    linalg::Matrix Kc; ///< skew: internal damping
+};
+using FixedSystem = RealSystem<Frame::fixed>;
+
+/// Bearings as at `speed` (rad/s).
+[[nodiscard]] PlanarSystem assemble_planar(const Discretization &discretization, double speed);
+[[nodiscard]] FixedSystem assemble_fixed(const Discretization &discretization, double speed);
+
+/// S of the symmetric hyperbolic form (w^2 M + w speed S - K) q = 0, where y stands for -i y and
+/// the real form's G couples the planes: S = [0 G; G 0].
+[[nodiscard]] linalg::Matrix hyperbolic_coupling(const Discretization &discretization);
+
+} // namespace whirl::assembly

@@ -1,0 +1,176 @@
+#include "linalg/definite_pencil.h"
+
+#include "linalg/check.h"
+#include "linalg/symmetric_eigen.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::linalg {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// M may have empty rows (a support without mass); they get a mass far below rounding.
+Sparse with_positive_diagonal(Sparse M) {
+    const double mean = M.diagonal().sum() / static_cast<double>(M.rows());
+    for (Eigen::Index i = 0; i < M.rows(); ++i)
+        if (M.coeff(i, i) == 0)
+            M.coeffRef(i, i) = 1e-15 * mean;
+    return M;
+}
+
+} // namespace
+
+struct DefinitePencil::Factors {
+    Sparse K, M, S, absK, absM;
+    Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholK, cholM;
+    Sparse L, Lt, F, Ft;
+    mutable Eigen::SimplicialLDLT<Sparse> inertia;
+
+    /// y = H(s) z, z = (a, b).
+    void apply(double s, const double *z, double *y) const {
+        const Eigen::Index n = K.rows();
+        const Eigen::Map<const Eigen::VectorXd> a(z, n);
+        const Eigen::Map<const Eigen::VectorXd> b(z + n, n);
+        Eigen::Map<Eigen::VectorXd> top(y, n);
+        Eigen::Map<Eigen::VectorXd> bottom(y + n, n);
+        const Eigen::VectorXd t = Lt.triangularView<Eigen::Upper>().solve(a);
+        bottom.noalias() = Ft * t;
+        Eigen::VectorXd r = F * b;
+        if (s != 0)
+            r.noalias() -= s * (S * t);
+        top = L.triangularView<Eigen::Lower>().solve(r);
+    }
+};
+
+DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S)
+    : _factors(std::make_unique<Factors>()) {
+    Factors &f = *_factors;
+    f.K = K.view();
+    f.M = with_positive_diagonal(M.view());
+    f.S = S.view();
+    f.absK = f.K.cwiseAbs();
+    f.absM = f.M.cwiseAbs();
+    f.cholK.compute(f.K);
+    f.cholM.compute(f.M);
+    if (f.cholK.info() != Eigen::Success || f.cholM.info() != Eigen::Success)
+        throw SolverError("the stiffness or mass matrix is not positive definite");
+    f.L = f.cholK.matrixL();
+    f.Lt = f.L.transpose();
+    f.F = f.cholM.matrixL();
+    f.Ft = f.F.transpose();
+    f.inertia.analyzePattern(f.absK + f.absM + Sparse(f.S.cwiseAbs()));
+}
+
+DefinitePencil::~DefinitePencil() = default;
+
+int DefinitePencil::size() const { return static_cast<int>(_factors->K.rows()); }
+
+int DefinitePencil::count_below(double s, double bound) const {
+    int count = 0;
+    for (const double w : {bound, -bound}) {
+        const Sparse Q = _factors->K + (w * s) * _factors->S - (w * w) * _factors->M;
+        _factors->inertia.factorize(Q);
+        if (_factors->inertia.info() != Eigen::Success)
+            throw SolverError("an inertia count met a zero pivot");
+        count += static_cast<int>((_factors->inertia.vectorD().array() < 0).count());
+    }
+    return count;
+}
+
+RealPair DefinitePencil::pair_from(double s, double mu, const Eigen::VectorXd &z) const {
+    const Factors &f = *_factors;
+    const Eigen::Index n = f.K.rows();
+    Eigen::VectorXd Hz(2 * n);
+    f.apply(s, z.data(), Hz.data());
+    RealPair pair;
+    pair.value = 1 / mu;
+    // H is symmetric: some eigenvalue lies within |H z - mu z| of mu for a unit vector z.
+    pair.residual = (Hz - mu * z).norm() / (z.norm() * std::abs(mu));
+    // (a, b) = (L^T x, w F^T x) up to a factor; the norm of (a, b) fixes x^T K x + w^2 x^T M x = 1.
+    pair.vector = f.Lt.triangularView<Eigen::Upper>().solve(z.head(n)) / z.norm();
+    const Eigen::VectorXd x = pair.vector.cwiseAbs();
+    // d(w)/w = x^T dQ x / (w x^T Q' x), and w x^T Q' x = -1 in this norm.
+    pair.rounding = std::numeric_limits<double>::epsilon() *
+                    (x.dot(f.absK * x) + pair.value * pair.value * x.dot(f.absM * x));
+    return pair;
+}
+
+std::vector<RealPair> DefinitePencil::dense(double s) const {
+    const Factors &f = *_factors;
+    const Eigen::Index n = f.K.rows();
+    Eigen::MatrixXd H(2 * n, 2 * n);
+    for (Eigen::Index j = 0; j < 2 * n; ++j) {
+        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(2 * n, j);
+        f.apply(s, unit.data(), H.col(j).data());
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((H + H.transpose()) / 2);
+    if (solver.info() != Eigen::Success)
+        throw SolverError("the dense symmetric eigensolver did not converge");
+    std::vector<RealPair> pairs;
+    for (Eigen::Index i = 0; i < 2 * n; ++i)
+        pairs.push_back(pair_from(s, solver.eigenvalues()(i), solver.eigenvectors().col(i)));
+    return pairs;
+}
+
+std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
+    const Factors &f = *_factors;
+    const SymmetricOperator op{2 * size(),
+                               [&](const double *z, double *y) { f.apply(s, z, y); }};
+    std::vector<RealPair> pairs;
+    std::vector<Eigen::VectorXd> found;
+    // Eigenvalues that coincide can hide behind each other: the found ones are deflated and the
+    // rest is asked for again until the count agrees.
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        const int missing = std::max(2, wanted + 2 - static_cast<int>(found.size()));
+        for (const auto &[mu, z] : largest_magnitude(op, missing, found)) {
+            found.push_back(z);
+            pairs.push_back(pair_from(s, mu, z));
+        }
+        if (confirmed(s, pairs, wanted))
+            return pairs;
+    }
+    throw SolverError("the iteration missed eigenvalues that the inertia count shows");
+}
+
+bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wanted) const {
+    std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
+        return std::abs(a.value) < std::abs(b.value);
+    });
+    const auto total = pairs.size();
+    for (std::size_t k = static_cast<std::size_t>(wanted); k < total; ++k) {
+        const double below = std::abs(pairs[k - 1].value);
+        const double above = std::abs(pairs[k].value);
+        if (above - below < 1e-7 * above)
+            continue; // no room for a shift between the two
+        if (count_below(s, below + (above - below) / 2) != static_cast<int>(k))
+            return false;
+        pairs.resize(k);
+        return true;
+    }
+    return false;
+}
+
+std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
+    const int all = 2 * size();
+    // Where a large part of the spectrum is wanted, or the matrix is small, dense is faster and
+    // finds everything.
+    if (all <= 40 || 3 * (wanted + 2) > all) {
+        std::vector<RealPair> pairs = dense(s);
+        if (wanted + 1 >= all || !confirmed(s, pairs, wanted)) {
+            std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
+                return std::abs(a.value) < std::abs(b.value);
+            });
+        }
+        return pairs;
+    }
+    return iterate(s, wanted);
+}
+
+} // namespace whirl::linalg

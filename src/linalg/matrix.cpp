@@ -1,0 +1,72 @@
+#include "linalg/matrix.h"
+
+#include "linalg/check.h"
+
+#include <petscmat.h>
+
+namespace whirl::linalg {
+
+void Matrix::Deleter::operator()(_p_Mat *handle) const noexcept { MatDestroy(&handle); }
+
+Matrix Matrix::from_entries(int n, const std::vector<Eigen::Triplet<double>> &entries) {
+    std::vector<PetscInt> rows;
+    std::vector<PetscInt> columns;
+    std::vector<PetscScalar> values;
+    rows.reserve(entries.size() + static_cast<std::size_t>(n));
+    columns.reserve(rows.capacity());
+    values.reserve(rows.capacity());
+    for (const auto &entry : entries) {
+        rows.push_back(entry.row());
+        columns.push_back(entry.col());
+        values.push_back(entry.value());
+    }
+    // The whole diagonal is stored: factorisations and shifts need it.
+    for (PetscInt i = 0; i < n; ++i) {
+        rows.push_back(i);
+        columns.push_back(i);
+        values.push_back(0);
+    }
+    Mat handle = nullptr;
+    check(MatCreate(PETSC_COMM_SELF, &handle));
+    Matrix out;
+    out._handle.reset(handle);
+    check(MatSetSizes(handle, n, n, n, n));
+    check(MatSetType(handle, MATSEQAIJ));
+    check(MatSetPreallocationCOO(handle, static_cast<PetscCount>(rows.size()), rows.data(),
+                                 columns.data()));
+    check(MatSetValuesCOO(handle, values.data(), INSERT_VALUES));
+    return out;
+}
+
+Matrix Matrix::sum(double a, const Matrix &A, double b, const Matrix &B) {
+    Mat handle = nullptr;
+    check(MatDuplicate(A.handle(), MAT_COPY_VALUES, &handle));
+    Matrix out;
+    out._handle.reset(handle);
+    check(MatScale(handle, a));
+    check(MatAXPY(handle, b, B.handle(), DIFFERENT_NONZERO_PATTERN));
+    return out;
+}
+
+int Matrix::size() const {
+    PetscInt n = 0;
+    check(MatGetSize(handle(), &n, nullptr));
+    return n;
+}
+
+SparseView Matrix::view() const {
+    PetscInt n = 0;
+    const PetscInt *rows = nullptr;
+    const PetscInt *columns = nullptr;
+    PetscBool done = PETSC_FALSE;
+    const PetscScalar *values = nullptr;
+    check(MatGetRowIJ(handle(), 0, PETSC_FALSE, PETSC_FALSE, &n, &rows, &columns, &done));
+    check(MatSeqAIJGetArrayRead(handle(), &values));
+    const SparseView out(n, n, rows[n], rows, columns, values);
+    // Both calls below only end the bookkeeping; the arrays stay where they are.
+    check(MatSeqAIJRestoreArrayRead(handle(), &values));
+    check(MatRestoreRowIJ(handle(), 0, PETSC_FALSE, PETSC_FALSE, &n, &rows, &columns, &done));
+    return out;
+}
+
+} // namespace whirl::linalg

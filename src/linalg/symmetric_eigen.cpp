@@ -1,0 +1,112 @@
+#include "linalg/symmetric_eigen.h"
+
+#include "linalg/check.h"
+#include "linalg/handles.h"
+
+#include <algorithm>
+
+namespace whirl::linalg {
+
+namespace {
+
+PetscErrorCode multiply(Mat matrix, Vec z, Vec y) {
+    void *context = nullptr;
+    PetscErrorCode code = MatShellGetContext(matrix, &context);
+    if (code != 0)
+        return code;
+    const PetscScalar *in = nullptr;
+    PetscScalar *out = nullptr;
+    code = VecGetArrayRead(z, &in);
+    if (code == 0)
+        code = VecGetArrayWrite(y, &out);
+    if (code != 0)
+        return code;
+    static_cast<const SymmetricOperator *>(context)->apply(in, out);
+    VecRestoreArrayWrite(y, &out);
+    return VecRestoreArrayRead(z, &in);
+}
+
+MatOwner shell_of(const SymmetricOperator &op) {
+    Mat shell = nullptr;
+    // PETSc's interface is not const-correct; the operator is only read.
+    check(MatCreateShell(PETSC_COMM_SELF, op.size, op.size, op.size, op.size,
+                         const_cast<SymmetricOperator *>(&op), &shell));
+    MatOwner owner(shell);
+    check(MatShellSetOperation(shell, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+    return owner;
+}
+
+VecOwner vector_of(const Eigen::VectorXd &values) {
+    Vec vec = nullptr;
+    check(VecCreateSeq(PETSC_COMM_SELF, static_cast<PetscInt>(values.size()), &vec));
+    VecOwner owner(vec);
+    PetscScalar *array = nullptr;
+    check(VecGetArrayWrite(vec, &array));
+    std::copy(values.begin(), values.end(), array);
+    check(VecRestoreArrayWrite(vec, &array));
+    return owner;
+}
+
+/// The same start for every speed and every process, rich in all smooth shapes: results must not
+/// depend on how speeds are distributed.
+Eigen::VectorXd start_vector(int size) {
+    Eigen::VectorXd start(size);
+    unsigned state = 12345;
+    for (double &value : start) {
+        state = state * 1664525U + 1013904223U;
+        value = 0.5 + static_cast<double>(state >> 8U) / static_cast<double>(1U << 24U);
+    }
+    return start;
+}
+
+void deflate(EPS eps, const std::vector<Eigen::VectorXd> &deflated) {
+    std::vector<VecOwner> owners;
+    std::vector<Vec> raw;
+    for (const Eigen::VectorXd &vector : deflated) {
+        owners.push_back(vector_of(vector));
+        raw.push_back(owners.back().get());
+    }
+    check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
+}
+
+} // namespace
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+largest_magnitude(const SymmetricOperator &op, int wanted,
+                  const std::vector<Eigen::VectorXd> &deflated) {
+    const MatOwner shell = shell_of(op);
+    EPS raw = nullptr;
+    check(EPSCreate(PETSC_COMM_SELF, &raw));
+    const EpsOwner eps(raw);
+    const int room = op.size - static_cast<int>(deflated.size());
+    const int nev = std::min(wanted, room);
+    const int ncv = std::min(room, std::max(2 * nev + 8, 24));
+    check(EPSSetOperators(raw, shell.get(), nullptr));
+    check(EPSSetProblemType(raw, EPS_HEP));
+    check(EPSSetType(raw, EPSKRYLOVSCHUR));
+    check(EPSSetWhichEigenpairs(raw, EPS_LARGEST_MAGNITUDE));
+    check(EPSSetDimensions(raw, nev, ncv, PETSC_DEFAULT));
+    check(EPSSetTolerances(raw, 1e-13, 500));
+    if (!deflated.empty())
+        deflate(raw, deflated);
+    const VecOwner start = vector_of(start_vector(op.size));
+    Vec space = start.get();
+    check(EPSSetInitialSpace(raw, 1, &space));
+    check(EPSSolve(raw));
+    PetscInt converged = 0;
+    check(EPSGetConverged(raw, &converged));
+    if (converged < nev)
+        throw SolverError("the symmetric eigensolver did not converge");
+    std::vector<std::pair<double, Eigen::VectorXd>> pairs;
+    for (PetscInt i = 0; i < converged; ++i) {
+        PetscScalar value = 0;
+        check(EPSGetEigenpair(raw, i, &value, nullptr, start.get(), nullptr));
+        const PetscScalar *array = nullptr;
+        check(VecGetArrayRead(start.get(), &array));
+        pairs.emplace_back(value, Eigen::Map<const Eigen::VectorXd>(array, op.size));
+        check(VecRestoreArrayRead(start.get(), &array));
+    }
+    return pairs;
+}
+
+} // namespace whirl::linalg

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace whirl::linalg {
+
+/// A symmetric operator of the given size: y = A z.
+struct SymmetricOperator {
+    int size = 0;
+    std::function<void(const double *z, double *y)> apply;
+};
+
+/// Eigenpairs of largest modulus of a symmetric operator, orthogonal to `deflated`, by SLEPc's
+/// Krylov-Schur; vectors have length 1.
+/// @throws SolverError where fewer than `wanted` converge.
+[[nodiscard]] std::vector<std::pair<double, Eigen::VectorXd>>
+largest_magnitude(const SymmetricOperator &op, int wanted,
+                  const std::vector<Eigen::VectorXd> &deflated);
+
+} // namespace whirl::linalg
