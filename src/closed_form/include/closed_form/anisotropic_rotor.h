@@ -1,0 +1,65 @@
+#pragma once
+
+#include "closed_form/band.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace whirl::closed_form {
+
+/// Rigid rotor with unequal diametral inertias 1 - a and 1 + a, symmetric on isotropic supports:
+/// its tilt motion, dimensionless (mean diametral inertia 1, time unit 1/omega_0). Source: A. N.
+/// Gorbenko, On the permissible level of inertial anisotropy of a gyroscopic rotor. Physical values
+/// may be used as they are after division by the mean diametral inertia A (kg m2): p2 = c_beta/A, h
+/// = h_beta/A, speeds in rad/s.
+struct AnisotropicRotor {
+    double polar_inertia = 0.0; ///< C over the mean diametral inertia
+    double anisotropy =
+        0.0; ///< a = half the difference of the diametral inertias over their mean, >= 0
+    double frequency = 0.0; ///< p, natural frequency of tilt at rest
+    double damping = 0.0;   ///< h, tilt damping over the mean diametral inertia
+};
+
+/// long: C < 1, spherical: C = 1, short: C > 1 (exact comparison with a rounding allowance of
+/// 1e-12).
+enum class RotorType { long_rotor, spherical, short_rotor };
+[[nodiscard]] RotorType rotor_type(double diametral_inertia, double polar_inertia);
+
+/// Coefficients a0..a4 of a0 s^4 + a1 s^3 + ... + a4 in the rotating frame at spin speed Omega.
+[[nodiscard]] std::array<double, 5> characteristic_polynomial(const AnisotropicRotor &rotor,
+                                                              double spin_speed);
+
+/// Routh-Hurwitz conditions of the quartic: all a_i > 0 and a1 a2 a3 - a0 a3^2 - a1^2 a4 > 0.
+[[nodiscard]] bool routh_hurwitz_stable(const std::array<double, 5> &coefficients);
+
+/// a1 a2 a3 - a0 a3^2 - a1^2 a4 in the closed form 4 h^2 p^2 [p^2 a^2 + h^2 + (2 - C)^2 Omega^2],
+/// never negative: only a4 (and a0) decide stability.
+[[nodiscard]] double hurwitz_determinant(const AnisotropicRotor &rotor, double spin_speed);
+
+/// Undamped forward critical speeds p/sqrt(1 - C + a), p/sqrt(1 - C - a), ascending: two for C < 1
+/// - a, one for 1 - a <= C < 1 + a, none beyond. Equal ones (a = 0) are listed once.
+[[nodiscard]] std::vector<double> critical_speeds(const AnisotropicRotor &rotor);
+
+/// Unstable spin speeds (a4 < 0). Two ends for 1 - C > a; no upper end for |1 - C| < a; nothing for
+/// C > 1 + a or where damping is large enough.
+[[nodiscard]] std::optional<Band> unstable_band(const AnisotropicRotor &rotor);
+
+/// Largest anisotropy that is stable at one spin speed: sqrt[(p^2/Omega^2 - (1 - C))^2 +
+/// h^2/Omega^2].
+[[nodiscard]] double permissible_anisotropy(const AnisotropicRotor &rotor, double spin_speed);
+
+struct PermissibleAnisotropy {
+    double anisotropy = 0.0;          ///< largest value stable at every speed (as an infimum)
+    std::optional<double> spin_speed; ///< where it is least; none: approached as Omega -> infinity
+};
+
+/// Permissible anisotropy over all speeds: (h/p) sqrt(1 - C - h^2/(4 p^2)) while 1 - C > h^2/(2
+/// p^2), else the infimum |1 - C|, approached at infinite speed.
+[[nodiscard]] PermissibleAnisotropy permissible_anisotropy(const AnisotropicRotor &rotor);
+
+/// Permissible anisotropy over the speeds from `from` to `to` (the ends included).
+[[nodiscard]] PermissibleAnisotropy permissible_anisotropy(const AnisotropicRotor &rotor,
+                                                           double from, double to);
+
+} // namespace whirl::closed_form

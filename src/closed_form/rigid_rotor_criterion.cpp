@@ -1,0 +1,96 @@
+#include "closed_form/rigid_rotor_criterion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::closed_form {
+
+namespace {
+
+/// Relative allowance within which two inertias, or two ends of a band, count as equal.
+constexpr double rounding = 1e-12;
+
+RotorType type_of(const TwoSupportRotor &rotor) {
+    return rotor_type(rotor.diametral_inertia, rotor.polar_inertia);
+}
+
+void add_band(std::vector<Band> &bands, double from, std::optional<double> to) {
+    // At the two positions of z where the additional speed equals a resonance the band is empty, or
+    // the two bands touch.
+    if (to && *to <= from * (1.0 + rounding))
+        return;
+    bands.push_back({from, to});
+}
+
+} // namespace
+
+TwoSupportRotor two_support_rotor(double mass, double diametral_inertia, double polar_inertia,
+                                  double k1, double k2, double l1, double l2) {
+    return {mass,    diametral_inertia, polar_inertia,
+            k1 + k2, k2 * l2 - k1 * l1, k1 * l1 * l1 + k2 * l2 * l2};
+}
+
+double frequency_determinant(const TwoSupportRotor &rotor, double spin_speed) {
+    const double x = spin_speed * spin_speed;
+    const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
+    return (rotor.k11 - rotor.mass * x) * (rotor.k33 - slenderness * x) - rotor.k14 * rotor.k14;
+}
+
+std::vector<double> resonances(const TwoSupportRotor &rotor) {
+    const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
+    const double determinant = rotor.k11 * rotor.k33 - rotor.k14 * rotor.k14;
+    const RotorType type = type_of(rotor);
+    if (type == RotorType::spherical)
+        return {std::sqrt(determinant / (rotor.mass * rotor.k33))};
+
+    const double leading = rotor.mass * slenderness;
+    const double half_middle = 0.5 * (slenderness * rotor.k11 + rotor.mass * rotor.k33);
+    // Never negative: ((A - C) k11 - M k33)^2 / 4 + M (A - C) k14^2 for a long rotor, and a sum of
+    // positives for a short one.
+    const double root = std::sqrt(std::max(0.0, half_middle * half_middle - leading * determinant));
+    if (type == RotorType::long_rotor) {
+        const double sum = half_middle + root;
+        return {std::sqrt(determinant / sum), std::sqrt(sum / leading)};
+    }
+    const double x =
+        half_middle > 0.0 ? determinant / (half_middle + root) : (half_middle - root) / leading;
+    return {std::sqrt(x)};
+}
+
+std::optional<double> additional_speed(const TwoSupportRotor &rotor, double z) {
+    const double inertia = rotor.diametral_inertia + rotor.mass * z * z - rotor.polar_inertia;
+    if (inertia <= rounding * rotor.diametral_inertia)
+        return std::nullopt;
+    return std::sqrt((rotor.k33 + rotor.k11 * z * z - 2.0 * rotor.k14 * z) / inertia);
+}
+
+Eigen::Matrix2d criterion_matrix(const TwoSupportRotor &rotor, double spin_speed) {
+    const double x = spin_speed * spin_speed;
+    const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
+    Eigen::Matrix2d form;
+    form << rotor.k11 - rotor.mass * x, -rotor.k14, -rotor.k14, rotor.k33 - slenderness * x;
+    return form / frequency_determinant(rotor, spin_speed);
+}
+
+std::optional<double> largest_plane_distance(const TwoSupportRotor &rotor) {
+    if (type_of(rotor) != RotorType::short_rotor)
+        return std::nullopt;
+    return std::sqrt((rotor.polar_inertia - rotor.diametral_inertia) / rotor.mass);
+}
+
+std::vector<Band> static_balancing_bands(const TwoSupportRotor &rotor, double z) {
+    const std::vector<double> speeds = resonances(rotor);
+    std::vector<Band> bands;
+    add_band(bands, speeds.front(), additional_speed(rotor, z));
+    if (type_of(rotor) == RotorType::long_rotor)
+        bands.push_back({speeds.back(), std::nullopt});
+    return bands;
+}
+
+std::vector<Band> dynamic_balancing_bands(const TwoSupportRotor &rotor) {
+    if (type_of(rotor) != RotorType::long_rotor)
+        return {};
+    return {{resonances(rotor).back(), std::nullopt}};
+}
+
+} // namespace whirl::closed_form
