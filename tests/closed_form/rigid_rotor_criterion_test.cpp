@@ -38,7 +38,7 @@ TEST(RigidRotorCriterion, NumbersOfTheLongRotor) {
     const auto rotor = rotor_with(3.0, 1.0);
     const auto speeds = resonances(rotor);
     ASSERT_EQ(speeds.size(), 2U);
-    // 272.88605538508663 in forty-digit arithmetic; often printed rounded up to 272.886056.
+    // 272.88605538508663 in forty-digit arithmetic.
     EXPECT_NEAR(speeds[0], 272.886055385087, 1e-11);
     EXPECT_NEAR(speeds[1], 737.473073, printed);
     EXPECT_NEAR(additional_speed(rotor, -0.3).value(), 512.017736, printed);

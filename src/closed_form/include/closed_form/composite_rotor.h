@@ -1,0 +1,78 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace whirl::closed_form {
+
+/// Rigid rotor with a ball auto-balancer and an imbalance in one plane, seen as one body while the
+/// balls stand at a balanced position. Source: A. N. Gorbenko, Mass-inertia characteristics and
+/// dimensionless equations of motion of a rotor with an auto-balancer; its D_A >= 0 is replaced by
+/// the signed, complex D.
+
+/// Axisymmetric rotor without balls and imbalance; G its centre of mass.
+struct BareRotor {
+    double mass = 0.0;              ///< kg, M_r
+    double diametral_inertia = 0.0; ///< kg m2, A_r about G
+    double polar_inertia = 0.0;     ///< kg m2, C_r
+    double balancer_distance = 0.0; ///< m, z_GA from G to the plane A of balls and imbalance
+};
+
+/// n equal point balls.
+struct BallSet {
+    int count = 0;
+    double mass = 0.0;    ///< kg, of one ball
+    double radius = 0.0;  ///< m
+    double damping = 0.0; ///< N s/m, h_A of one ball against the rotor
+};
+
+/// Imbalance in the balancer's plane, at angle 0.
+struct PlaneImbalance {
+    double moment = 0.0; ///< kg m, m0 R0
+    double mass =
+        0.0; ///< kg, m0; 0 for the rotor's own eccentricity, which adds neither mass nor inertia
+
+    /// A_m0 = m0 R0^2, kg m2.
+    [[nodiscard]] double inertia() const { return mass > 0.0 ? moment * moment / mass : 0.0; }
+};
+
+/// Principal diametral inertias and the direction of the axis of the smaller one.
+struct PrincipalInertias {
+    double smaller = 0.0;   ///< kg m2
+    double larger = 0.0;    ///< kg m2
+    double direction = 0.0; ///< rad in the rotor, (-pi/2, pi/2]; axis of the smaller inertia
+};
+
+struct CompositeRotor {
+    double mass = 0.0;              ///< kg, M_s = M_r + m0 + n m
+    double balancer_position = 0.0; ///< m, z_A of the plane A from the common centre of mass C
+    double rotor_position = 0.0;    ///< m, z_G of the bare rotor's centre of mass from C
+    double base_inertia = 0.0;      ///< kg m2, A_s = A_r + M_r z_G^2 + (m0 + n m) z_A^2
+    double polar_inertia = 0.0;     ///< kg m2, C = C_r + A_m0 + A_m
+    double ball_inertia = 0.0;      ///< kg m2, A_m = n m R^2
+    double imbalance_inertia = 0.0; ///< kg m2, A_m0
+    std::complex<double> second_harmonic; ///< D = D_c + i D_s
+
+    /// A_Sigma = A_s + (A_m0 + A_m)/2, kg m2.
+    [[nodiscard]] double mean_inertia() const;
+    /// a = (A_m0 + A_m D)/2, kg m2: modulus of the anisotropy, and twice the direction of the axis
+    /// of smaller inertia as argument.
+    [[nodiscard]] std::complex<double> anisotropy() const;
+    /// Diametral inertia about the axis at `angle` in the rotor, A_Sigma - Re[a exp(-2 i angle)],
+    /// kg m2. A_C1 is the value at 0 (the line of the imbalance) and A_C2 the one at pi/2 when D is
+    /// real.
+    [[nodiscard]] double inertia_about(double angle) const;
+    [[nodiscard]] PrincipalInertias principal_inertias() const;
+    /// The same body as the paper describes it, with D_A = |D| in place of D: right only for real D
+    /// >= 0.
+    [[nodiscard]] CompositeRotor with_unsigned_harmonic() const;
+};
+
+[[nodiscard]] CompositeRotor composite_rotor(const BareRotor &rotor, const BallSet &balls,
+                                             const PlaneImbalance &imbalance,
+                                             std::complex<double> second_harmonic);
+
+/// True where three principal inertias can belong to a body: each at most the sum of the other two.
+[[nodiscard]] bool possible_inertias(double first, double second, double polar);
+
+} // namespace whirl::closed_form
