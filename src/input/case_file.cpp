@@ -1,0 +1,94 @@
+#include "input/case_file.h"
+
+#include "input/overrides.h"
+#include "input/sections.h"
+#include "input/toml_text.h"
+#include "input/validate.h"
+#include "model/errors.h"
+
+#include <array>
+#include <fstream>
+#include <sstream>
+
+namespace whirl::input {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path find_file(const fs::path &folder_or_file) {
+    std::error_code ignored;
+    const bool folder = fs::is_directory(folder_or_file, ignored);
+    const fs::path file = folder ? folder_or_file / "case.toml" : folder_or_file;
+    if (!fs::exists(file, ignored) || fs::is_directory(file, ignored))
+        throw model::BadInput(file.generic_string() +
+                              ": expected a case (a folder with a case.toml, or a .toml file), "
+                              "there is no such file");
+    return file.lexically_normal();
+}
+
+std::string read_text(const fs::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream)
+        throw model::BadInput(file.generic_string() + ": expected a case file, it cannot be read");
+    return text.str();
+}
+
+/// The folder's name for a case.toml, else the file's without its ending.
+std::string case_name(const fs::path &file) {
+    const fs::path absolute = fs::absolute(file).lexically_normal();
+    const bool in_folder = file.filename() == "case.toml" && absolute.has_parent_path();
+    return in_folder ? absolute.parent_path().filename().string() : file.stem().string();
+}
+
+void read_format(CheckedTable &root) {
+    const Node *format = root.find("format");
+    if (!format)
+        root.fail("format", "missing, expected format = 1");
+    else if (format->kind != Node::Kind::integer || format->number != 1)
+        root.fail("format", "expected 1, got " + shown(*format));
+}
+
+model::Case read_case(CheckedTable &root) {
+    model::Case scene;
+    read_format(root);
+    scene.title = root.text("title").value_or("");
+    constexpr std::array forms{model::FormChoice::automatic, model::FormChoice::planar,
+                               model::FormChoice::hyperbolic, model::FormChoice::general};
+    scene.formulation =
+        forms[root.choice("formulation", {"auto", "planar", "hyperbolic", "general"}, 0)];
+    const Materials materials = read_materials(root);
+    scene.rotor.shaft = read_shaft(root, materials);
+    read_discs(root, materials, scene.rotor);
+    read_bearings(root, scene.rotor);
+    read_anisotropies(root, scene.rotor);
+    read_balancers(root, scene.rotor);
+    read_planes(root, scene.rotor);
+    read_imbalances(root, scene.rotor);
+    read_speeds(root, scene);
+    read_campbell(root, scene);
+    read_simulate(root, scene);
+    read_map(root, scene);
+    root.refuse_unknown();
+    return scene;
+}
+
+} // namespace
+
+model::Case load_case(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
+    const fs::path file = find_file(folder_or_file);
+    Node tree = parse_toml(read_text(file), file.generic_string());
+    ReadContext context;
+    context.folder = file.parent_path();
+    apply_overrides(tree, overrides, context.problems);
+    CheckedTable root(tree, "", context);
+    model::Case scene = read_case(root);
+    scene.file = file;
+    scene.name = case_name(file);
+    validate(scene, tree, context.problems);
+    context.problems.throw_if_any();
+    return scene;
+}
+
+} // namespace whirl::input

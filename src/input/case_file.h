@@ -1,0 +1,20 @@
+#pragma once
+
+#include "model/case.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace whirl::input {
+
+/// Reads a case: a folder (its case.toml) or a .toml file, see docs/case_format.md.
+///
+/// @param overrides  "path.to.key=value", applied in their order before the case is read; the value
+///                   is TOML, or text where it is no TOML ("500 rpm")
+/// @throws model::BadInput with one line for each mistake found, all of them at once:
+///         `cases/x/case.toml:12: bearing[0].kxx: expected a stiffness in N/m, got "5 kg"`
+[[nodiscard]] model::Case load_case(const std::filesystem::path &folder_or_file,
+                                    const std::vector<std::string> &overrides = {});
+
+} // namespace whirl::input

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "input/node.h"
+#include "input/units.h"
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::input {
+
+/// Values that a number may have.
+struct Range {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = std::numeric_limits<double>::infinity();
+    bool low_open = false;  ///< low itself is not allowed
+    bool high_open = false; ///< high itself is not allowed
+
+    /// False for nan.
+    [[nodiscard]] bool contains(double value) const;
+    /// " greater than 0", " in [0, 0.5)", or nothing for all numbers.
+    [[nodiscard]] std::string words() const;
+
+    static Range any() { return {}; }
+    static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
+    static Range not_negative() { return {0, std::numeric_limits<double>::infinity()}; }
+    static Range inside(double low, double high) { return {low, high, true, true}; }
+};
+
+/// What reading a case shares: the mistakes found, and which entries are numbers of which kind.
+struct ReadContext {
+    Problems problems;
+    std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
+    std::filesystem::path folder;            ///< of the case file; paths in it start here
+
+    /// The number of a node in SI. A mistake is collected and gives nan, which no comparison of a
+    /// later check holds for, so that one mistake is reported once.
+    double number(const Node &node, const std::string &path, Quantity quantity, Range range);
+    /// The same for a whole number; a mistake gives `low`.
+    int whole(const Node &node, const std::string &path, int low, int high);
+};
+
+/// A table of a case file whose every entry must be asked for: those nobody asked for are unknown
+/// keys. Mistakes are collected with line and path.
+class CheckedTable {
+  public:
+    /// `node` is a table; it and the context must outlive this.
+    CheckedTable(const Node &node, std::string path, ReadContext &context)
+        : _node(&node), _path(std::move(path)), _context(&context) {}
+
+    /// The entry or null; makes the key known.
+    const Node *find(const std::string &key);
+    bool has(const std::string &key) { return find(key) != nullptr; }
+
+    /// A required number in SI; nan where it is missing or wrong (see ReadContext::number).
+    double number(const std::string &key, Quantity quantity, Range range = {});
+    /// A number that may be missing.
+    std::optional<double> optional_number(const std::string &key, Quantity quantity,
+                                          Range range = {});
+    double number_or(const std::string &key, double fallback, Quantity quantity, Range range = {}) {
+        return optional_number(key, quantity, range).value_or(fallback);
+    }
+    /// A list of numbers; empty where it is missing or wrong.
+    std::vector<double> numbers(const std::string &key, Quantity quantity, Range range = {});
+    /// A whole number from `low` to `high`.
+    int whole_or(const std::string &key, int fallback, int low, int high);
+    bool flag_or(const std::string &key, bool fallback);
+    std::optional<std::string> text(const std::string &key);
+    /// Index of the text of `key` in `choices`; `fallback` where it is missing or wrong.
+    std::size_t choice(const std::string &key, const std::vector<std::string> &choices,
+                       std::size_t fallback);
+
+    std::optional<CheckedTable> table(const std::string &key);
+    std::vector<CheckedTable> tables(const std::string &key);
+
+    /// Collects a mistake at the entry `key`, or at the table where it has no such entry.
+    void fail(const std::string &key, std::string text);
+    /// Collects a mistake for each entry that was never asked for. Call last.
+    void refuse_unknown();
+
+    [[nodiscard]] const Node &node() const { return *_node; }
+    [[nodiscard]] std::string path_of(const std::string &key) const {
+        return _path.empty() ? key : _path + "." + key;
+    }
+    [[nodiscard]] const std::string &path() const { return _path; }
+    [[nodiscard]] ReadContext &context() { return *_context; }
+
+  private:
+    const Node *_node;
+    std::string _path;
+    ReadContext *_context;
+    std::vector<std::string> _known;
+};
+
+} // namespace whirl::input

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "input/problems.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace whirl::input {
+
+/// A value of a case file with the place where it was written.
+struct Node {
+    enum class Kind { table, list, text, integer, real, boolean, other };
+
+    Kind kind = Kind::table;
+    Origin origin;
+    std::string key;         ///< its name in the table above; empty in lists
+    std::vector<Node> items; ///< entries of a table, or items of a list
+    std::string text;        ///< of Kind::text
+    double number = 0;       ///< of Kind::integer and Kind::real
+    bool flag = false;       ///< of Kind::boolean
+
+    [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
+
+    /// The entry of that name, or null.
+    [[nodiscard]] const Node *find(std::string_view name) const;
+    [[nodiscard]] Node *find(std::string_view name);
+};
+
+/// The value as the user wrote it, for messages: `"5 kg"`, `-3.5`, `a table`.
+[[nodiscard]] std::string shown(const Node &node);
+
+/// `text` in quotation marks, cut where it is long, control characters replaced.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// A key, or an index into a list.
+using PathStep = std::variant<std::string, std::size_t>;
+
+/// Steps of "shaft.segments[1].outer"; empty where the text is no path.
+[[nodiscard]] std::vector<PathStep> parse_path(std::string_view text);
+
+/// The node at that path below `root`, or null.
+[[nodiscard]] const Node *find_path(const Node &root, std::string_view path);
+
+/// Where the entry stands, or the deepest of the entries around it.
+[[nodiscard]] Origin origin_of(const Node &root, std::string_view path);
+
+} // namespace whirl::input

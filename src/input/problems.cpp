@@ -1,0 +1,89 @@
+#include "input/problems.h"
+
+#include "model/errors.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+namespace whirl::input {
+namespace {
+
+/// Levenshtein's edit distance; letters that differ in case only count as equal.
+std::size_t edit_distance(std::string_view left, std::string_view right) {
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) ==
+               std::tolower(static_cast<unsigned char>(b));
+    };
+    std::vector<std::size_t> row(right.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= left.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= right.size(); ++j) {
+            const std::size_t replaced = diagonal + (same(left[i - 1], right[j - 1]) ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+} // namespace
+
+std::string Origin::text() const { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
+
+void Problems::add(Origin origin, std::string key, std::string text) {
+    _problems.push_back({std::move(origin), std::move(key), std::move(text)});
+}
+
+void Problems::throw_if_any() const {
+    if (_problems.empty())
+        return;
+    std::vector<std::string> files;
+    const auto rank = [&files](const std::string &file) {
+        return std::find(files.begin(), files.end(), file) - files.begin();
+    };
+    for (const Problem &problem : _problems)
+        if (rank(problem.origin.file) == std::ssize(files))
+            files.push_back(problem.origin.file);
+    std::vector<Problem> sorted = _problems;
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem &a, const Problem &b) {
+        return std::pair(rank(a.origin.file), a.origin.line) <
+               std::pair(rank(b.origin.file), b.origin.line);
+    });
+    std::string message;
+    for (const Problem &problem : sorted) {
+        message += message.empty() ? "" : "\n";
+        message += problem.origin.text() + ": ";
+        message += problem.key.empty() ? "" : problem.key + ": ";
+        message += problem.text;
+    }
+    throw model::BadInput(message);
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string> &candidates) {
+    // Two edits are a slip in a short word; in a long one, a third of its letters.
+    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::string best;
+    for (const std::string &candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        if (distance < least && distance < std::max(word.size(), candidate.size())) {
+            least = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string> &candidates) {
+    const std::string best = nearest(word, candidates);
+    if (!best.empty())
+        return fmt::format(", did you mean \"{}\"?", best);
+    return candidates.empty() ? "" : fmt::format(", known are {}", fmt::join(candidates, ", "));
+}
+
+} // namespace whirl::input

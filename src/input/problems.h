@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace whirl::input {
+
+/// Where an entry was written: a line of a file, or an override on the command line (line 0).
+struct Origin {
+    std::string file; ///< as the user named it, or "--set path=value"
+    int line = 0;     ///< from 1; 0: no line to name
+
+    /// "cases/x/case.toml:12".
+    [[nodiscard]] std::string text() const;
+};
+
+/// Collects all mistakes of a case, so that the user sees them at once.
+class Problems {
+  public:
+    /// `text` says what was expected and what was given; `key` is the path of the entry, or empty.
+    void add(Origin origin, std::string key, std::string text);
+
+    [[nodiscard]] bool empty() const { return _problems.empty(); }
+
+    /// Throws model::BadInput with one line for each problem, "origin: key: text", those of one
+    /// file together and in the order of their lines; does nothing where there is no problem.
+    void throw_if_any() const;
+
+  private:
+    struct Problem {
+        Origin origin;
+        std::string key;
+        std::string text;
+    };
+    std::vector<Problem> _problems;
+};
+
+/// The candidate nearest to `word` (fewest edits), or empty where none is near enough to be meant.
+[[nodiscard]] std::string nearest(std::string_view word,
+                                  const std::vector<std::string> &candidates);
+
+/// `, did you mean "x"?` for the nearest candidate, else `, known are a, b, c`.
+[[nodiscard]] std::string suggestion(std::string_view word,
+                                     const std::vector<std::string> &candidates);
+
+} // namespace whirl::input

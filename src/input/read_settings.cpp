@@ -1,0 +1,168 @@
+#include "input/sections.h"
+
+#include <fmt/core.h>
+
+namespace whirl::input {
+namespace {
+
+/// Pairs [time, speed] of a run-up.
+std::vector<std::pair<double, double>> read_run_up(CheckedTable &table) {
+    const Node *list = table.find("run_up");
+    if (!list)
+        return {};
+    if (list->kind != Node::Kind::list || list->items.empty()) {
+        table.fail("run_up", "expected a list of pairs [time, speed], got " + shown(*list));
+        return {};
+    }
+    ReadContext &context = table.context();
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < list->items.size(); ++i) {
+        const Node &item = list->items[i];
+        const std::string path = fmt::format("{}[{}]", table.path_of("run_up"), i);
+        if (item.kind != Node::Kind::list || item.items.size() != 2) {
+            context.problems.add(item.origin, path,
+                                 "expected a pair [time, speed], got " + shown(item));
+            continue;
+        }
+        const double time =
+            context.number(item.items[0], path + "[0]", Quantity::time, Range::not_negative());
+        const double speed =
+            context.number(item.items[1], path + "[1]", Quantity::angular_speed, Range::any());
+        if (!points.empty() && time <= points.back().first)
+            context.problems.add(item.origin, path,
+                                 fmt::format("expected times that ascend, got {} s after {} s",
+                                             time, points.back().first));
+        points.emplace_back(time, speed);
+    }
+    return points;
+}
+
+/// Lists of angles, one for each balancer.
+std::vector<std::vector<double>> read_ball_angles(CheckedTable &table) {
+    const Node *list = table.find("ball_angles");
+    if (!list)
+        return {};
+    std::vector<std::vector<double>> angles;
+    ReadContext &context = table.context();
+    if (list->kind != Node::Kind::list)
+        table.fail("ball_angles",
+                   "expected a list of angles for each balancer, got " + shown(*list));
+    for (std::size_t i = 0; i < list->items.size() && list->kind == Node::Kind::list; ++i) {
+        const Node &item = list->items[i];
+        const std::string path = fmt::format("{}[{}]", table.path_of("ball_angles"), i);
+        angles.emplace_back();
+        if (item.kind != Node::Kind::list) {
+            context.problems.add(item.origin, path,
+                                 "expected a list of angles in rad, got " + shown(item));
+            continue;
+        }
+        for (std::size_t j = 0; j < item.items.size(); ++j)
+            angles.back().push_back(context.number(item.items[j], fmt::format("{}[{}]", path, j),
+                                                   Quantity::angle, Range::any()));
+    }
+    return angles;
+}
+
+/// Quantity of the entry that a map varies: "speed", or a number that the case file contains.
+std::optional<Quantity> varied_quantity(CheckedTable &axis, const std::string &path,
+                                        const std::map<std::string, Quantity> &entries) {
+    if (path == "speed")
+        return Quantity::angular_speed;
+    const auto found = entries.find(path);
+    if (found != entries.end())
+        return found->second;
+    std::vector<std::string> paths{"speed"};
+    for (const auto &entry : entries)
+        paths.push_back(entry.first);
+    const std::string best = nearest(path, paths);
+    axis.fail("path", "expected \"speed\" or a numeric entry of the case, got " + in_quotes(path) +
+                          (best.empty() ? "" : ", did you mean \"" + best + "\"?"));
+    return std::nullopt;
+}
+
+model::MapAxis read_axis(CheckedTable &map, const std::string &key,
+                         const std::map<std::string, Quantity> &entries) {
+    model::MapAxis axis;
+    auto table = map.table(key);
+    if (!table) {
+        if (!map.has(key))
+            map.fail(key, "missing, expected a table {path, from, to, count}");
+        return axis;
+    }
+    const auto path = table->text("path");
+    if (!table->has("path"))
+        table->fail("path", "missing, expected \"speed\" or a numeric entry of the case");
+    const auto quantity = path ? varied_quantity(*table, *path, entries) : std::nullopt;
+    if (!quantity)
+        return axis;
+    axis.path = *path;
+    axis.from = table->number("from", *quantity);
+    axis.to = table->number("to", *quantity);
+    if (axis.to <= axis.from)
+        table->fail("to", fmt::format("expected more than from = {}, got {}", axis.from, axis.to));
+    if (!table->has("count"))
+        table->fail("count", "missing, expected a whole number of 2 or more");
+    axis.count = table->whole_or("count", 2, 2, largest_count);
+    table->refuse_unknown();
+    return axis;
+}
+
+} // namespace
+
+void read_speeds(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("speeds");
+    if (!table)
+        return;
+    model::SpeedRange speeds;
+    speeds.from = table->number_or("from", 0, Quantity::angular_speed);
+    const auto to = table->optional_number("to", Quantity::angular_speed);
+    speeds.to = to.value_or(speeds.from);
+    speeds.count = table->whole_or("count", to ? 101 : 1, 1, largest_count);
+    if (speeds.to < speeds.from || (to && speeds.count > 1 && speeds.to == speeds.from))
+        table->fail("to", fmt::format("expected {} from = {} rad/s, got {} rad/s",
+                                      speeds.count > 1 ? "more than" : "at least", speeds.from,
+                                      speeds.to));
+    if (!to && speeds.count > 1)
+        table->fail("to", "missing, expected an angular speed in rad/s where count is above 1");
+    table->refuse_unknown();
+    scene.speeds = speeds;
+}
+
+void read_campbell(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("campbell");
+    if (!table)
+        return;
+    scene.campbell.modes = table->whole_or("modes", scene.campbell.modes, 1, 1000);
+    if (table->has("multiples"))
+        scene.campbell.multiples =
+            table->numbers("multiples", Quantity::dimensionless, Range::positive());
+    table->refuse_unknown();
+}
+
+void read_simulate(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("simulate");
+    if (!table)
+        return;
+    model::SimulateSettings &simulate = scene.simulate;
+    simulate.time = table->number("time", Quantity::time, Range::positive());
+    simulate.run_up = read_run_up(*table);
+    simulate.ball_angles = read_ball_angles(*table);
+    simulate.tolerance = table->number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
+                                          Range::inside(0, 1));
+    table->refuse_unknown();
+}
+
+void read_map(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("map");
+    if (!table)
+        return;
+    // Taken before the axes are read: their own numbers are no entries to vary.
+    const std::map<std::string, Quantity> entries = root.context().numeric;
+    model::MapSettings map;
+    map.x = read_axis(*table, "x", entries);
+    map.y = read_axis(*table, "y", entries);
+    table->refuse_unknown();
+    scene.map = map;
+}
+
+} // namespace whirl::input

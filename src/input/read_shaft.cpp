@@ -1,0 +1,200 @@
+#include "input/csv_table.h"
+#include "input/sections.h"
+#include "input/validate.h"
+
+#include <fmt/core.h>
+
+namespace whirl::input {
+namespace {
+
+model::Material read_material(CheckedTable table, const std::string &name) {
+    model::Material material;
+    material.name = name;
+    material.E = table.number("E", Quantity::pressure, Range::positive());
+    material.rho = table.number("rho", Quantity::density, Range::positive());
+    const auto nu = table.optional_number("nu", Quantity::dimensionless, {0, 0.5, false, true});
+    const auto shear = table.optional_number("G", Quantity::pressure, Range::positive());
+    if (!nu && !shear)
+        table.fail("G", "missing, expected a pressure in Pa greater than 0, or nu");
+    material.G = shear.value_or(material.E / (2 * (1 + nu.value_or(0))));
+    if (shear)
+        check_shear_modulus(material, nu, origin_of(table.node(), "G"), table.path_of("G"),
+                            table.context().problems);
+    table.refuse_unknown();
+    return material;
+}
+
+std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &materials,
+                                          int elements) {
+    std::vector<model::Segment> segments;
+    ReadContext &context = shaft.context();
+    for (CheckedTable &table : shaft.tables("segments")) {
+        model::Segment segment;
+        table.text("name");
+        segment.length = table.number("length", Quantity::length, Range::positive());
+        segment.outer_start = table.number("outer", Quantity::length, Range::positive());
+        segment.inner_start = table.number_or("inner", 0, Quantity::length, Range::not_negative());
+        segment.outer_end =
+            table.number_or("outer_end", segment.outer_start, Quantity::length, Range::positive());
+        segment.inner_end = table.number_or("inner_end", segment.inner_start, Quantity::length,
+                                            Range::not_negative());
+        segment.elements = table.whole_or("elements", elements, 1, largest_count);
+        segment.material =
+            pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
+                          table.path_of("material"), context.problems)
+                .value_or(model::Material{});
+        table.refuse_unknown();
+        check_segment(segment, origin_of(table.node(), "inner"), table.path_of("inner"),
+                      context.problems);
+        segments.push_back(segment);
+    }
+    return segments;
+}
+
+const std::vector<CsvRule> station_columns{
+    {"length", Quantity::length},         {"outer", Quantity::length},
+    {"inner", Quantity::length},          {"outer_end", Quantity::length},
+    {"inner_end", Quantity::length},      {"material", {}},
+    {"elements", Quantity::dimensionless}};
+
+model::Segment read_station(CsvTable &table, std::size_t row, const Materials &materials,
+                            int elements, ReadContext &context) {
+    model::Segment segment;
+    segment.length = table.number(row, "length", Range::positive());
+    segment.outer_start = table.number(row, "outer", Range::positive());
+    segment.inner_start = table.optional_number(row, "inner", Range::not_negative()).value_or(0);
+    segment.outer_end =
+        table.optional_number(row, "outer_end", Range::positive()).value_or(segment.outer_start);
+    segment.inner_end = table.optional_number(row, "inner_end", Range::not_negative())
+                            .value_or(segment.inner_start);
+    const std::string name = table.text(row, "material");
+    segment.material = pick_material(materials, name.empty() ? std::nullopt : std::optional(name),
+                                     table.origin(row), "material", context.problems)
+                           .value_or(model::Material{});
+    segment.elements = elements;
+    if (const auto count = table.optional_number(row, "elements", {1, largest_count})) {
+        segment.elements = static_cast<int>(std::max(1.0, *count));
+        if (segment.elements < *count)
+            context.problems.add(table.origin(row), "elements",
+                                 fmt::format("expected a whole number, got {}", *count));
+    }
+    check_segment(segment, table.origin(row), "inner", context.problems);
+    return segment;
+}
+
+std::vector<model::Segment> read_stations(const std::string &path, const Materials &materials,
+                                          int elements, ReadContext &context) {
+    const auto file = (context.folder / path).lexically_normal();
+    CsvTable table(file, station_columns, context.problems);
+    std::vector<model::Segment> segments;
+    bool complete = table.usable();
+    for (const std::string column : {"length", "outer"})
+        if (complete && !table.has(column)) {
+            context.problems.add(table.header_origin(), column,
+                                 "missing, expected a column of lengths");
+            complete = false;
+        }
+    for (std::size_t row = 0; complete && row < table.rows(); ++row)
+        segments.push_back(read_station(table, row, materials, elements, context));
+    return segments;
+}
+
+void read_shear(CheckedTable &table, model::Shaft &shaft) {
+    const Node *entry = table.find("shear");
+    if (!entry || (entry->kind == Node::Kind::text && entry->text == "cowper"))
+        return;
+    if (entry->kind == Node::Kind::text && entry->text == "hutchinson") {
+        shaft.shear = model::ShearFormula::hutchinson;
+    } else if (entry->is_number()) {
+        shaft.shear = model::ShearFormula::given;
+        shaft.shear_coefficient = table.number("shear", Quantity::dimensionless, Range::positive());
+    } else {
+        table.fail("shear", "expected \"cowper\", \"hutchinson\" or a shear coefficient greater "
+                            "than 0, got " +
+                                shown(*entry));
+    }
+}
+
+void read_order(CheckedTable &table, model::Shaft &shaft) {
+    const Node *entry = table.find("order");
+    shaft.order_auto = entry && entry->kind == Node::Kind::text && entry->text == "auto";
+    if (entry && entry->kind == Node::Kind::text && !shaft.order_auto)
+        table.fail("order",
+                   "expected a whole number from 1 to 30 or \"auto\", got " + shown(*entry));
+    else if (entry && !shaft.order_auto)
+        shaft.order = table.whole_or("order", shaft.order, 1, 30);
+}
+
+} // namespace
+
+Materials read_materials(CheckedTable &root) {
+    Materials materials;
+    auto section = root.table("material");
+    if (!section)
+        return materials;
+    for (const Node &entry : section->node().items)
+        if (auto table = section->table(entry.key))
+            materials.emplace(entry.key, read_material(*table, entry.key));
+    return materials;
+}
+
+std::optional<model::Material> pick_material(const Materials &materials,
+                                             const std::optional<std::string> &name,
+                                             const Origin &origin, const std::string &key,
+                                             Problems &problems) {
+    if (!name && materials.size() == 1)
+        return materials.begin()->second;
+    std::vector<std::string> names;
+    for (const auto &entry : materials)
+        names.push_back(entry.first);
+    if (!name) {
+        problems.add(origin, key,
+                     materials.empty()
+                         ? "missing, expected a section [material.NAME]"
+                         : "missing, expected the name of a material" + suggestion("", names));
+        return std::nullopt;
+    }
+    const auto found = materials.find(*name);
+    if (found != materials.end())
+        return found->second;
+    problems.add(origin, key,
+                 "expected the name of a material, got " + in_quotes(*name) +
+                     suggestion(*name, names));
+    return std::nullopt;
+}
+
+model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
+    model::Shaft shaft;
+    auto table = root.table("shaft");
+    if (!table) {
+        if (!root.has("shaft"))
+            root.fail("shaft", "missing, expected a section [shaft]");
+        return shaft;
+    }
+    table->text("name");
+    read_order(*table, shaft);
+    read_shear(*table, shaft);
+    shaft.tolerance = table->number_or("tolerance", shaft.tolerance, Quantity::dimensionless,
+                                       Range::inside(0, 1));
+    shaft.rigid = table->flag_or("rigid", false);
+    shaft.internal_damping =
+        table->number_or("internal_damping", 0, Quantity::time, Range::not_negative());
+    shaft.axial_force = table->number_or("axial_force", 0, Quantity::force);
+    const int elements = table->whole_or("elements", 1, 1, largest_count);
+    const auto path = table->text("table");
+    if (table->has("table") == table->has("segments"))
+        table->fail("segments", table->has("table")
+                                    ? "expected either table or segments, got both"
+                                    : "missing, expected a list of segments, or table");
+    else if (path)
+        shaft.segments = read_stations(*path, materials, elements, table->context());
+    else
+        shaft.segments = read_segments(*table, materials, elements);
+    const Node *list = table->find("segments");
+    if (list && list->kind == Node::Kind::list && list->items.empty())
+        table->fail("segments", "expected at least one segment, got none");
+    table->refuse_unknown();
+    return shaft;
+}
+
+} // namespace whirl::input

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "input/checked_table.h"
+#include "model/case.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace whirl::input {
+
+/// Materials of a case by name; a modulus or density that was wrong is nan.
+using Materials = std::map<std::string, model::Material>;
+
+/// Reads [material.*]: E, rho, and G or nu (both: they must agree within 1e-3, and G counts).
+[[nodiscard]] Materials read_materials(CheckedTable &root);
+
+/// The material called `name`, or where no name is given the only one there is. Collects a problem
+/// at `origin`, `key` and gives an empty result where that does not say which.
+[[nodiscard]] std::optional<model::Material>
+pick_material(const Materials &materials, const std::optional<std::string> &name,
+              const Origin &origin, const std::string &key, Problems &problems);
+
+/// Reads [shaft] with its segments or its station table. A shaft without segments is one that had
+/// mistakes, which are collected.
+[[nodiscard]] model::Shaft read_shaft(CheckedTable &root, const Materials &materials);
+
+/// Reads [[disc]], [[bearing]] and so on into the rotor; the shaft must be there already.
+void read_discs(CheckedTable &root, const Materials &materials, model::Rotor &rotor);
+void read_bearings(CheckedTable &root, model::Rotor &rotor);
+void read_anisotropies(CheckedTable &root, model::Rotor &rotor);
+void read_balancers(CheckedTable &root, model::Rotor &rotor);
+void read_planes(CheckedTable &root, model::Rotor &rotor);
+void read_imbalances(CheckedTable &root, model::Rotor &rotor);
+
+/// Reads [speeds], [campbell], [simulate], and [map], which must come last: it may name any numeric
+/// entry read before.
+void read_speeds(CheckedTable &root, model::Case &scene);
+void read_campbell(CheckedTable &root, model::Case &scene);
+void read_simulate(CheckedTable &root, model::Case &scene);
+void read_map(CheckedTable &root, model::Case &scene);
+
+/// Largest number of anything that a case counts.
+inline constexpr int largest_count = 1000000;
+
+} // namespace whirl::input

@@ -1,0 +1,82 @@
+#include "input/toml_text.h"
+
+#include "input/units.h"
+#include "model/errors.h"
+
+// The only translation unit that sees toml++: it is slow to compile.
+#include <toml++/toml.h>
+
+namespace whirl::input {
+namespace {
+
+Node convert(const toml::node &source, const Origin &around) {
+    Node node;
+    node.origin = around;
+    // Tables that only a dotted key or a deeper header implies have no line of their own.
+    if (source.source().begin.line > 0)
+        node.origin.line = static_cast<int>(source.source().begin.line);
+    if (const toml::table *table = source.as_table()) {
+        for (const auto &[key, value] : *table) {
+            node.items.push_back(convert(value, node.origin));
+            node.items.back().key = std::string(key.str());
+        }
+    } else if (const toml::array *list = source.as_array()) {
+        node.kind = Node::Kind::list;
+        for (const toml::node &item : *list)
+            node.items.push_back(convert(item, node.origin));
+    } else if (const auto *text = source.as_string()) {
+        node.kind = Node::Kind::text;
+        node.text = text->get();
+    } else if (const auto *integer = source.as_integer()) {
+        node.kind = Node::Kind::integer;
+        node.number = static_cast<double>(integer->get());
+    } else if (const auto *real = source.as_floating_point()) {
+        node.kind = Node::Kind::real;
+        node.number = real->get();
+    } else if (const auto *flag = source.as_boolean()) {
+        node.kind = Node::Kind::boolean;
+        node.flag = flag->get();
+    } else {
+        node.kind = Node::Kind::other;
+    }
+    return node;
+}
+
+/// Gives the whole tree one origin.
+void set_origin(Node &node, const Origin &origin) {
+    node.origin = origin;
+    for (Node &item : node.items)
+        set_origin(item, origin);
+}
+
+} // namespace
+
+Node parse_toml(std::string_view document, const std::string &file) {
+    try {
+        return convert(toml::parse(document, file), {file, 1});
+    } catch (const toml::parse_error &error) {
+        const Origin origin{file, static_cast<int>(error.source().begin.line)};
+        std::string text(error.description());
+        throw model::BadInput(origin.text() + ": not valid TOML: " + text);
+    }
+}
+
+Node parse_value(std::string_view text, const Origin &origin) {
+    Node node;
+    try {
+        Node table = convert(toml::parse("value = " + std::string(text)), origin);
+        // A line break in the text could have smuggled further keys in.
+        if (table.items.size() == 1)
+            node = table.items.front();
+    } catch (const toml::parse_error &) {
+        node = Node{};
+    }
+    if (node.key.empty()) {
+        node.kind = Node::Kind::text;
+        node.text = std::string(trimmed(text));
+    }
+    set_origin(node, origin);
+    return node;
+}
+
+} // namespace whirl::input

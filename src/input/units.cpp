@@ -1,0 +1,196 @@
+#include "input/units.h"
+
+#include "model/errors.h"
+
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+namespace whirl::input {
+namespace {
+
+/// UDUNITS counts the radian as dimensionless; this says whether a unit may contain it.
+enum class AngleRule { never, allowed, required };
+
+struct QuantityInfo {
+    Quantity quantity;
+    const char *name;
+    const char *unit;
+    AngleRule angle;
+};
+
+constexpr std::array quantities{
+    QuantityInfo{Quantity::dimensionless, "a number", "1", AngleRule::never},
+    QuantityInfo{Quantity::length, "a length", "m", AngleRule::never},
+    QuantityInfo{Quantity::mass, "a mass", "kg", AngleRule::never},
+    QuantityInfo{Quantity::inertia, "an inertia", "kg m2", AngleRule::never},
+    QuantityInfo{Quantity::stiffness, "a stiffness", "N/m", AngleRule::never},
+    QuantityInfo{Quantity::damping, "a damping", "N s/m", AngleRule::never},
+    QuantityInfo{Quantity::tilt_stiffness, "a tilt stiffness", "N m/rad", AngleRule::allowed},
+    QuantityInfo{Quantity::tilt_damping, "a tilt damping", "N m s/rad", AngleRule::allowed},
+    QuantityInfo{Quantity::pressure, "a pressure", "Pa", AngleRule::never},
+    QuantityInfo{Quantity::density, "a density", "kg/m3", AngleRule::never},
+    QuantityInfo{Quantity::angle, "an angle", "rad", AngleRule::required},
+    QuantityInfo{Quantity::angular_speed, "an angular speed", "rad/s", AngleRule::required},
+    QuantityInfo{Quantity::time, "a time", "s", AngleRule::never},
+    QuantityInfo{Quantity::force, "a force", "N", AngleRule::never},
+    QuantityInfo{Quantity::imbalance, "an imbalance", "kg m", AngleRule::never},
+};
+
+const QuantityInfo &info(Quantity quantity) {
+    for (const QuantityInfo &entry : quantities)
+        if (entry.quantity == quantity)
+            return entry;
+    throw std::logic_error("quantity without an entry in the table");
+}
+
+struct SystemDeleter {
+    void operator()(ut_system *system) const { ut_free_system(system); }
+};
+struct UnitDeleter {
+    void operator()(ut_unit *unit) const { ut_free(unit); }
+};
+struct ConverterDeleter {
+    void operator()(cv_converter *converter) const { cv_free(converter); }
+};
+using System = std::unique_ptr<ut_system, SystemDeleter>;
+using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
+using Converter = std::unique_ptr<cv_converter, ConverterDeleter>;
+
+Unit parse_unit(const ut_system *system, std::string_view text) {
+    return Unit(ut_parse(system, std::string(text).c_str(), UT_UTF8));
+}
+
+void add_symbol(const ut_system *system, const char *symbol, const char *definition) {
+    const Unit unit = parse_unit(system, definition);
+    if (unit && !parse_unit(system, symbol))
+        ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
+}
+
+/// The database of units; reading it takes some 5 ms, so only the first unit of a run asks for it.
+const ut_system *unit_system() {
+    static const System system = [] {
+        ut_set_error_message_handler(ut_ignore);
+        System read(ut_read_xml(nullptr));
+        if (!read)
+            throw model::BadInput("the UDUNITS-2 database of units cannot be read");
+        // A frequency of whirl or spin is counted in turns; UDUNITS has 1 Hz = 1/s = 1 rad/s.
+        ut_unmap_symbol_to_unit(read.get(), "Hz", UT_ASCII);
+        ut_unmap_name_to_unit(read.get(), "hertz", UT_ASCII);
+        add_symbol(read.get(), "Hz", "turn/s");
+        add_symbol(read.get(), "hertz", "turn/s");
+        add_symbol(read.get(), "deg", "degree");
+        add_symbol(read.get(), "rev", "turn");
+        add_symbol(read.get(), "RPM", "rpm");
+        add_symbol(read.get(), "thou", "mil");
+        add_symbol(read.get(), "lbm", "lb");
+        add_symbol(read.get(), "Nm", "N.m");
+        add_symbol(read.get(), "Ns", "N.s");
+        return read;
+    }();
+    return system.get();
+}
+
+/// True where the radian is part of the unit, spelled out in basic units.
+bool contains_angle(const ut_unit *unit) {
+    std::array<char, 256> text{};
+    const int length = ut_format(unit, text.data(), text.size(), UT_ASCII | UT_DEFINITION);
+    return length > 0 && std::string_view(text.data()).find("rad") != std::string_view::npos;
+}
+
+} // namespace
+
+std::string describe(Quantity quantity) {
+    const QuantityInfo &entry = info(quantity);
+    if (quantity == Quantity::dimensionless)
+        return entry.name;
+    return std::string(entry.name) + " in " + entry.unit;
+}
+
+std::string_view trimmed(std::string_view text) {
+    constexpr const char *blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+double scaled(double value, double factor) {
+    constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
+    const double whole = std::round(factor);
+    if (std::abs(factor - whole) <= round_off * factor)
+        return value * whole;
+    const double inverse = std::round(1 / factor);
+    if (std::abs(1 / factor - inverse) <= round_off / factor)
+        return value / inverse;
+    return value * factor;
+}
+
+std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
+    const std::string_view name = trimmed(text);
+    // A further number would multiply: "2 5 m". Only the one of "1/s" is wanted.
+    const bool starts_with_number = !name.empty() && (std::isdigit(name[0]) || name[0] == '.');
+    if (name.empty() || (starts_with_number && !name.starts_with("1/")))
+        return std::nullopt;
+    const QuantityInfo &entry = info(quantity);
+    const Unit unit = parse_unit(unit_system(), name);
+    const Unit wanted = parse_unit(unit_system(), entry.unit);
+    if (!unit || !wanted || !ut_are_convertible(unit.get(), wanted.get()))
+        return std::nullopt;
+    const bool angle = contains_angle(unit.get());
+    if ((angle && entry.angle == AngleRule::never) ||
+        (!angle && entry.angle == AngleRule::required))
+        return std::nullopt;
+    const Converter converter(ut_get_converter(unit.get(), wanted.get()));
+    if (!converter || cv_convert_double(converter.get(), 0.0) != 0.0)
+        return std::nullopt;
+    const double factor = cv_convert_double(converter.get(), 1.0);
+    if (!std::isfinite(factor) || factor <= 0)
+        return std::nullopt;
+    return factor;
+}
+
+namespace {
+
+struct LeadingNumber {
+    double value = 0;
+    std::string_view rest;
+};
+
+std::optional<LeadingNumber> leading_number(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('+') && !text.starts_with("+-"))
+        text.remove_prefix(1);
+    LeadingNumber number;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number.value);
+    if (error != std::errc() || !std::isfinite(number.value))
+        return std::nullopt;
+    number.rest = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+    return number;
+}
+
+} // namespace
+
+std::optional<double> parse_number(std::string_view text) {
+    const auto number = leading_number(text);
+    return number && number->rest.empty() ? std::optional(number->value) : std::nullopt;
+}
+
+std::optional<double> parse_quantity(std::string_view text, Quantity quantity) {
+    const auto number = leading_number(text);
+    if (!number || number->rest.empty())
+        return number ? std::optional(number->value) : std::nullopt;
+    const auto factor = unit_factor(number->rest, quantity);
+    if (!factor)
+        return std::nullopt;
+    const double value = scaled(number->value, *factor);
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+} // namespace whirl::input

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace whirl::input {
+
+/// What a number of a case means. Inside the program every quantity is in its SI unit.
+enum class Quantity {
+    dimensionless,
+    length,         ///< m
+    mass,           ///< kg
+    inertia,        ///< kg m2
+    stiffness,      ///< N/m
+    damping,        ///< N s/m
+    tilt_stiffness, ///< N m/rad
+    tilt_damping,   ///< N m s/rad
+    pressure,       ///< Pa
+    density,        ///< kg/m3
+    angle,          ///< rad
+    angular_speed,  ///< rad/s
+    time,           ///< s
+    force,          ///< N
+    imbalance       ///< kg m, mass times radius
+};
+
+/// The quantity with its article and SI unit, for messages: "a stiffness in N/m".
+[[nodiscard]] std::string describe(Quantity quantity);
+
+/// Multiplier that turns a value in `unit` ("mm", "lbf/in", "rpm") into the SI unit.
+///
+/// The unit language is that of UDUNITS-2, with deg, rev, RPM, thou, lbm, Nm and Ns added, and
+/// with Hz counted as a whole turn a second (2 pi rad/s). An angle or angular speed must name an
+/// angle: "1/min" is refused, since it may mean turns or radians. Empty where the unit is unknown,
+/// has another dimension, or has an offset (degC).
+/// @throws model::BadInput where the UDUNITS-2 database is not installed.
+[[nodiscard]] std::optional<double> unit_factor(std::string_view unit, Quantity quantity);
+
+/// `value` times `factor`, exactly rounded where the factor or its inverse is a whole number, so
+/// that "35 mm" is the same number as 0.035.
+[[nodiscard]] double scaled(double value, double factor);
+
+/// A finite number without unit, or empty: "12", "-1e5", "+.5".
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// The value in SI of a number, or of a number with its unit ("25 mm"); empty where the text is
+/// something else, the unit does not fit the quantity or the value is not finite.
+[[nodiscard]] std::optional<double> parse_quantity(std::string_view text, Quantity quantity);
+
+/// `text` without white space at its ends.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+} // namespace whirl::input

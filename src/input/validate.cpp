@@ -1,0 +1,115 @@
+#include "input/validate.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::input {
+namespace {
+
+/// Where the scene's entries stand and where mistakes go.
+struct Check {
+    const Node &root;
+    Problems &problems;
+
+    void fail(const std::string &path, std::string text) const {
+        problems.add(origin_of(root, path), path, std::move(text));
+    }
+};
+
+/// Moves positions onto the shaft that miss an end by rounding only, refuses the others.
+template <class Items>
+void check_positions(Items &items, const std::string &section, double length, const Check &check) {
+    const double margin = 1e-9 * length;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        double &z = items[i].z;
+        if (z < -margin || z > length + margin)
+            check.fail(
+                fmt::format("{}[{}].z", section, i),
+                fmt::format("expected a place on the shaft, 0 to {} m, got {} m", length, z));
+        else if (!std::isnan(z))
+            z = std::clamp(z, 0.0, length);
+    }
+}
+
+void check_disc(const model::Disc &disc, const std::string &path, const Check &check) {
+    // Ip = 2 Id for an infinitely thin disc; published inertias are rounded.
+    constexpr double tolerance = 1e-6;
+    if (disc.Id < disc.Ip / 2 * (1 - tolerance))
+        check.fail(path + ".Id", fmt::format("expected at least Ip/2 = {} kg m2 for a rigid disc, "
+                                             "got {} kg m2",
+                                             disc.Ip / 2, disc.Id));
+    if (disc.mass == 0 && (disc.Id > 0 || disc.Ip > 0))
+        check.fail(path + ".mass",
+                   "expected a mass in kg greater than 0 where Id or Ip is given, got 0");
+}
+
+/// One list of angles for each balancer, one angle for each ball.
+void check_ball_angles(const model::Case &scene, const Check &check) {
+    const auto &angles = scene.simulate.ball_angles;
+    const auto &balancers = scene.rotor.balancers;
+    const std::string path = "simulate.ball_angles";
+    if (angles.empty())
+        return;
+    if (angles.size() != balancers.size()) {
+        check.fail(path, fmt::format("expected {} lists, one for each balancer, got {}",
+                                     balancers.size(), angles.size()));
+        return;
+    }
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (std::ssize(angles[i]) != balancers[i].n)
+            check.fail(fmt::format("{}[{}]", path, i),
+                       fmt::format("expected {} angles, one for each ball or pendulum, got {}",
+                                   balancers[i].n, angles[i].size()));
+}
+
+} // namespace
+
+void check_shear_modulus(const model::Material &material, std::optional<double> nu,
+                         const Origin &origin, const std::string &key, Problems &problems) {
+    const double derived = material.poisson_ratio();
+    constexpr double round_off = 1e-12; // G = E/2 as printed by a program
+    if (derived < -round_off || derived >= 0.5 - round_off)
+        problems.add(origin, key,
+                     fmt::format("expected a shear modulus above E/3 = {} Pa and up to E/2 = {} Pa "
+                                 "(0 <= nu < 0.5), got {} Pa (nu = {:.6g})",
+                                 material.E / 3, material.E / 2, material.G, derived));
+    else if (nu && std::abs(*nu - derived) > 1e-3)
+        problems.add(origin, key,
+                     fmt::format("expected a shear modulus that agrees with nu within 1e-3, "
+                                 "E/(2 (1 + nu)) = {} Pa, got {} Pa (nu = {:.6g})",
+                                 material.E / (2 * (1 + *nu)), material.G, derived));
+}
+
+void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
+                   Problems &problems) {
+    const bool start = segment.inner_start >= segment.outer_start;
+    const bool end = segment.inner_end >= segment.outer_end;
+    if (start || end)
+        problems.add(origin, key,
+                     fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",
+                                 start ? segment.outer_start : segment.outer_end,
+                                 start ? segment.inner_start : segment.inner_end,
+                                 start ? "" : " (at the end of the segment)"));
+}
+
+void validate(model::Case &scene, const Node &root, Problems &problems) {
+    const Check check{root, problems};
+    model::Rotor &rotor = scene.rotor;
+    const double length = rotor.shaft.length();
+    // Without a sound shaft there are no places on it to compare with.
+    if (length > 0) {
+        check_positions(rotor.discs, "disc", length, check);
+        check_positions(rotor.bearings, "bearing", length, check);
+        check_positions(rotor.anisotropies, "anisotropy", length, check);
+        check_positions(rotor.balancers, "balancer", length, check);
+        check_positions(rotor.planes, "plane", length, check);
+        check_positions(rotor.imbalances, "imbalance", length, check);
+    }
+    for (std::size_t i = 0; i < rotor.discs.size(); ++i)
+        check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
+    check_ball_angles(scene, check);
+}
+
+} // namespace whirl::input

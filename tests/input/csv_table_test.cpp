@@ -1,0 +1,72 @@
+#include "input/csv_table.h"
+#include "model/errors.h"
+#include "scratch_case.h"
+
+#include <cmath>
+
+namespace whirl::tests {
+namespace {
+
+using input::Quantity;
+using input::Range;
+
+const std::vector<input::CsvRule> rules{
+    {"speed", Quantity::angular_speed}, {"k", Quantity::stiffness}, {"label", {}}};
+
+/// A table of that text; its mistakes go to `problems`.
+input::CsvTable read(const std::string &text, input::Problems &problems) {
+    write_case(scratch_folder(), {"", 0, "", "", "", {{"t.csv", text}}});
+    return {scratch_folder() / "t.csv", rules, problems};
+}
+
+std::string message(const input::Problems &problems) {
+    try {
+        problems.throw_if_any();
+    } catch (const model::BadInput &error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CsvTable, UnitsOfHeaderAndCell) {
+    input::Problems problems;
+    auto table =
+        read("label , k [kN/mm],speed [rpm]\na,2,60\n\n# note\nb,3 N/m,2 rad/s\n", problems);
+    ASSERT_TRUE(table.usable()) << message(problems);
+    ASSERT_EQ(table.rows(), 2U);
+    EXPECT_EQ(table.text(1, "label"), "b");
+    EXPECT_EQ(table.number(0, "k", Range::any()), 2e6);
+    EXPECT_DOUBLE_EQ(table.number(0, "speed", Range::any()), 2 * M_PI);
+    EXPECT_EQ(table.number(1, "k", Range::any()), 3);
+    EXPECT_EQ(table.number(1, "speed", Range::any()), 2);
+    EXPECT_EQ(table.origin(1).line, 5);
+    EXPECT_TRUE(problems.empty());
+}
+
+TEST(CsvTable, MissingColumnsAndCellsAreEmpty) {
+    input::Problems problems;
+    auto table = read("speed,k\n1,\n", problems);
+    EXPECT_FALSE(table.has("label"));
+    EXPECT_EQ(table.text(0, "label"), "");
+    EXPECT_FALSE(table.optional_number(0, "k", Range::any()));
+    EXPECT_TRUE(problems.empty());
+    EXPECT_TRUE(std::isnan(table.number(0, "k", Range::any())));
+    EXPECT_NE(message(problems).find("t.csv:2: k: expected a stiffness in N/m, got an empty cell"),
+              std::string::npos)
+        << message(problems);
+}
+
+TEST(CsvTable, EveryMistakeOfTheHeaderIsNamed) {
+    input::Problems problems;
+    const auto table = read("sped,k [kg],k\n1,2,3\n", problems);
+    EXPECT_FALSE(table.usable());
+    const std::string text = message(problems);
+    EXPECT_NE(text.find("t.csv:1: sped: unknown column, did you mean \"speed\"?"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("t.csv:1: k: expected a unit of a stiffness"), std::string::npos) << text;
+    EXPECT_NE(text.find("t.csv:1: k: expected each column once"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace whirl::tests

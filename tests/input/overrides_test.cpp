@@ -1,0 +1,60 @@
+#include "scratch_case.h"
+
+#include <numbers>
+
+namespace whirl::tests {
+namespace {
+
+const std::string base = sound_case + "[[bearing]]\nz = 0\nk = 1e6\n";
+
+TEST(Overrides, ReplaceValues) {
+    const model::Case scene =
+        load_text(base, {"shaft.order=8", "bearing[0].k = 1e7", "shaft.segments[0].outer=\"25 mm\"",
+                         "material.steel.E=1e11", "formulation=general", "bearing[0].z=50 cm"});
+    EXPECT_EQ(scene.rotor.shaft.order, 8);
+    EXPECT_EQ(scene.rotor.bearings.at(0).rows.at(0).k(0, 0), 1e7);
+    EXPECT_EQ(scene.rotor.bearings.at(0).z, 0.5);
+    EXPECT_EQ(scene.rotor.shaft.segments.at(0).outer_start, 0.025);
+    EXPECT_EQ(scene.rotor.shaft.segments.at(0).material.E, 1e11);
+    EXPECT_EQ(scene.formulation, model::FormChoice::general);
+}
+
+TEST(Overrides, MakeMissingKeysAndSections) {
+    const model::Case scene =
+        load_text(base, {"campbell.modes=12", "speeds.to=600 rpm", "speeds.count=3",
+                         "disc=[{z = 0.5, mass = 3}]", "disc[0].mass=4"});
+    EXPECT_EQ(scene.campbell.modes, 12);
+    ASSERT_TRUE(scene.speeds);
+    EXPECT_DOUBLE_EQ(scene.speeds->to, 20 * std::numbers::pi);
+    EXPECT_EQ(scene.speeds->count, 3);
+    ASSERT_EQ(scene.rotor.discs.size(), 1U);
+    EXPECT_EQ(scene.rotor.discs[0].mass, 4);
+}
+
+TEST(Overrides, TheLastOneCounts) {
+    EXPECT_EQ(load_text(base, {"shaft.order=8", "shaft.order=3"}).rotor.shaft.order, 3);
+}
+
+TEST(Overrides, MistakesAreNamedByTheOption) {
+    const std::vector<std::pair<std::string, std::string>> mistakes{
+        {"shaft.order=abc", "--set shaft.order=abc: shaft.order: expected a whole number"},
+        {"shaft.ordr=3", "--set shaft.ordr=3: shaft.ordr: unknown key, did you mean \"order\"?"},
+        {"shaft.order", "--set shaft.order: expected path.to.key=value"},
+        {"=3", "--set =3: expected a path"},
+        {"bearing[x].k=3", "--set bearing[x].k=3: expected a path"},
+        {"bearing[0]k=3", "--set bearing[0]k=3: expected a path"},
+        {"bearing[1].k=3", "bearing[1].k: expected an index below 1, got 1"},
+        {"disc[0].z=3", "disc[0].z: expected a list of the case, there is no disc"},
+        {"shaft[0].z=3", "shaft[0].z: expected a list at shaft, got a table"},
+        {"format.x=3", "format.x: expected a table at format, got 1"},
+        {"bearing[0].z=7", "--set bearing[0].z=7: bearing[0].z: expected a place on the shaft"},
+        {"speeds.from=1\nto=2", "speeds.from: expected an angular speed in rad/s"}};
+    for (const auto &[option, start] : mistakes) {
+        const std::string message = refusal(base, {option});
+        EXPECT_NE(message.find(start), std::string::npos) << message;
+        EXPECT_EQ(message.find('\n', message.find(": ")), std::string::npos) << message;
+    }
+}
+
+} // namespace
+} // namespace whirl::tests
