@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analyses/results.h"
+
+#include <string>
+
+namespace whirl::report {
+
+/// The result as one tidy table: a header with units in brackets, one observation a row, numbers
+/// with all digits, an empty cell for what is missing or not finite.
+[[nodiscard]] std::string to_csv(const analyses::CampbellResult &result);
+[[nodiscard]] std::string to_csv(const analyses::CriticalResult &result);
+[[nodiscard]] std::string to_csv(const analyses::ResponseResult &result);
+[[nodiscard]] std::string to_csv(const analyses::ModesResult &result);
+[[nodiscard]] std::string to_csv(const analyses::ShowResult &result);
+[[nodiscard]] std::string to_csv(const analyses::AccuracyResult &result);
+
+} // namespace whirl::report

@@ -1,0 +1,159 @@
+#include "report/html_pages.h"
+
+#include "report/html.h"
+#include "report/html_scripts.h"
+#include "report/json.h"
+#include "report/plot_style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+template <class Result>
+PageContent content(const char *command, const char *heading, const model::Case &scene,
+                    const Result &result, const std::string &picture) {
+    return {command, heading, plot_script(command), picture, to_json(scene, result), {}};
+}
+
+std::string cell(std::optional<double> value, int digits) {
+    return value ? readable(*value, digits) : "–";
+}
+
+template <class T> std::optional<T> last(const std::vector<std::optional<T>> &list) {
+    return list.empty() ? std::nullopt : list.back();
+}
+
+/// Crossings with multiples of the spin speed; those with 1× are critical speeds.
+std::string crossings_table(const analyses::CampbellResult &result) {
+    Rows rows;
+    for (const auto &crossing : result.crossings) {
+        const auto index = static_cast<std::size_t>(crossing.mode);
+        rows.push_back({index < result.modes.size() ? result.modes[index].label : "",
+                        readable(crossing.multiple) + "×", readable(crossing.speed * rpm, 10),
+                        readable(crossing.speed, 10), readable(crossing.frequency * hertz, 10)});
+    }
+    if (rows.empty())
+        return "<p>No mode crosses a multiple of the spin speed in this range.</p>\n";
+    return html_table(
+        {"Mode", "Multiple", "Spin speed (rpm)", "Spin speed (rad/s)", "Whirl frequency (Hz)"},
+        rows);
+}
+
+std::string last_speed_table(const analyses::CampbellResult &result) {
+    Rows rows;
+    for (const auto &mode : result.modes) {
+        const auto frequency = last(mode.frequency);
+        rows.push_back({mode.label, cell(frequency, 10),
+                        frequency ? readable(*frequency * hertz, 10) : "overdamped",
+                        cell(last(mode.real), 6), cell(last(mode.damping_ratio), 6),
+                        mode.whirl.empty() ? "" : analyses::whirl_name(mode.whirl.back()),
+                        cell(last(mode.error), 2)});
+    }
+    return html_table({"Mode", "Frequency (rad/s)", "Frequency (Hz)", "Real part (1/s)",
+                       "Damping ratio", "Whirl", "Relative error"},
+                      rows);
+}
+
+} // namespace
+
+std::string to_html(const model::Case &scene, const analyses::CampbellResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("campbell", "Campbell diagram", scene, result, picture);
+    parts.sections.emplace_back("Crossings", crossings_table(result));
+    if (!result.speeds.empty())
+        parts.sections.emplace_back(
+            fmt::format("Whirl modes at {} rpm", readable(result.speeds.back() * rpm, 6)),
+            last_speed_table(result));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::CriticalResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("critical", "Critical speeds", scene, result, picture);
+    Rows rows;
+    for (const auto &critical : result.critical_speeds)
+        rows.push_back({std::to_string(rows.size() + 1), readable(critical.speed * rpm, 10),
+                        readable(critical.speed, 10), readable(critical.speed * hertz, 10),
+                        analyses::whirl_name(critical.whirl), readable(critical.real, 5),
+                        readable(critical.error, 2)});
+    parts.sections.emplace_back("Table", html_table({"No.", "rpm", "rad/s", "Hz", "Whirl",
+                                                     "Real part (1/s)", "Relative error"},
+                                                    rows));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::ResponseResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("response", "Unbalance response", scene, result, picture);
+    Rows rows;
+    for (const auto &node : result.nodes) {
+        const auto peak = std::max_element(node.amplitude.begin(), node.amplitude.end());
+        if (peak == node.amplitude.end())
+            continue;
+        const auto at = static_cast<std::size_t>(peak - node.amplitude.begin());
+        rows.push_back({node.name, readable(node.z), readable(*peak * 1e6, 6),
+                        at < result.speeds.size() ? readable(result.speeds[at] * rpm, 6) : ""});
+    }
+    parts.sections.emplace_back("Largest amplitudes among the computed speeds",
+                                html_table({"Place", "z (m)", "Amplitude (µm)", "at (rpm)"}, rows));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::ModesResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("modes", "Mode shapes", scene, result, picture);
+    Rows rows;
+    for (const auto &mode : result.modes)
+        rows.push_back({mode.label, readable(mode.eigenvalue.imag(), 10),
+                        readable(mode.eigenvalue.imag() * hertz, 10),
+                        readable(mode.eigenvalue.real(), 6), analyses::whirl_name(mode.whirl),
+                        readable(mode.forward_fraction, 4)});
+    parts.sections.emplace_back(fmt::format("Modes at {} rpm", readable(result.speed * rpm, 6)),
+                                html_table({"Mode", "Frequency (rad/s)", "Frequency (Hz)",
+                                            "Real part (1/s)", "Whirl", "Forward share"},
+                                           rows));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::ShowResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("show", "Scene", scene, result, picture);
+    parts.sections.emplace_back(
+        "Rigid body", html_table({"Quantity", "Value"},
+                                 {{"Mass", readable(result.mass, 8) + " kg"},
+                                  {"of it the shaft", readable(result.shaft_mass, 8) + " kg"},
+                                  {"Length of the shaft", readable(result.length, 8) + " m"},
+                                  {"Centre of mass, z", readable(result.center_of_mass, 8) + " m"},
+                                  {"Diametral inertia about it", readable(result.Id, 8) + " kg m²"},
+                                  {"Polar inertia", readable(result.Ip, 8) + " kg m²"},
+                                  {"Type", result.type}}));
+    Rows rows;
+    for (const auto &[command, used] : result.formulations)
+        rows.push_back({command, analyses::form_name(used.form), used.why});
+    parts.sections.emplace_back("Form each analysis uses",
+                                html_table({"Command", "Form", "Why"}, rows));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::AccuracyResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("accuracy", "Speed and accuracy", scene, result, picture);
+    Rows rows;
+    for (const auto &row : result.rows)
+        rows.push_back({row.family, std::to_string(row.order), std::to_string(row.elements),
+                        std::to_string(row.unknowns), readable(row.seconds * 1000, 4),
+                        cell(row.error_estimate, 3), cell(row.true_error, 3)});
+    parts.sections.emplace_back("Error against " + result.reference,
+                                html_table({"Family", "Order", "Elements", "Unknowns",
+                                            "Wall time (ms)", "Estimate", "True error"},
+                                           rows));
+    return page(scene, result.model, parts);
+}
+
+} // namespace whirl::report

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+#include <string>
+
+namespace whirl::report {
+
+/// The report page of a result. `picture`: the SVG shown where the page cannot be interactive.
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::CampbellResult &result,
+                                  const std::string &picture);
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::CriticalResult &result,
+                                  const std::string &picture);
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::ResponseResult &result,
+                                  const std::string &picture);
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::ModesResult &result,
+                                  const std::string &picture);
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::ShowResult &result,
+                                  const std::string &picture);
+[[nodiscard]] std::string to_html(const model::Case &scene, const analyses::AccuracyResult &result,
+                                  const std::string &picture);
+
+} // namespace whirl::report

@@ -1,0 +1,165 @@
+#include "report/html_scripts.h"
+
+#include <map>
+
+namespace whirl::report {
+
+namespace {
+
+constexpr const char *common = R"js(
+"use strict";
+const result = JSON.parse(document.getElementById("result").textContent);
+const rpm = 30 / Math.PI, hertz = 0.5 / Math.PI;
+const look = {
+  forward: {color: "#0072B2", dash: "solid", symbol: "circle"},
+  backward: {color: "#D55E00", dash: "dash", symbol: "circle-open"},
+  mixed: {color: "#007D5A", dash: "dashdot", symbol: "triangle-up-open"}};
+const colours = ["#0072B2", "#D55E00", "#007D5A", "#A8527F", "#B77F00", "#3C97CF", "#000000", "#7A7A7A"];
+const dashes = ["solid", "dash", "dot", "dashdot"];
+const short = (value, digits) => value === null || value === undefined ? "–" : Number(value.toPrecision(digits)).toString();
+const axis = (title, more) => Object.assign({title: {text: title}, gridcolor: "#E4E4E4", zerolinecolor: "#999",
+  linecolor: "#333", mirror: true, ticks: "outside"}, more || {});
+function draw(traces, layout) {
+  Plotly.newPlot("plot", traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
+    hovermode: "closest", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
+    legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout), {responsive: true, displaylogo: false});
+}
+)js";
+
+constexpr const char *campbell = R"js(
+const traces = [], speeds = result.speeds.map(s => s * rpm), named = {};
+const damped = result.modes.some(m => m.log_dec.some(d => d !== null && Math.abs(d) > 1e-9));
+const hover = (m, i) => `<b>${m.label}</b> at ${short(speeds[i], 7)} rpm<br>frequency ` +
+  (m.frequency[i] === null ? "none (overdamped)" : `${short(m.frequency[i], 10)} rad/s = ${short(m.frequency[i] * hertz, 10)} Hz`) +
+  `<br>real part ${short(m.real[i], 5)} 1/s<br>damping ratio ${short(m.damping_ratio[i], 5)}, log. decrement ${short(m.log_dec[i], 5)}` +
+  `<br>${m.whirl[i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
+  `<br>error ${short(m.error[i], 2)}, residual ${short(m.residual[i], 2)}`;
+function stretches(mode, values, panel) {
+  let from = 0;
+  for (let i = 1; i <= speeds.length; ++i) {
+    if (i < speeds.length && mode.whirl[i] === mode.whirl[from]) continue;
+    const sense = mode.whirl[from], s = look[sense], x = [], y = [], text = [];
+    for (let k = from; k <= Math.min(i, speeds.length - 1); ++k) {
+      x.push(speeds[k]); y.push(values[k]); text.push(hover(mode, k));
+    }
+    traces.push({x, y, text, hoverinfo: "text", mode: "lines+markers", name: sense, legendgroup: sense,
+      showlegend: !named[sense], yaxis: panel, line: {color: s.color, dash: s.dash, width: 2},
+      marker: {color: s.color, symbol: s.symbol, size: 6, maxdisplayed: Math.max(1, Math.ceil(10 * x.length / speeds.length))}});
+    named[sense] = true; from = i;
+  }
+}
+const notes = [];
+const last = speeds.length - 1;
+result.modes.forEach(m => {
+  stretches(m, m.frequency.map(f => f === null ? null : f * hertz), "y");
+  if (damped) stretches(m, m.log_dec, "y2");
+  if (m.frequency[last] !== null) notes.push({x: speeds[last], y: m.frequency[last] * hertz, text: m.label,
+    showarrow: false, xanchor: "left", xshift: 6, font: {color: look[m.whirl[last]].color}});
+});
+const grows = (m, i) => m.real[i] !== null && m.frequency[i] !== null &&
+  m.real[i] > Math.max(1e-9, (m.error[i] || 0) + (m.residual[i] || 0)) * Math.hypot(m.real[i], m.frequency[i]);
+const ux = [], uy = [], ut = [];
+result.modes.forEach(m => {
+  speeds.forEach((s, i) => { ux.push(s); uy.push(grows(m, i) ? m.frequency[i] * hertz : null); ut.push(hover(m, i)); });
+  ux.push(null); uy.push(null); ut.push("");
+});
+if (uy.some(y => y !== null)) traces.unshift({x: ux, y: uy, text: ut, hoverinfo: "text", mode: "lines+markers",
+  name: "unstable", line: {color: "rgba(224,32,138,0.45)", width: 9}, marker: {size: 3, color: "#E0208A"}});
+const top = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => (f || 0) * hertz))) * 1.05 || 1;
+const multiples = [...new Set([1, ...result.crossings.map(c => c.multiple)])];
+multiples.forEach(k => {
+  const end = Math.min(speeds[last], 60 * top / k);
+  traces.push({x: [speeds[0], end], y: [k * speeds[0] / 60, k * end / 60], mode: "lines", name: k + "×",
+    hoverinfo: "name", line: {color: "#777", dash: "dot", width: 1.5}});
+});
+if (result.crossings.length) traces.push({x: result.crossings.map(c => c.speed * rpm), y: result.crossings.map(c => c.frequency * hertz),
+  text: result.crossings.map(c => `crossing of ${result.modes[c.mode].label} with ${c.multiple}×<br>${short(c.speed * rpm, 9)} rpm = ${short(c.speed, 10)} rad/s`),
+  hoverinfo: "text", mode: "markers", name: "crossing", marker: {symbol: "circle-open", size: 13, color: "#000", line: {width: 2}}});
+draw(traces, {annotations: notes, height: damped ? 860 : 620,
+  xaxis: axis("Spin speed (rpm)", {anchor: damped ? "y2" : "y", range: [speeds[0], speeds[last] + 0.05 * (speeds[last] - speeds[0]) || 1]}),
+  yaxis: axis("Whirl frequency (Hz)", {range: [0, top], domain: damped ? [0.38, 1] : [0, 1]}),
+  ...(damped ? {yaxis2: axis("Logarithmic decrement", {domain: [0, 0.3]})} : {})});
+)js";
+
+constexpr const char *critical = R"js(
+const traces = Object.keys(look).map(sense => {
+  const list = result.critical_speeds.filter(c => c.whirl === sense);
+  return {x: list.map(c => c.speed * rpm), y: list.map(() => sense), mode: "markers", name: sense, hoverinfo: "text",
+    text: list.map(c => `${sense}: ${short(c.speed, 10)} rad/s = ${short(c.speed * rpm, 10)} rpm<br>error ${short(c.error, 2)}`),
+    marker: {color: look[sense].color, symbol: look[sense].symbol, size: 13, line: {width: 2}}};
+}).filter(t => t.x.length);
+draw(traces, {height: 300, xaxis: axis("Spin speed (rpm)", {rangemode: "tozero"}), yaxis: axis("", {type: "category"}), margin: {l: 90, r: 30, t: 30, b: 60}});
+)js";
+
+constexpr const char *response = R"js(
+const speeds = result.speeds.map(s => s * rpm), traces = [];
+const name = (o, kind) => (o.name || kind) + `, z = ${short(o.z, 4)} m`;
+const positive = list => list.map(v => v > 0 ? v : null);
+result.nodes.forEach((n, k) => {
+  const line = {color: colours[k % 8], dash: dashes[k % 4]}, common = {mode: "lines", line, name: name(n, "node"), legendgroup: "n" + k};
+  traces.push({...common, x: speeds, y: positive(n.amplitude).map(a => a === null ? null : a * 1e6), hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} µm"});
+  traces.push({...common, x: speeds, y: n.phase.map(p => { const d = p * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
+    yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color}, hovertemplate: "%{x:.5g} rpm<br>%{y:.5g}°"});
+});
+result.bearings.forEach((b, k) => traces.push({x: speeds, y: positive(b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
+  line: {color: colours[k % 8], dash: dashes[(k + 1) % 4], width: 2.5}, hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} N"}));
+draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
+  xaxis: axis("Spin speed (rpm)", {anchor: "y3"}), yaxis: axis("Amplitude (µm)", {type: "log", domain: [0.58, 1], exponentformat: "power"}),
+  yaxis2: axis("Phase of x (deg)", {domain: [0.32, 0.53], range: [-190, 190], dtick: 90}),
+  yaxis3: axis("Bearing force (N)", {type: "log", domain: [0, 0.27], exponentformat: "power"})});
+)js";
+
+constexpr const char *modes = R"js(
+const traces = [];
+result.modes.forEach((m, k) => {
+  const axisName = k ? "y" + (k + 1) : "y", i0 = m.x_real.reduce((best, _, i) =>
+    Math.hypot(m.x_real[i], m.x_imag[i]) > Math.hypot(m.x_real[best], m.x_imag[best]) ? i : best, 0);
+  const size = Math.hypot(m.x_real[i0], m.x_imag[i0]) || 1;
+  let c = m.x_real[i0] / size, s = -m.x_imag[i0] / size;
+  if (size < 1e-9) { c = 1; s = 0; }
+  const x = m.x_real.map((v, i) => v * c - m.x_imag[i] * s), y = m.y_real.map((v, i) => -(v * s + m.y_imag[i] * c));
+  traces.push({x: result.z, y: x, yaxis: axisName, name: "x", legendgroup: "x", showlegend: k === 0, mode: "lines", line: {color: "#0072B2", width: 2.5}});
+  traces.push({x: result.z, y: y, yaxis: axisName, name: "y, a quarter period later", legendgroup: "y", showlegend: k === 0, mode: "lines", line: {color: "#D55E00", dash: "dash", width: 2.5}});
+});
+const count = result.modes.length, layout = {height: 120 + 190 * count, xaxis: axis("z (m)", {anchor: count > 1 ? "y" + count : "y"}), annotations: []};
+result.modes.forEach((m, k) => {
+  const top = 1 - k / count, bottom = 1 - (k + 0.8) / count;
+  layout["yaxis" + (k ? k + 1 : "")] = axis("", {domain: [bottom, top], range: [-1.2, 1.2], dtick: 1});
+  layout.annotations.push({xref: "paper", yref: "paper", x: 0.01, y: top, xanchor: "left", yanchor: "top", showarrow: false,
+    text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}`, bgcolor: "rgba(255,255,255,0.8)"});
+});
+draw(traces, layout);
+)js";
+
+constexpr const char *accuracy = R"js(
+const families = {};
+result.rows.filter(r => r.true_error > 0).forEach(r => {
+  const key = r.family === "classical" ? "classical" : "order " + r.order;
+  (families[key] = families[key] || []).push(r);
+});
+const traces = [];
+Object.keys(families).forEach((key, k) => {
+  const rows = families[key], text = rows.map(r => `<b>${key}</b>, ${r.elements} elements, ${r.unknowns} unknowns<br>${short(r.seconds * 1000, 4)} ms<br>` +
+    `true error ${short(r.true_error, 3)}<br>estimate ${short(r.error_estimate, 3)}`);
+  [["unknowns", "x", "y", 1], ["seconds", "x2", "y2", 1000]].forEach(([field, xaxis, yaxis, factor], panel) => traces.push({
+    x: rows.map(r => r[field] * factor), y: rows.map(r => r.true_error), xaxis, yaxis, text, hoverinfo: "text", mode: "lines+markers",
+    name: key, legendgroup: key, showlegend: panel === 0, line: {color: colours[k % 8], dash: dashes[k % 4]}, marker: {symbol: k, size: 8}}));
+});
+const log = {type: "log", exponentformat: "power"};
+draw(traces, {xaxis: axis("Unknowns", {...log, domain: [0, 0.46]}), xaxis2: axis("Wall time (ms)", {...log, domain: [0.54, 1], anchor: "y2"}),
+  yaxis: axis("True relative error", log), yaxis2: axis("", {...log, anchor: "x2", matches: "y"})});
+)js";
+
+} // namespace
+
+std::string plot_script(const std::string &command) {
+    static const std::map<std::string, const char *> scripts{{"campbell", campbell},
+                                                             {"critical", critical},
+                                                             {"response", response},
+                                                             {"modes", modes},
+                                                             {"accuracy", accuracy}};
+    const auto found = scripts.find(command);
+    return found == scripts.end() ? "" : std::string(common) + found->second;
+}
+
+} // namespace whirl::report

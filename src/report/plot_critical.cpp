@@ -1,0 +1,65 @@
+#include "report/plot_critical.h"
+
+#include "report/plot_style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+namespace {
+
+int row_of(analyses::Whirl whirl) {
+    switch (whirl) {
+    case analyses::Whirl::forward:
+        return 3;
+    case analyses::Whirl::mixed:
+        return 2;
+    case analyses::Whirl::backward:
+        break;
+    }
+    return 1;
+}
+
+} // namespace
+
+Figure critical_figure(const model::Case &scene, const analyses::CriticalResult &result) {
+    Figure figure;
+    figure.width = 1080;
+    figure.height = 380;
+    double highest = 0;
+    for (const auto &critical : result.critical_speeds)
+        highest = std::max(highest, critical.speed * rpm);
+    figure.script =
+        figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
+        panel_margins(0.1, 0.965, 0.19, 0.8) +
+        fmt::format("set xrange [0:{}]\nset yrange [0.4:3.9]\n"
+                    "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
+                    "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
+                    "unset key\n",
+                    highest > 0 ? 1.06 * highest : 1);
+    std::string plots = "NaN notitle";
+    for (const auto sense :
+         {analyses::Whirl::forward, analyses::Whirl::mixed, analyses::Whirl::backward}) {
+        std::vector<PlotPoint> points;
+        int turn = 0;
+        for (const auto &critical : result.critical_speeds) {
+            if (critical.whirl != sense)
+                continue;
+            points.push_back({critical.speed * rpm, row_of(sense)});
+            // Neighbours write above and below their marks in turn, so close ones stay readable.
+            figure.script +=
+                fmt::format("set label '{:.0f}' at {},{} center font ',10'\n", critical.speed * rpm,
+                            critical.speed * rpm, row_of(sense) + (turn++ % 2 == 0 ? 0.36 : -0.36));
+        }
+        const LineStyle style = whirl_style(sense);
+        figure.script += data_block(style.name, {points});
+        plots += fmt::format(", ${} with points pt {} ps 1.5 lw 1.6 lc rgb '{}' notitle",
+                             style.name, style.point, style.colour);
+    }
+    figure.script += "plot " + plots + "\nunset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,138 @@
+#include "report/plot_response.h"
+
+#include "report/plot_style.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace whirl::report {
+
+using analyses::ResponseResult;
+
+namespace {
+
+constexpr std::size_t most_curves = 8;
+
+/// A curve of a panel: its name in the legend and its values over the speeds.
+struct Curve {
+    std::string name;
+    std::vector<PlotPoint> points;
+};
+
+std::string place_name(const std::string &name, double z) {
+    const std::string at = "z = " + readable(z, 4) + " m";
+    return name.empty() ? at : name + ", " + at;
+}
+
+std::vector<PlotPoint> over_speed(const ResponseResult &result, const std::vector<double> &values,
+                                  double factor) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < result.speeds.size() && i < values.size(); ++i) {
+        // A logarithmic axis has no place for zero, the response at rest.
+        const bool drawn = std::isfinite(values[i]) && values[i] > 0;
+        points.push_back(
+            {result.speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
+    }
+    return points;
+}
+
+/// Phase in degrees within (-180, 180], cut where it jumps from one end to the other.
+std::vector<PlotPoint> phase_points(const ResponseResult &result,
+                                    const std::vector<double> &phase) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < result.speeds.size() && i < phase.size(); ++i) {
+        const double degrees = std::remainder(phase[i], 2 * pi) * 180 / pi;
+        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
+            points.push_back({result.speeds[i] * rpm, std::nullopt});
+        points.push_back({result.speeds[i] * rpm, degrees});
+    }
+    return points;
+}
+
+std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend) {
+    std::string data;
+    std::string plots;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const LineStyle style = series_style(i);
+        const std::size_t count = curves[i].points.size();
+        const std::size_t step = std::max<std::size_t>(1, count / 9);
+        data += data_block(panel + std::to_string(i), {curves[i].points});
+        plots += fmt::format("${}{} with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 "
+                             "pointinterval {} {}, ",
+                             panel, i, style.colour, style.dash, style.point, step,
+                             legend ? "title " + plot_text(curves[i].name) : "notitle");
+    }
+    if (curves.empty())
+        plots = "NaN notitle, ";
+    plots.resize(plots.size() - 2);
+    return data + "plot " + plots + "\n";
+}
+
+std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
+    const Range x = range_of(result.speeds);
+    return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\nset key at graph 1.02,1 left top "
+                       "reverse Left vertical samplen 3\n",
+                       x.low * rpm, x.high * rpm, plot_text(label),
+                       last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel");
+}
+
+} // namespace
+
+std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
+    std::vector<std::size_t> named;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i)
+        if (!result.nodes[i].name.empty())
+            named.push_back(i);
+    if (!named.empty() && named.size() <= most_curves)
+        return named;
+    const std::size_t all = named.empty() ? result.nodes.size() : named.size();
+    const std::size_t count = std::min(all, most_curves);
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = count < 2 ? 0 : i * (all - 1) / (count - 1);
+        chosen.push_back(named.empty() ? at : named[at]);
+    }
+    return chosen;
+}
+
+Figure response_figure(const model::Case &scene, const ResponseResult &result) {
+    std::vector<Curve> amplitude;
+    std::vector<Curve> phase;
+    std::vector<Curve> force;
+    for (const std::size_t i : drawn_nodes(result)) {
+        const auto &node = result.nodes[i];
+        amplitude.push_back(
+            {place_name(node.name, node.z), over_speed(result, node.amplitude, 1e6)});
+        phase.push_back({"", phase_points(result, node.phase)});
+    }
+    for (const auto &bearing : result.bearings)
+        if (force.size() < most_curves)
+            force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+                             over_speed(result, bearing.force, 1)});
+    Figure figure;
+    figure.width = 1080;
+    figure.height = force.empty() ? 780 : 1040;
+    const double pixel = 1.0 / figure.height;
+    figure.script =
+        figure_head("Unbalance response: " + title_of(scene),
+                    fmt::format("{} nodes drawn of {}", amplitude.size(), result.nodes.size()),
+                    figure.height) +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset logscale y\n"
+        "set format y '10^{%L}'\n" +
+        panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        panel_axes(result, "Amplitude (µm)", false) + draw("a", amplitude, true) +
+        "unset label\nunset logscale y\nset format y '%g'\n"
+        "set yrange [-190:190]\nset ytics 90\n" +
+        panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
+        panel_axes(result, "Phase of x (deg)", force.empty()) + draw("p", phase, false);
+    if (!force.empty())
+        figure.script +=
+            "set autoscale y\nset ytics auto\nset logscale y\nset format y '10^{%L}'\n" +
+            panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
+            panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

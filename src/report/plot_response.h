@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+#include "report/gnuplot.h"
+
+#include <vector>
+
+namespace whirl::report {
+
+/// Unbalance response over spin speed: amplitudes (logarithmic), phases and bearing forces.
+[[nodiscard]] Figure response_figure(const model::Case &scene,
+                                     const analyses::ResponseResult &result);
+
+/// Indices of the nodes worth drawing: those with names, else a few spread along the shaft.
+[[nodiscard]] std::vector<std::size_t> drawn_nodes(const analyses::ResponseResult &result);
+
+} // namespace whirl::report

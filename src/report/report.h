@@ -1,0 +1,34 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace whirl::report {
+
+/// What a report has written.
+struct Files {
+    std::vector<std::filesystem::path> paths; ///< the main picture first
+    std::vector<std::string> notes;           ///< what is missing and why, for the user
+};
+
+/// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, all or
+/// none of them. Without gnuplot the pictures it draws are missing, which a note says.
+/// @throws model::AnalysisFailure where a file cannot be written or a picture not drawn.
+Files write_report(const model::Case &scene, const analyses::CampbellResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::CriticalResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::ResponseResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::ModesResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::ShowResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::AccuracyResult &result,
+                   const std::filesystem::path &folder);
+
+} // namespace whirl::report
