@@ -29,9 +29,24 @@ Sparse with_positive_diagonal(Sparse M) {
 
 struct DefinitePencil::Factors {
     Sparse K, M, S, absK, absM;
-    Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholK, cholM;
     Sparse L, Lt, F, Ft;
     mutable Eigen::SimplicialLDLT<Sparse> inertia;
+    // Small problems: the same operator in the modes at rest, L^-1 F = U sigma V^T, where it is
+    // [-s A, sigma; sigma, 0] with A = U^T L^-1 S L^-T U, one small product instead of solves.
+    bool modal = false;
+    Eigen::MatrixXd LtU; ///< L^-T U: modes at rest
+    Eigen::MatrixXd A;
+    Eigen::VectorXd sigma;
+
+    void make_modal() {
+        const Eigen::MatrixXd P = L.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(F));
+        const Eigen::BDCSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
+        sigma = svd.singularValues();
+        LtU = Lt.triangularView<Eigen::Upper>().solve(svd.matrixU());
+        A = LtU.transpose() * (S * LtU);
+        A = ((A + A.transpose()) / 2).eval();
+        modal = true;
+    }
 
     /// y = H(s) z, z = (a, b).
     void apply(double s, const double *z, double *y) const {
@@ -40,12 +55,37 @@ struct DefinitePencil::Factors {
         const Eigen::Map<const Eigen::VectorXd> b(z + n, n);
         Eigen::Map<Eigen::VectorXd> top(y, n);
         Eigen::Map<Eigen::VectorXd> bottom(y + n, n);
+        if (modal) {
+            top = sigma.cwiseProduct(b);
+            bottom = sigma.cwiseProduct(a);
+            if (s != 0)
+                top.noalias() -= s * (A * a);
+            return;
+        }
         const Eigen::VectorXd t = Lt.triangularView<Eigen::Upper>().solve(a);
         bottom.noalias() = Ft * t;
         Eigen::VectorXd r = F * b;
         if (s != 0)
             r.noalias() -= s * (S * t);
         top = L.triangularView<Eigen::Lower>().solve(r);
+    }
+
+    /// x from the first half of z.
+    [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd &a) const {
+        if (modal)
+            return LtU * a;
+        return Lt.triangularView<Eigen::Upper>().solve(a);
+    }
+
+    /// Rich in the low modes, and the same for every speed and process.
+    [[nodiscard]] Eigen::VectorXd start() const {
+        const Eigen::Index n = K.rows();
+        Eigen::VectorXd z = deterministic_vector(static_cast<int>(2 * n));
+        if (modal) {
+            z.head(n).array() *= sigma.array() / sigma(0);
+            z.tail(n).array() *= sigma.array() / sigma(0);
+        }
+        return z;
     }
 };
 
@@ -57,15 +97,18 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
     f.S = S.view();
     f.absK = f.K.cwiseAbs();
     f.absM = f.M.cwiseAbs();
-    f.cholK.compute(f.K);
-    f.cholM.compute(f.M);
-    if (f.cholK.info() != Eigen::Success || f.cholM.info() != Eigen::Success)
+    using Cholesky = Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+    const Cholesky of_K(f.K);
+    const Cholesky of_M(f.M);
+    if (of_K.info() != Eigen::Success || of_M.info() != Eigen::Success)
         throw SolverError("the stiffness or mass matrix is not positive definite");
-    f.L = f.cholK.matrixL();
+    f.L = of_K.matrixL();
     f.Lt = f.L.transpose();
-    f.F = f.cholM.matrixL();
+    f.F = of_M.matrixL();
     f.Ft = f.F.transpose();
     f.inertia.analyzePattern(f.absK + f.absM + Sparse(f.S.cwiseAbs()));
+    if (size() <= 200)
+        f.make_modal();
 }
 
 DefinitePencil::~DefinitePencil() = default;
@@ -94,7 +137,7 @@ RealPair DefinitePencil::pair_from(double s, double mu, const Eigen::VectorXd &z
     // H is symmetric: some eigenvalue lies within |H z - mu z| of mu for a unit vector z.
     pair.residual = (Hz - mu * z).norm() / (z.norm() * std::abs(mu));
     // (a, b) = (L^T x, w F^T x) up to a factor; the norm of (a, b) fixes x^T K x + w^2 x^T M x = 1.
-    pair.vector = f.Lt.triangularView<Eigen::Upper>().solve(z.head(n)) / z.norm();
+    pair.vector = f.shape(z.head(n)) / z.norm();
     const Eigen::VectorXd x = pair.vector.cwiseAbs();
     // d(w)/w = x^T dQ x / (w x^T Q' x), and w x^T Q' x = -1 in this norm.
     pair.rounding = std::numeric_limits<double>::epsilon() *
@@ -121,8 +164,8 @@ std::vector<RealPair> DefinitePencil::dense(double s) const {
 
 std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
     const Factors &f = *_factors;
-    const SymmetricOperator op{2 * size(),
-                               [&](const double *z, double *y) { f.apply(s, z, y); }};
+    const SymmetricOperator op{
+        2 * size(), [&](const double *z, double *y) { f.apply(s, z, y); }, f.start()};
     std::vector<RealPair> pairs;
     std::vector<Eigen::VectorXd> found;
     // Eigenvalues that coincide can hide behind each other: the found ones are deflated and the

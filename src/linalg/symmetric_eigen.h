@@ -12,7 +12,11 @@ namespace whirl::linalg {
 struct SymmetricOperator {
     int size = 0;
     std::function<void(const double *z, double *y)> apply;
+    Eigen::VectorXd start; ///< of the iteration; must not depend on other solves
 };
+
+/// Components between 0.5 and 1.5, the same at every call.
+[[nodiscard]] Eigen::VectorXd deterministic_vector(int size);
 
 /// Eigenpairs of largest modulus of a symmetric operator, orthogonal to `deflated`, by SLEPc's
 /// Krylov-Schur; vectors have length 1.

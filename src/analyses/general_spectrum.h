@@ -1,0 +1,34 @@
+#pragma once
+
+#include "analyses/whirl_mode.h"
+#include "assembly/system.h"
+
+#include <vector>
+
+namespace whirl::analyses {
+
+/// Whirl modes of the real form M q'' + (C + speed G) q' + (K + speed Kc) q = 0.
+class GeneralSpectrum {
+  public:
+    /// Bearings as at `bearing_speed` (rad/s).
+    GeneralSpectrum(const assembly::Discretization &discretization, double bearing_speed);
+
+    struct Modes {
+        std::vector<WhirlMode> modes; ///< Im > 0 or zero modes; whirl not set, unsorted
+        std::vector<double> overdamped; ///< real eigenvalues, 1/s
+        double complete_radius = 0;   ///< all eigenvalues of smaller modulus are known
+    };
+
+    /// At least `wanted` whirl modes of least modulus, or all.
+    [[nodiscard]] Modes modes(double speed, int wanted) const;
+
+    [[nodiscard]] const assembly::FixedSystem &system() const { return _system; }
+
+  private:
+    const assembly::Discretization &_discretization;
+    assembly::FixedSystem _system;
+
+    [[nodiscard]] Modes solve(double speed, int wanted) const;
+};
+
+} // namespace whirl::analyses

@@ -1,0 +1,104 @@
+#include "analyses/symmetric_spectrum.h"
+
+#include "assembly/system.h"
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+#include "model/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::analyses {
+
+SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretization, bool planar,
+                                     double bearing_speed)
+    : _discretization(discretization), _planar(planar) {
+    if (planar) {
+        assembly::PlanarSystem system = assembly::assemble_planar(discretization, bearing_speed);
+        _M = std::move(system.M);
+        _K = std::move(system.K);
+        _S = std::move(system.G);
+    } else {
+        assembly::FixedSystem system = assembly::assemble_fixed(discretization, bearing_speed);
+        _M = std::move(system.M);
+        _K = std::move(system.K);
+        const linalg::Matrix coupling = assembly::hyperbolic_coupling(discretization);
+        _S = linalg::Matrix::sum(-1, coupling, 0, coupling);
+    }
+    _supported = zero_modes(discretization, planar, _S, _K).eigenvalues == 0;
+    if (!_supported)
+        return;
+    try {
+        _pencil = std::make_unique<linalg::DefinitePencil>(_K, _M, _S);
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(
+            "the stiffness matrix is not positive definite: the shaft buckles under its axial "
+            "force, or its stiffnesses differ by more than double precision holds");
+    }
+}
+
+WhirlMode SymmetricSpectrum::mode_of(double w, const Eigen::VectorXd &x, double speed) const {
+    WhirlMode mode;
+    mode.eigenvalue = {0, std::abs(w)};
+    mode.shape = x.cast<std::complex<double>>();
+    if (_planar) {
+        const bool forward = (w >= 0) == (speed >= 0);
+        mode.whirl = forward ? Whirl::forward : Whirl::backward;
+        mode.forward_fraction = forward ? 1 : 0;
+    }
+    return mode;
+}
+
+std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const {
+    if (!_supported)
+        return free_modes(speed, wanted);
+    // In hyperbolic form every mode stands twice, as +w and -w.
+    const int eigenvalues = std::min(2 * _M.size(), _planar ? wanted : 2 * wanted);
+    std::vector<WhirlMode> out;
+    for (const linalg::RealPair &pair : _pencil->smallest(speed, eigenvalues)) {
+        if (!_planar && pair.value < 0)
+            continue;
+        out.push_back(mode_of(pair.value, pair.vector, speed));
+        out.back().residual = pair.residual;
+        out.back().rounding = pair.rounding;
+    }
+    return out;
+}
+
+std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) const {
+    const linalg::Matrix D = linalg::Matrix::sum(speed, _S, 0, _S);
+    const linalg::Matrix minus_M = linalg::Matrix::sum(-1, _M, 0, _M);
+    const ZeroModes zeros = zero_modes(_discretization, _planar, D, _K);
+    linalg::QuadraticOptions options;
+    options.shift = 0.3 * elastic_scale(_discretization);
+    options.wanted = std::min(2 * _M.size(), (_planar ? wanted : 2 * wanted) + zeros.eigenvalues + 2);
+    linalg::QuadraticResult found = linalg::solve_quadratic(minus_M, D, _K, options);
+    std::sort(found.pairs.begin(), found.pairs.end(), [](const auto &a, const auto &b) {
+        return std::abs(a.value) < std::abs(b.value);
+    });
+    std::vector<WhirlMode> out;
+    const int zero_count = _planar ? zeros.eigenvalues : zeros.eigenvalues / 2;
+    for (int i = 0; i < zero_count; ++i) {
+        const Eigen::Index column = std::min<Eigen::Index>(i, zeros.motions.cols() - 1);
+        out.push_back(mode_of(i % 2 == 0 ? 0.0 : -0.0, zeros.motions.col(column), speed));
+        if (_planar && i % 2 == 1) {
+            out.back().whirl = Whirl::backward;
+            out.back().forward_fraction = 0;
+        }
+    }
+    int skip = zeros.eigenvalues;
+    for (const linalg::ComplexPair &pair : found.pairs) {
+        if (skip > 0) { // the blurred zeros; a complex pair stands for two
+            skip -= pair.value.imag() != 0 ? 2 : 1;
+            continue;
+        }
+        if (!_planar && pair.value.real() < 0)
+            continue;
+        out.push_back(mode_of(pair.value.real(), pair.vector.real(), speed));
+        out.back().residual = pair.residual + std::abs(pair.value.imag() / pair.value.real());
+        out.back().rounding = pair.rounding;
+    }
+    return out;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "analyses/results.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// One whirl mode at one spin speed.
+struct WhirlMode {
+    std::complex<double> eigenvalue; ///< Im >= 0, 1/s
+    /// Over the unknowns of the form. Planar: real w with w(t) = w exp(i s t), s = +-Im by
+    /// `whirl`. Hyperbolic: real (x, y') with y = i y'. General: complex (x, y).
+    Eigen::VectorXcd shape;
+    Whirl whirl = Whirl::mixed;
+    double forward_fraction = 0.5;
+    double residual = 0;
+    double rounding = 0;
+};
+
+} // namespace whirl::analyses

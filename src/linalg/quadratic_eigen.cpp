@@ -1,0 +1,140 @@
+#include "linalg/quadratic_eigen.h"
+
+#include "linalg/check.h"
+#include "linalg/handles.h"
+#include "linalg/quadratic_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::linalg {
+
+namespace {
+
+/// Below this size the dense route costs less than a millisecond or two and finds everything;
+/// TOAR of SLEPc 3.18 fails in LAPACK on small systems of which a large part is wanted.
+bool prefers_dense(int unknowns, int wanted) { return unknowns <= 24 || 5 * wanted >= unknowns; }
+
+/// A pair is accepted with a residual below this; a good one has 1e-13.
+constexpr double acceptable_residual = 1e-7;
+
+VecOwner new_vector(int size) {
+    Vec vec = nullptr;
+    check(VecCreateSeq(PETSC_COMM_SELF, size, &vec));
+    return VecOwner(vec);
+}
+
+Eigen::VectorXcd complex_vector(Vec re, Vec im, int size) {
+    const PetscScalar *a = nullptr;
+    const PetscScalar *b = nullptr;
+    check(VecGetArrayRead(re, &a));
+    check(VecGetArrayRead(im, &b));
+    Eigen::VectorXcd out(size);
+    out.real() = Eigen::Map<const Eigen::VectorXd>(a, size);
+    out.imag() = Eigen::Map<const Eigen::VectorXd>(b, size);
+    check(VecRestoreArrayRead(re, &a));
+    check(VecRestoreArrayRead(im, &b));
+    return out;
+}
+
+void configure(PEP pep, const QuadraticOptions &options, int size) {
+    // Conjugate pairs come together, so twice as many values are asked for.
+    const int nev = std::min(2 * size - 2, 2 * options.wanted + 2);
+    check(PEPSetDimensions(pep, nev, std::min(2 * size, 2 * nev + 16), PETSC_DEFAULT));
+    check(PEPSetProblemType(pep, PEP_GENERAL));
+    check(PEPSetType(pep, PEPTOAR));
+    check(PEPSetScale(pep, PEP_SCALE_SCALAR, PETSC_DEFAULT, nullptr, nullptr, 0, 0));
+    check(PEPSetTolerances(pep, 1e-12, 300));
+    check(PEPSetTarget(pep, options.shift));
+    check(PEPSetWhichEigenpairs(pep, PEP_TARGET_MAGNITUDE));
+    ST st = nullptr;
+    check(PEPGetST(pep, &st));
+    check(STSetType(st, STSINVERT));
+    KSP ksp = nullptr;
+    PC pc = nullptr;
+    check(STGetKSP(st, &ksp));
+    check(KSPSetType(ksp, KSPPREONLY));
+    check(KSPGetPC(ksp, &pc));
+    check(PCSetType(pc, PCLU));
+    check(PCFactorSetMatSolverType(pc, MATSOLVERKLU)); // SuiteSparse, partial pivoting
+}
+
+std::vector<ComplexPair> toar(const Matrix &M, const Matrix &D, const Matrix &K,
+                              const QuadraticOptions &options) {
+    PEP raw = nullptr;
+    check(PEPCreate(PETSC_COMM_SELF, &raw));
+    const PepOwner pep(raw);
+    Mat matrices[3] = {K.handle(), D.handle(), M.handle()};
+    check(PEPSetOperators(raw, 3, matrices));
+    const int n = M.size();
+    configure(raw, options, n);
+    const VecOwner re = new_vector(n);
+    const VecOwner im = new_vector(n);
+    PetscScalar *array = nullptr;
+    check(VecGetArrayWrite(re.get(), &array));
+    for (int i = 0; i < n; ++i) // without symmetry between planes or along the shaft
+        array[i] = 1 + 0.5 * std::sin(1.0 + 1.7 * i);
+    check(VecRestoreArrayWrite(re.get(), &array));
+    Vec start = re.get();
+    check(PEPSetInitialSpace(raw, 1, &start));
+    check(PEPSolve(raw));
+    PetscInt converged = 0;
+    check(PEPGetConverged(raw, &converged));
+    std::vector<ComplexPair> pairs;
+    for (PetscInt i = 0; i < converged; ++i) {
+        PetscScalar l_re = 0;
+        PetscScalar l_im = 0;
+        check(PEPGetEigenpair(raw, i, &l_re, &l_im, re.get(), im.get()));
+        if (l_im >= 0)
+            pairs.push_back({{l_re, l_im}, complex_vector(re.get(), im.get(), n), 0, 0});
+    }
+    return pairs;
+}
+
+void sort_by_distance(std::vector<ComplexPair> &pairs, double shift) {
+    std::stable_sort(pairs.begin(), pairs.end(), [shift](const auto &a, const auto &b) {
+        return std::abs(a.value - shift) < std::abs(b.value - shift);
+    });
+}
+
+bool all_good(const std::vector<ComplexPair> &pairs, int wanted) {
+    return static_cast<int>(pairs.size()) >= wanted &&
+           std::all_of(pairs.begin(), pairs.end(), [](const ComplexPair &pair) {
+               return std::isfinite(std::abs(pair.value)) && pair.residual < acceptable_residual;
+           });
+}
+
+} // namespace
+
+QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
+                                const QuadraticOptions &options) {
+    const QuadraticProblem problem(M, D, K, options.shift);
+    const bool try_toar = options.method == QuadraticMethod::toar ||
+                          (options.method == QuadraticMethod::automatic &&
+                           !prefers_dense(problem.size(), options.wanted));
+    QuadraticResult result;
+    if (try_toar) {
+        try {
+            result.pairs = toar(M, D, K, options);
+            for (ComplexPair &pair : result.pairs)
+                problem.assess(pair);
+        } catch (const SolverError &) {
+            result.pairs.clear(); // the dense route below decides
+        }
+        if (all_good(result.pairs, options.wanted)) {
+            sort_by_distance(result.pairs, options.shift);
+            result.complete_radius = std::abs(result.pairs.back().value - options.shift);
+            return result;
+        }
+        if (options.method == QuadraticMethod::toar || problem.size() > 600)
+            throw SolverError("the quadratic eigensolver did not converge");
+    }
+    result.method = QuadraticMethod::dense;
+    result.pairs = problem.dense();
+    sort_by_distance(result.pairs, options.shift);
+    result.complete_radius = std::numeric_limits<double>::infinity();
+    return result;
+}
+
+} // namespace whirl::linalg

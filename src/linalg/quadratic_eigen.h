@@ -1,0 +1,39 @@
+#pragma once
+
+#include "linalg/eigenpair.h"
+#include "linalg/matrix.h"
+
+#include <vector>
+
+namespace whirl::linalg {
+
+/// Which way a quadratic eigenproblem was solved.
+enum class QuadraticMethod {
+    automatic, ///< toar, and dense where the wanted pairs are a large part or toar fails
+    toar,      ///< SLEPc's two-level orthogonal Arnoldi, shift and invert
+    dense      ///< all eigenvalues of the scaled companion matrix of the inverted problem
+};
+
+/// What to compute.
+struct QuadraticOptions {
+    int wanted = 8;   ///< eigenvalues nearest the shift, conjugates counted as one
+    double shift = 0; ///< real; Q(shift) must be regular, 1/s
+    QuadraticMethod method = QuadraticMethod::automatic;
+};
+
+/// Eigenpairs with Im >= 0 found, ascending by distance from the shift.
+struct QuadraticResult {
+    std::vector<ComplexPair> pairs;
+    QuadraticMethod method = QuadraticMethod::toar;
+    double complete_radius = 0; ///< every eigenvalue nearer to the shift than this is in `pairs`
+};
+
+/// Eigenpairs of Q(l) x = (l^2 M + l D + K) x = 0 with real matrices.
+///
+/// Each pair carries its residual as a relative change of l: |P Q(l) x| / |P l Q'(l) x| with
+/// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is.
+/// @throws SolverError where neither way converges, or Q(shift) is singular.
+[[nodiscard]] QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
+                                              const QuadraticOptions &options);
+
+} // namespace whirl::linalg

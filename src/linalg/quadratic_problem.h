@@ -1,0 +1,34 @@
+#pragma once
+
+#include "linalg/eigenpair.h"
+#include "linalg/matrix.h"
+
+#include <Eigen/SparseLU>
+
+#include <complex>
+
+namespace whirl::linalg {
+
+/// Q(l) = l^2 M + l D + K with a factorisation at one real shift: residuals and the dense route.
+class QuadraticProblem {
+  public:
+    /// @throws SolverError where Q(shift) is singular.
+    QuadraticProblem(const Matrix &M, const Matrix &D, const Matrix &K, double shift);
+
+    [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
+
+    /// Normalises the vector of the pair and fills in its residual and rounding.
+    void assess(ComplexPair &pair) const;
+
+    /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
+    /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
+    [[nodiscard]] std::vector<ComplexPair> dense() const;
+
+  private:
+    using Sparse = Eigen::SparseMatrix<double>;
+    Sparse _M, _D, _K;
+    double _shift;
+    Eigen::SparseLU<Sparse> _lu;
+};
+
+} // namespace whirl::linalg
