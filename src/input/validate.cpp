@@ -43,6 +43,9 @@ void check_disc(const model::Disc &disc, const std::string &path, const Check &c
     if (disc.mass == 0 && (disc.Id > 0 || disc.Ip > 0))
         check.fail(path + ".mass",
                    "expected a mass in kg greater than 0 where Id or Ip is given, got 0");
+    // Each size may be finite and the product of density and volume not.
+    if (std::isinf(disc.mass) || std::isinf(disc.Id) || std::isinf(disc.Ip))
+        check.fail(path, "expected a finite mass and finite inertias, got an overflow");
 }
 
 /// One list of angles for each balancer, one angle for each ball.
@@ -98,6 +101,8 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
     const Check check{root, problems};
     model::Rotor &rotor = scene.rotor;
     const double length = rotor.shaft.length();
+    if (std::isinf(length))
+        check.fail("shaft", "expected segments of finite length together, got an overflow");
     // Without a sound shaft there are no places on it to compare with.
     if (length > 0) {
         check_positions(rotor.discs, "disc", length, check);

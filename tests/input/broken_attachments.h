@@ -35,6 +35,8 @@ inline std::vector<BrokenCase> broken_attachments() {
          base + "[[disc]]\nz = 0\n"},
         {"hole in a disc", 10, "disc[0].inner", "below the outer one",
          base + "[[disc]]\nz = 0\ninner = 0.3\nouter = 0.2\nwidth = 0.01\n"},
+        {"disc of a galaxy", 8, "disc[0]", "expected a finite mass",
+         base + "[[disc]]\nz = 0\nouter = 1e200\nwidth = 1e200\n"},
         {"second bearing beyond", 12, "bearing[1].z", "expected a place on the shaft",
          bearing + "k = 1\n[[bearing]]\nz = -0.1\nk = 1\n"},
         {"bearing of nothing", 8, "bearing[0]", "got a bearing with neither",
