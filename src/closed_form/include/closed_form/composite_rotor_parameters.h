@@ -1,0 +1,75 @@
+#pragma once
+
+#include "closed_form/composite_rotor.h"
+#include "closed_form/supports.h"
+
+namespace whirl::closed_form {
+
+/// The nineteen physical parameters of the composite rotor with its auto-balancer (S.I. units).
+struct PhysicalParameters {
+    double spin_speed = 0.0;              ///< rad/s
+    double mass = 0.0;                    ///< kg, M_s
+    double base_inertia = 0.0;            ///< kg m2, A_s
+    double polar_inertia = 0.0;           ///< kg m2, C_r of the bare rotor
+    double balancer_position = 0.0;       ///< m, z_A
+    ReducedSupports supports;             ///< six of them
+    PlaneImbalance imbalance;             ///< m0 and R0 (as the moment m0 R0)
+    BallSet balls;                        ///< n, m, R, h_A
+    std::complex<double> second_harmonic; ///< D_c, D_s
+};
+
+[[nodiscard]] PhysicalParameters physical_parameters(const BareRotor &rotor, const BallSet &balls,
+                                                     const PlaneImbalance &imbalance,
+                                                     std::complex<double> second_harmonic,
+                                                     const ReducedSupports &supports,
+                                                     double spin_speed);
+
+/// The thirteen dimensionless parameters that decide stability, D_c with its sign, and a
+/// fourteenth, D_s, for positions of the balls that are not symmetric about the imbalance. Unit of
+/// time 1/omega_0, omega_0 = sqrt(c_x/M_s); of mass M_s; of length rho_s = sqrt(A_Sigma/M_s).
+struct DimensionlessParameters {
+    double polar_inertia = 0.0;     ///< C / A_Sigma
+    double balancer_position = 0.0; ///< z_A / rho_s
+    double h_x = 0.0;               ///< h_x / (M_s omega_0)
+    double h_beta = 0.0;            ///< h_beta / (A_Sigma omega_0)
+    double h_y = 0.0;               ///< h_y / (sqrt(M_s A_Sigma) omega_0)
+    double p = 0.0;                 ///< sqrt(c_beta / (A_Sigma omega_0^2))
+    double c_y = 0.0;               ///< c_y / (sqrt(M_s A_Sigma) omega_0^2)
+    double ball_mass = 0.0;         ///< n m / M_s
+    double h_s = 0.0;               ///< h_A / (m omega_0)
+    std::complex<double>
+        second_harmonic;            ///< D_c (the thirteenth in the list), D_s (the fourteenth)
+    double imbalance_inertia = 0.0; ///< A_m0 / A_Sigma
+    double ball_inertia = 0.0;      ///< A_m / A_Sigma
+    double spin_speed = 0.0;        ///< Omega / omega_0
+
+    /// (A_m0 + A_m D) / (2 A_Sigma).
+    [[nodiscard]] std::complex<double> anisotropy() const;
+};
+
+/// What the dimensionless parameters leave open.
+struct ParameterScales {
+    double mass = 0.0;             ///< kg, M_s
+    double radius = 0.0;           ///< m, rho_s
+    double frequency = 0.0;        ///< rad/s, omega_0
+    int ball_count = 0;            ///< n
+    double imbalance_radius = 0.0; ///< m, R0; with m0 = 0 unused and the moment in `own_moment`
+    double own_moment = 0.0;       ///< kg m, moment of an imbalance that adds no mass
+};
+
+struct ScaledParameters {
+    DimensionlessParameters dimensionless;
+    ParameterScales scales;
+};
+
+[[nodiscard]] ScaledParameters to_dimensionless(const PhysicalParameters &physical);
+[[nodiscard]] PhysicalParameters to_physical(const DimensionlessParameters &dimensionless,
+                                             const ParameterScales &scales);
+
+/// Dimensionless p^2, c_y, h_beta, h_y of two equal supports: with l = l_cL / span (0 < l < 1
+/// between the supports, l > 1 overhung) and rho = rho_s / span, p^2 = [l^2 + (1 - l)^2]/(2 rho^2),
+/// c_y = (1 - 2 l)/(2 rho); h_beta and h_y are h_x times the same.
+void set_equal_supports(DimensionlessParameters &parameters, double left_distance, double radius,
+                        double h_x);
+
+} // namespace whirl::closed_form

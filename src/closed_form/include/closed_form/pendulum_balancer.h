@@ -1,0 +1,94 @@
+#pragma once
+
+#include "closed_form/band.h"
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace whirl::closed_form {
+
+/// Planar rotor with a four-pendulum auto-balancer: arms l with masses m at their ends, hinged at
+/// radius a on two perpendicular lines of the rotor, tied in opposite pairs that turn by equal
+/// angles to opposite sides (phi on the first line, psi on the second). Source: Efficiency of
+/// balancing of a rotor by a four-pendulum auto-balancer with ties (paper S2 of docs/sources).
+/// Dimensionless: lengths by l, time by 1/omega_0, omega_0 = sqrt(c/M_Sigma), M_Sigma = M + 4 m.
+struct PendulumRotor {
+    double mass_ratio = 0.0;        ///< R_m = 2 m / M_Sigma
+    double pivot_ratio = 0.0;       ///< R_a = a / l
+    double external_damping = 0.0;  ///< H = H_2 / (M_Sigma omega_0)
+    double hinge_damping = 0.0;     ///< h = H_1 / (m l^2 omega_0); drops out of steady motion
+    std::complex<double> imbalance; ///< u_0 + i v_0 = M e exp(i beta) / (2 m l)
+
+    /// rho = R_m / R_a: the larger, the better the balancing.
+    [[nodiscard]] double effectiveness() const { return mass_ratio / pivot_ratio; }
+};
+
+/// From masses (kg) of disc and one pendulum, arm and pivot radius (m); without damping and
+/// imbalance.
+[[nodiscard]] PendulumRotor pendulum_rotor(double disc_mass, double pendulum_mass, double arm,
+                                           double pivot);
+
+/// One steady motion in the rotating frame: shaft position (in arm lengths) and pendulum angles.
+struct PendulumMotion {
+    std::complex<double> position; ///< xi + i eta
+    double phi = 0.0;              ///< rad
+    double psi = 0.0;              ///< rad
+    bool stable = false;           ///< every eigenvalue of its small motions decays
+    double growth = 0.0;           ///< largest real part of the eigenvalues, per 1/omega_0
+
+    /// |phi|, |psi| < pi/4: no collisions between the pendulums.
+    [[nodiscard]] bool valid() const;
+};
+
+/// Every steady motion with outward pendulums (|phi|, |psi| < pi/2) at speed ratio R_w =
+/// omega/omega_0 > 0, ascending in |position|. Equations, with sin psi = -xi/sqrt(R_a^2 + xi^2),
+/// sin phi likewise from eta: (1 - R_w^2) xi - R_w H eta + R_m R_w^2 sin psi = R_m R_w^2 u_0, R_w H
+/// xi + (1 - R_w^2) eta - R_m R_w^2 sin phi = R_m R_w^2 v_0, R_a tan phi = eta, R_a tan psi = -xi.
+/// Found by subdivision with bounds on both equations, so that none is missed. At R_w = 1, H = 0
+/// there is no a priori bound on the position: none is returned beyond 1e3 arms.
+[[nodiscard]] std::vector<PendulumMotion> steady_motions(const PendulumRotor &rotor,
+                                                         double speed_ratio);
+
+/// A steady motion on a branch over speed.
+struct BranchPoint {
+    double speed_ratio = 0.0;
+    PendulumMotion motion;
+};
+
+/// The branch of steady motions that starts near rest, at speed_ratio `from` > 0, followed round
+/// its folds by arclength continuation until it leaves (0, to] or `largest_points` are reached.
+[[nodiscard]] std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from,
+                                                     double to, int largest_points = 20000);
+
+/// Shaft deflection with the balancer at work over that with pendulums held at phi = psi = 0.
+[[nodiscard]] double exact_efficiency(const PendulumRotor &rotor, const PendulumMotion &motion,
+                                      double speed_ratio);
+
+/// The same for small angles (sin ~ tan):
+/// n = sqrt{[(1 - R^2)^2 + R^2 H^2] / [(1 - R^2 (1 + rho))^2 + R^2 H^2]}.
+[[nodiscard]] double approximate_efficiency(const PendulumRotor &rotor, double speed_ratio);
+
+/// n < 1 for speed ratios above this: 1/sqrt(1 + rho/2), below the resonance already.
+[[nodiscard]] double efficiency_threshold(const PendulumRotor &rotor);
+
+/// n of fast rotation, 1/(1 + rho).
+[[nodiscard]] double efficiency_limit(const PendulumRotor &rotor);
+
+/// Without damping the deflection with balancer is unbounded at this speed ratio: 1/sqrt(1 + rho).
+[[nodiscard]] double balancer_resonance(const PendulumRotor &rotor);
+
+/// Complex coefficients, from lambda^4 down, of the small motions about phi = psi = 0:
+/// [mu + H (l + i R) + 1][l^2 + h l + R_a R^2] - R_m mu^2, mu = (l + i R)^2.
+[[nodiscard]] std::vector<std::complex<double>> pendulum_polynomial(const PendulumRotor &rotor,
+                                                                    double speed_ratio);
+
+/// Largest real part of its four roots.
+[[nodiscard]] double small_motion_growth(const PendulumRotor &rotor, double speed_ratio);
+
+/// Unstable speed ratios in (from, to) of the perfectly balanced rotor, ends refined to 1e-12;
+/// found on a grid of `samples` speeds. An end that equals `to` means: still so there.
+[[nodiscard]] std::vector<Band> unstable_speed_ratios(const PendulumRotor &rotor, double from,
+                                                      double to, int samples = 2000);
+
+} // namespace whirl::closed_form
