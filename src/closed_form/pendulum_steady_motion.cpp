@@ -10,6 +10,9 @@ namespace whirl::closed_form {
 
 namespace {
 
+/// Shaft deflection, in arm lengths, at which a branch counts as gone to infinity.
+constexpr double furthest = 10.0;
+
 /// Both steady equations in the unknowns (xi, eta) at one speed: per axis
 /// force(x) = (1 - R^2) x - R_m R^2 x/sqrt(R_a^2 + x^2), coupled by R H.
 struct SteadyEquations {
@@ -213,6 +216,15 @@ bool continue_branch(const PendulumRotor &rotor, Eigen::Vector3d &at, Eigen::Vec
     return false;
 }
 
+/// True where a step went over to another branch. Close branches point the same way, so the turn of
+/// the tangent does not tell them apart, but they lie on different sides of the centre: the
+/// position, never zero under an imbalance, would change by as much as itself.
+bool changed_branch(const Eigen::Vector3d &at, const Eigen::Vector3d &tangent,
+                    const Eigen::Vector3d &next, const Eigen::Vector3d &direction) {
+    return direction.dot(tangent) < 0.95 ||
+           (next - at).head<2>().norm() > 0.2 * at.head<2>().norm();
+}
+
 } // namespace
 
 std::vector<PendulumMotion> steady_motions(const PendulumRotor &rotor, double speed_ratio) {
@@ -223,26 +235,24 @@ std::vector<PendulumMotion> steady_motions(const PendulumRotor &rotor, double sp
     return motions;
 }
 
-std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from, double to,
-                                       int largest_points) {
-    std::vector<BranchPoint> branch;
-    const std::vector<PendulumMotion> start = steady_motions(rotor, from);
-    if (start.empty())
-        return branch;
-    branch.push_back({from, start.front()});
-    Eigen::Vector3d at(start.front().position.real(), start.front().position.imag(), from);
-    Eigen::Vector3d tangent = Eigen::Vector3d::UnitZ();
+std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, const BranchPoint &start,
+                                       double heading, double from, double to, int largest_points) {
+    std::vector<BranchPoint> branch{start};
+    const std::complex<double> position = start.motion.position;
+    Eigen::Vector3d at(position.real(), position.imag(), start.speed_ratio);
+    Eigen::Vector3d tangent = heading * Eigen::Vector3d::UnitZ();
+    continue_branch(rotor, at, tangent, 0.0); // turns the tangent along the branch
     const double largest_step = 0.01 * (to - from);
     double step = 0.1 * largest_step;
     while (static_cast<int>(branch.size()) < largest_points && step > 1e-12) {
         Eigen::Vector3d next = at;
         Eigen::Vector3d direction = tangent;
-        // A sharp turn of the tangent means a fold was cut: try a shorter step.
-        if (!continue_branch(rotor, next, direction, step) || direction.dot(tangent) < 0.95) {
+        if (!continue_branch(rotor, next, direction, step) ||
+            changed_branch(at, tangent, next, direction)) {
             step *= 0.5;
             continue;
         }
-        if (next[2] <= 0.0 || next[2] > to)
+        if (next[2] < from || next[2] > to || next.head<2>().norm() > furthest)
             break;
         at = next;
         tangent = direction;
@@ -250,6 +260,13 @@ std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from, 
         step = std::min(largest_step, 1.3 * step);
     }
     return branch;
+}
+
+std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from, double to) {
+    const std::vector<PendulumMotion> start = steady_motions(rotor, from);
+    if (start.empty())
+        return {};
+    return steady_branch(rotor, {from, start.front()}, 1.0, from, to);
 }
 
 } // namespace whirl::closed_form

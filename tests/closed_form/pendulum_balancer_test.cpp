@@ -177,5 +177,36 @@ TEST(PendulumBalancer, BranchAgreesWithTheMotionsAtItsSpeeds) {
     }
 }
 
+// Without damping the motion reached from rest is never the well balanced one between 1/sqrt(1 +
+// rho) and 1.
+TEST(PendulumBalancer, UndampedBranchFromRestGoesToLargeDeflections) {
+    for (const double imbalance : {0.001, 0.05}) {
+        const auto rotor = figure_rotor(0.0, 0.0, imbalance);
+        const auto branch = steady_branch(rotor, 0.1, 2.5);
+        EXPECT_LT(branch.back().speed_ratio, 1.0);
+        EXPECT_GT(std::abs(branch.back().motion.position), 9.0);
+        EXPECT_FALSE(branch.back().motion.valid());
+        // The balanced motion of 1.5, followed down, passes the resonance on its own branch.
+        const BranchPoint fast{1.5, steady_motions(rotor, 1.5).front()};
+        const auto down = steady_branch(rotor, fast, -1.0, 0.1, 2.5);
+        const auto at_resonance =
+            std::ranges::find_if(down, [](const auto &point) { return point.speed_ratio < 1.0; });
+        ASSERT_NE(at_resonance, down.end());
+        EXPECT_LT(exact_efficiency(rotor, at_resonance->motion, at_resonance->speed_ratio), 0.1);
+    }
+}
+
+// A fold: under damping and a large imbalance the branch from rest turns back and comes up again.
+TEST(PendulumBalancer, BranchIsFollowedRoundItsFolds) {
+    const auto branch = steady_branch(figure_rotor(0.3, 0.5, 0.3), 0.1, 2.5);
+    EXPECT_GT(branch.back().speed_ratio, 2.4);
+    const auto turned =
+        std::ranges::adjacent_find(branch, [](const auto &first, const auto &second) {
+            return second.speed_ratio < first.speed_ratio;
+        });
+    EXPECT_NE(turned, branch.end());
+    EXPECT_EQ(steady_motions(figure_rotor(0.3, 0.5, 0.3), 0.75).size(), 3U);
+}
+
 } // namespace
 } // namespace whirl::closed_form

@@ -34,7 +34,7 @@ struct PendulumMotion {
     std::complex<double> position; ///< xi + i eta
     double phi = 0.0;              ///< rad
     double psi = 0.0;              ///< rad
-    bool stable = false;           ///< every eigenvalue of its small motions decays
+    bool stable = false;           ///< no small motion grows (growth below 1e-6)
     double growth = 0.0;           ///< largest real part of the eigenvalues, per 1/omega_0
 
     /// |phi|, |psi| < pi/4: no collisions between the pendulums.
@@ -56,10 +56,19 @@ struct BranchPoint {
     PendulumMotion motion;
 };
 
-/// The branch of steady motions that starts near rest, at speed_ratio `from` > 0, followed round
-/// its folds by arclength continuation until it leaves (0, to] or `largest_points` are reached.
+/// The branch of steady motions through `start`, followed by arclength continuation, round its
+/// folds, towards higher (heading 1) or lower (-1) speed until it leaves [from, to] (from > 0), a
+/// deflection of ten arms or `largest_points`.
+[[nodiscard]] std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor,
+                                                     const BranchPoint &start, double heading,
+                                                     double from, double to,
+                                                     int largest_points = 20000);
+
+/// The branch that a run-up from `from` (below balancer_resonance) follows. With little damping it
+/// turns away there to large deflections, and the well balanced motion at higher speed is a branch
+/// of its own.
 [[nodiscard]] std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from,
-                                                     double to, int largest_points = 20000);
+                                                     double to);
 
 /// Shaft deflection with the balancer at work over that with pendulums held at phi = psi = 0.
 [[nodiscard]] double exact_efficiency(const PendulumRotor &rotor, const PendulumMotion &motion,
