@@ -21,6 +21,23 @@ int inner_stations(const assembly::Discretization &d) {
     return d.shaft_mesh().spans.size() > 60 ? 0 : 3;
 }
 
+Eigen::MatrixXcd complex_product(const Eigen::SparseMatrix<double> &S, const Eigen::MatrixXcd &X) {
+    Eigen::MatrixXcd out(X.rows(), X.cols());
+    out.real() = S * X.real();
+    out.imag() = S * X.imag();
+    return out;
+}
+
+/// Scales both so that each left column has length 1 in the energy product.
+template <class Dense> void normalise(Dense &left, Dense &right) {
+    for (Eigen::Index i = 0; i < left.cols(); ++i) {
+        const double energy = std::real(left.col(i).dot(right.col(i)));
+        const double scale = energy > 0 ? 1 / std::sqrt(energy) : 0;
+        left.col(i) *= scale;
+        right.col(i) *= scale;
+    }
+}
+
 } // namespace
 
 struct SpectrumSolver::Data {
@@ -106,55 +123,45 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
     }
 }
 
-Eigen::MatrixXd SpectrumSolver::overlaps(const std::vector<WhirlMode> &a,
-                                         const std::vector<WhirlMode> &b) const {
+EnergyBasis SpectrumSolver::energy_basis(const std::vector<WhirlMode> &modes) const {
+    const bool real = _data->form != Form::general;
     const bool planar = _data->form == Form::planar;
-    const auto rate = [planar](const WhirlMode &mode) {
-        // Sign of the planar frequency; the symmetric forms have real shapes and frequencies.
+    const Eigen::Index n = _data->M.rows();
+    const auto count = static_cast<Eigen::Index>(modes.size());
+    EnergyBasis out;
+    Eigen::MatrixXcd X(real ? 0 : n, count);
+    Eigen::MatrixXd W(real ? n : 0, count);
+    Eigen::VectorXcd rates(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const WhirlMode &mode = modes[static_cast<std::size_t>(i)];
         const bool negative = planar && mode.whirl == Whirl::backward;
-        return negative ? std::conj(mode.eigenvalue) : mode.eigenvalue;
-    };
-    const auto gathered = [&](const std::vector<WhirlMode> &modes) {
-        Eigen::MatrixXcd X(_data->M.rows(), static_cast<Eigen::Index>(modes.size()));
-        for (std::size_t i = 0; i < modes.size(); ++i)
-            X.col(static_cast<Eigen::Index>(i)) = modes[i].shape;
-        return X;
-    };
-    const auto rates = [&](const std::vector<WhirlMode> &modes) {
-        Eigen::VectorXcd r(static_cast<Eigen::Index>(modes.size()));
-        for (std::size_t i = 0; i < modes.size(); ++i)
-            r(static_cast<Eigen::Index>(i)) = rate(modes[i]);
-        return r;
-    };
-    const Eigen::MatrixXcd A = gathered(a);
-    const Eigen::MatrixXcd B = gathered(b);
-    const Eigen::VectorXcd ra = rates(a);
-    const Eigen::VectorXcd rb = rates(b);
-    const auto times = [](const Eigen::SparseMatrix<double> &S, const Eigen::MatrixXcd &X) {
-        Eigen::MatrixXcd out(X.rows(), X.cols());
-        out.real() = S * X.real();
-        out.imag() = S * X.imag();
-        return out;
-    };
-    const Eigen::MatrixXcd KB = times(_data->K, B);
-    const Eigen::MatrixXcd MB = times(_data->M, B) * rb.asDiagonal();
-    const Eigen::MatrixXcd cross =
-        A.adjoint() * KB + ra.conjugate().asDiagonal() * (A.adjoint() * MB);
-    const auto norms = [&](const Eigen::MatrixXcd &X, const Eigen::VectorXcd &r) {
-        const Eigen::MatrixXcd KX = times(_data->K, X);
-        const Eigen::MatrixXcd MX = times(_data->M, X);
-        Eigen::VectorXd n(X.cols());
-        for (Eigen::Index i = 0; i < X.cols(); ++i)
-            n(i) = X.col(i).dot(KX.col(i)).real() + std::norm(r(i)) * X.col(i).dot(MX.col(i)).real();
-        return n;
-    };
-    const Eigen::VectorXd na = norms(A, ra);
-    const Eigen::VectorXd nb = norms(B, rb);
-    Eigen::MatrixXd out = cross.cwiseAbs2();
-    for (Eigen::Index i = 0; i < out.rows(); ++i)
-        for (Eigen::Index j = 0; j < out.cols(); ++j)
-            out(i, j) = na(i) * nb(j) > 0 ? out(i, j) / (na(i) * nb(j)) : 0;
+        rates(i) = real ? (negative ? -1.0 : 1.0) * mode.eigenvalue.imag() : mode.eigenvalue;
+        if (real)
+            W.col(i) = mode.shape.real();
+        else
+            X.col(i) = mode.shape;
+    }
+    if (real) {
+        out.left.resize(2 * n, count);
+        out.right.resize(2 * n, count);
+        out.left << W, W * rates.real().asDiagonal();
+        out.right << _data->K * W, (_data->M * W) * rates.real().asDiagonal();
+        normalise(out.left, out.right);
+    } else {
+        const Eigen::MatrixXcd V = X * rates.asDiagonal();
+        out.complex_left.resize(2 * n, count);
+        out.complex_right.resize(2 * n, count);
+        out.complex_left << X, V;
+        out.complex_right << complex_product(_data->K, X), complex_product(_data->M, V);
+        normalise(out.complex_left, out.complex_right);
+    }
     return out;
+}
+
+Eigen::MatrixXd overlaps(const EnergyBasis &a, const EnergyBasis &b) {
+    if (a.complex_left.size() == 0)
+        return (a.left.transpose() * b.right).cwiseAbs2();
+    return (a.complex_left.adjoint() * b.complex_right).cwiseAbs2();
 }
 
 Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {

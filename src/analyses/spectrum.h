@@ -22,6 +22,17 @@ struct Spectrum {
     double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
 };
 
+/// Modes as columns (displacement, velocity), normalised, and the same times the energy product
+/// under which modes of one speed are orthogonal: overlaps are products left^H right.
+/// Real in the symmetric forms, complex in the general one; the other pair is empty.
+struct EnergyBasis {
+    Eigen::MatrixXd left, right;
+    Eigen::MatrixXcd complex_left, complex_right;
+};
+
+/// Modal assurance of the modes behind two bases, 0..1: rows of a, columns of b.
+[[nodiscard]] Eigen::MatrixXd overlaps(const EnergyBasis &a, const EnergyBasis &b);
+
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
 /// the speed is assembled and factorised once.
 class SpectrumSolver {
@@ -39,10 +50,8 @@ class SpectrumSolver {
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted) const;
 
-    /// Modal assurance of modes of this rotor at any two speeds, 0..1, rows a, columns b, in the
-    /// energy product of (displacement, velocity) in which modes of one speed are orthogonal.
-    [[nodiscard]] Eigen::MatrixXd overlaps(const std::vector<WhirlMode> &a,
-                                           const std::vector<WhirlMode> &b) const;
+    /// For overlaps between modes of this rotor at any two speeds.
+    [[nodiscard]] EnergyBasis energy_basis(const std::vector<WhirlMode> &modes) const;
 
     /// Complex deflections of a mode at the stations: x(t) = Re(x exp(l t)).
     [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;

@@ -57,21 +57,9 @@ void deflate(EPS eps, const std::vector<Eigen::VectorXd> &deflated) {
     check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
 }
 
-} // namespace
-
-Eigen::VectorXd deterministic_vector(int size) {
-    Eigen::VectorXd vector(size);
-    unsigned state = 12345;
-    for (double &value : vector) {
-        state = state * 1664525U + 1013904223U;
-        value = 0.5 + static_cast<double>(state >> 8U) / static_cast<double>(1U << 24U);
-    }
-    return vector;
-}
-
-std::vector<std::pair<double, Eigen::VectorXd>>
-largest_magnitude(const SymmetricOperator &op, int wanted,
-                  const std::vector<Eigen::VectorXd> &deflated) {
+std::vector<std::pair<double, Eigen::VectorXd>> solve(const SymmetricOperator &op, EPSWhich which,
+                                                      int wanted,
+                                                      const std::vector<Eigen::VectorXd> &deflated) {
     const MatOwner shell = shell_of(op);
     EPS raw = nullptr;
     check(EPSCreate(PETSC_COMM_SELF, &raw));
@@ -82,7 +70,7 @@ largest_magnitude(const SymmetricOperator &op, int wanted,
     check(EPSSetOperators(raw, shell.get(), nullptr));
     check(EPSSetProblemType(raw, EPS_HEP));
     check(EPSSetType(raw, EPSKRYLOVSCHUR));
-    check(EPSSetWhichEigenpairs(raw, EPS_LARGEST_MAGNITUDE));
+    check(EPSSetWhichEigenpairs(raw, which));
     check(EPSSetDimensions(raw, nev, ncv, PETSC_DEFAULT));
     check(EPSSetTolerances(raw, 1e-9, 500));
     if (!deflated.empty())
@@ -105,6 +93,30 @@ largest_magnitude(const SymmetricOperator &op, int wanted,
         check(VecRestoreArrayRead(start.get(), &array));
     }
     return pairs;
+}
+
+} // namespace
+
+Eigen::VectorXd deterministic_vector(int size) {
+    Eigen::VectorXd vector(size);
+    unsigned state = 12345;
+    for (double &value : vector) {
+        state = state * 1664525U + 1013904223U;
+        value = 0.5 + static_cast<double>(state >> 8U) / static_cast<double>(1U << 24U);
+    }
+    return vector;
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+largest_magnitude(const SymmetricOperator &op, int wanted,
+                  const std::vector<Eigen::VectorXd> &deflated) {
+    return solve(op, EPS_LARGEST_MAGNITUDE, wanted, deflated);
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+largest_positive(const SymmetricOperator &op, int wanted,
+                 const std::vector<Eigen::VectorXd> &deflated) {
+    return solve(op, EPS_LARGEST_REAL, wanted, deflated);
 }
 
 } // namespace whirl::linalg

@@ -25,4 +25,9 @@ struct SymmetricOperator {
 largest_magnitude(const SymmetricOperator &op, int wanted,
                   const std::vector<Eigen::VectorXd> &deflated);
 
+/// The same for the algebraically largest eigenvalues.
+[[nodiscard]] std::vector<std::pair<double, Eigen::VectorXd>>
+largest_positive(const SymmetricOperator &op, int wanted,
+                 const std::vector<Eigen::VectorXd> &deflated);
+
 } // namespace whirl::linalg

@@ -1,0 +1,175 @@
+#include "analyses/campbell.h"
+
+#include "analyses/crossings.h"
+#include "analyses/discretization_error.h"
+#include "analyses/line_errors.h"
+#include "analyses/spectra.h"
+#include "analyses/tracking.h"
+#include "assembly/discretization.h"
+#include "linalg/session.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Lines that are among the `modes` lowest at some speed.
+std::vector<Line> wanted_lines(std::vector<Line> lines, int modes) {
+    std::erase_if(lines, [modes](const Line &line) {
+        return std::none_of(line.place.begin(), line.place.end(), [modes](int place) {
+            return place != Line::absent && place < modes;
+        });
+    });
+    return lines;
+}
+
+/// A gap in a line is overdamping when the mode next to it was strongly damped already, else the
+/// mode has merely left the computed part of the spectrum.
+bool left_spectrum(const Line &line, const std::vector<Spectrum> &spectra) {
+    for (std::size_t k = 0; k < line.place.size(); ++k) {
+        if (line.place[k] == Line::absent)
+            continue;
+        const bool gap = (k > 0 && line.place[k - 1] == Line::absent) ||
+                         (k + 1 < line.place.size() && line.place[k + 1] == Line::absent);
+        const std::complex<double> l =
+            spectra[k].modes[static_cast<std::size_t>(line.place[k])].eigenvalue;
+        if (gap && std::abs(l.real()) < 0.7 * std::abs(l))
+            return true;
+    }
+    return false;
+}
+
+CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
+                        const std::vector<std::optional<double>> &errors) {
+    CampbellMode out;
+    for (std::size_t k = 0; k < spectra.size(); ++k) {
+        if (line.place[k] == Line::absent) {
+            for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
+                               &out.error, &out.residual})
+                list->emplace_back();
+            out.whirl.push_back(Whirl::mixed);
+            out.forward_fraction.push_back(0.5);
+            continue;
+        }
+        const WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
+        const double re = mode.eigenvalue.real();
+        const double im = mode.eigenvalue.imag();
+        const double size = std::abs(mode.eigenvalue);
+        out.frequency.emplace_back(im);
+        out.real.emplace_back(re);
+        out.damping_ratio.emplace_back(size > 0 ? -re / size : 0);
+        out.log_dec.emplace_back(im > 0 ? -2 * std::numbers::pi * re / im : 0);
+        out.whirl.push_back(mode.whirl);
+        out.forward_fraction.push_back(mode.forward_fraction);
+        out.residual.emplace_back(mode.residual);
+        out.error.emplace_back(errors[k] ? std::optional(*errors[k] + mode.residual + mode.rounding)
+                                         : std::nullopt);
+    }
+    return out;
+}
+
+/// The sense a line has at most of its speeds names it.
+Whirl usual_whirl(const CampbellMode &mode) {
+    int votes[3] = {0, 0, 0};
+    for (std::size_t k = 0; k < mode.whirl.size(); ++k)
+        if (mode.frequency[k])
+            ++votes[static_cast<int>(mode.whirl[k])];
+    if (votes[2] >= votes[0] && votes[2] >= votes[1])
+        return Whirl::mixed;
+    return votes[0] >= votes[1] ? Whirl::forward : Whirl::backward;
+}
+
+void name_modes(std::vector<CampbellMode> &modes) {
+    int counts[3] = {0, 0, 0};
+    for (CampbellMode &mode : modes) {
+        const Whirl whirl = usual_whirl(mode);
+        const char letter = whirl == Whirl::forward    ? 'F'
+                            : whirl == Whirl::backward ? 'B'
+                                                       : 'M';
+        mode.label = fmt::format("{}{}", ++counts[static_cast<int>(whirl)], letter);
+    }
+}
+
+void add_notes(ModelSummary &model, const std::vector<CampbellMode> &modes,
+               const std::vector<Spectrum> &spectra, int wanted) {
+    for (const CampbellMode &mode : modes)
+        if (std::any_of(mode.frequency.begin(), mode.frequency.end(),
+                        [](const auto &f) { return !f.has_value(); }))
+            model.notes.push_back(fmt::format(
+                "mode {} is overdamped at some speeds and has no whirl frequency there", mode.label));
+    std::size_t overdamped = 0;
+    for (const Spectrum &spectrum : spectra)
+        overdamped = std::max(overdamped, spectrum.overdamped.size());
+    if (overdamped > 0)
+        model.notes.push_back(fmt::format("up to {} real eigenvalues (overdamped motion, no whirl) "
+                                          "lie among the ones computed at a speed",
+                                          overdamped));
+    const bool few = std::any_of(spectra.begin(), spectra.end(), [wanted](const Spectrum &s) {
+        return static_cast<int>(s.modes.size()) < wanted;
+    });
+    if (few)
+        model.notes.push_back(fmt::format(
+            "the model has fewer than the {} whirl modes asked for at some speed: all are listed",
+            wanted));
+}
+
+/// Spectra with enough modes that no wanted line leaves them. Collective.
+std::vector<Line> followed_lines(const SpectrumSolver &solver, const std::vector<double> &speeds,
+                                 int modes, std::vector<Spectrum> &spectra) {
+    int computed = modes + 2;
+    std::vector<Line> lines;
+    for (int attempt = 0;; ++attempt) {
+        spectra = spectra_at(solver, speeds, computed);
+        std::vector<char> more(1, 0);
+        if (linalg::process_rank() == 0) {
+            lines = wanted_lines(track(solver, spectra, modes), modes);
+            more[0] = attempt < 3 && std::any_of(lines.begin(), lines.end(), [&](const Line &l) {
+                          return left_spectrum(l, spectra);
+                      });
+        }
+        linalg::broadcast(more);
+        if (more[0] == 0)
+            return lines;
+        computed += std::max(4, modes / 2);
+    }
+}
+
+} // namespace
+
+CampbellResult campbell(const model::Case &scene) {
+    if (!scene.speeds)
+        throw model::BadInput("speeds: expected a table [speeds] with from, to and count for a "
+                              "Campbell diagram, got none");
+    const auto start = std::chrono::steady_clock::now();
+    CampbellResult result;
+    result.model.formulation = choose_formulation(scene);
+    result.model.order = resolve_order(scene, result.model.formulation);
+    result.speeds = scene.speeds->values();
+    const SpectrumSolver solver(scene.rotor, result.model.formulation.form, result.model.order);
+    result.model.unknowns = solver.unknowns();
+    result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
+    std::vector<Spectrum> spectra;
+    const std::vector<Line> lines =
+        followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
+    if (linalg::process_rank() != 0)
+        return result;
+    const LineErrors errors =
+        line_errors(scene.rotor, solver, result.model.order, lines, spectra);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        result.modes.push_back(mode_along(lines[i], spectra, errors[i]));
+    name_modes(result.modes);
+    add_notes(result.model, result.modes, spectra, scene.campbell.modes);
+    result.crossings = crossings(solver, lines, spectra, scene.campbell.multiples);
+    result.model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

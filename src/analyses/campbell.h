@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+namespace whirl::analyses {
+
+/// Whirl speeds and damping over the spin speeds of the case, modes tracked, with every crossing
+/// of a wanted multiple of the spin speed as a root (relative 1e-10).
+///
+/// Reported are all modes that are among the `campbell.modes` lowest at some speed. Errors add the
+/// discretisation error (order p against p + 1, at three speeds, interpolated between them), the
+/// residual of the eigenpair and the rounding of the matrix entries.
+/// Collective under mpirun; complete on process 0.
+/// @throws model::BadInput without [speeds]; model::AnalysisFailure where modes are not found.
+[[nodiscard]] CampbellResult campbell(const model::Case &scene);
+
+} // namespace whirl::analyses

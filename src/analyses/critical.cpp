@@ -1,0 +1,170 @@
+#include "analyses/critical.h"
+
+#include "analyses/discretization_error.h"
+#include "analyses/synchronous.h"
+#include "assembly/discretization.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Synchronous modes with bearing tables: each is iterated until the speed at which the bearings
+/// were taken is the speed found (secant steps on their difference).
+class TableIteration {
+  public:
+    TableIteration(const assembly::Discretization &d, Form form, int wanted)
+        : _d(d), _form(form), _wanted(wanted) {}
+
+    std::vector<WhirlMode> run() {
+        std::vector<WhirlMode> out;
+        for (const WhirlMode &start : synchronous_modes(_d, _form, 0, _wanted)) {
+            const std::optional<WhirlMode> mode = settle(start);
+            if (!mode) {
+                ++unsettled;
+                continue;
+            }
+            const bool known = std::any_of(out.begin(), out.end(), [&](const WhirlMode &other) {
+                return std::abs(other.eigenvalue - mode->eigenvalue) <
+                           1e-8 * std::abs(mode->eigenvalue) &&
+                       other.whirl == mode->whirl;
+            });
+            if (!known)
+                out.push_back(*mode);
+        }
+        std::sort(out.begin(), out.end(), [](const WhirlMode &a, const WhirlMode &b) {
+            return a.eigenvalue.imag() < b.eigenvalue.imag();
+        });
+        return out;
+    }
+
+    int unsettled = 0; ///< modes for which no fixed speed was found
+
+  private:
+    const assembly::Discretization &_d;
+    Form _form;
+    int _wanted;
+
+    /// The mode at other bearing coefficients that resembles `mode` most.
+    WhirlMode resembling(const WhirlMode &mode, double bearing_speed) const {
+        const std::vector<WhirlMode> all =
+            synchronous_modes(_d, _form, bearing_speed, _wanted + 4);
+        const auto likeness = [&](const WhirlMode &other) {
+            if (_form == Form::planar && other.whirl != mode.whirl)
+                return 0.0;
+            const double cosine = std::abs(other.shape.dot(mode.shape)) /
+                                  (other.shape.norm() * mode.shape.norm());
+            return cosine / (1 + std::abs(std::log(other.eigenvalue.imag() / mode.eigenvalue.imag())));
+        };
+        return *std::max_element(all.begin(), all.end(), [&](const auto &a, const auto &b) {
+            return likeness(a) < likeness(b);
+        });
+    }
+
+    std::optional<WhirlMode> settle(WhirlMode mode) const {
+        double s0 = 0;
+        double g0 = mode.eigenvalue.imag();
+        double s1 = g0;
+        for (int step = 0; step < 60; ++step) {
+            mode = resembling(mode, s1);
+            const double g1 = mode.eigenvalue.imag() - s1;
+            if (std::abs(g1) < 1e-11 * mode.eigenvalue.imag())
+                return mode;
+            const double slope = (g1 - g0) / (s1 - s0);
+            double next = s1 - g1 / slope;
+            if (!std::isfinite(next) || next <= 0 || slope >= 0)
+                next = s1 + g1; // plain substitution
+            s0 = s1;
+            g0 = g1;
+            s1 = next;
+        }
+        return std::nullopt;
+    }
+};
+
+struct Found {
+    std::vector<WhirlMode> modes;
+    int unsettled = 0;
+};
+
+Found solve(const model::Rotor &rotor, Form form, const assembly::Discretization &d, int wanted) {
+    if (!rotor.bearings_depend_on_speed())
+        return {synchronous_modes(d, form, 0, wanted), 0};
+    TableIteration iteration(d, form, wanted);
+    Found found{iteration.run(), 0};
+    found.unsettled = iteration.unsettled;
+    return found;
+}
+
+/// At least the modes asked for; more while the highest is still below the top speed.
+Found solve_in_range(const model::Case &scene, Form form, const assembly::Discretization &d) {
+    const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
+    const auto wanted = static_cast<std::size_t>(scene.campbell.modes);
+    for (std::size_t ask = wanted;; ask *= 2) {
+        Found found = solve(scene.rotor, form, d, static_cast<int>(ask));
+        const bool all = found.modes.size() < ask;
+        const auto in_range = static_cast<std::size_t>(
+            std::count_if(found.modes.begin(), found.modes.end(),
+                          [top](const WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
+        if (all || in_range < found.modes.size() || ask > 400) {
+            found.modes.resize(std::min(found.modes.size(), std::max(wanted, in_range)));
+            return found;
+        }
+    }
+}
+
+} // namespace
+
+CriticalResult critical_speeds(const model::Case &scene) {
+    const auto start = std::chrono::steady_clock::now();
+    CriticalResult result;
+    ModelSummary &model = result.model;
+    model.formulation = choose_formulation(scene);
+    const Form form = model.formulation.form;
+    model.order = resolve_order(scene, model.formulation);
+    const assembly::Discretization d(scene.rotor, model.order);
+    model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    model.unknowns = form == Form::planar ? d.planar_size() : 2 * d.planar_size();
+    try {
+        const Found found = solve_in_range(scene, form, d);
+        const bool classical = model.order == 1;
+        const assembly::Discretization finer(scene.rotor, classical ? 1 : model.order + 1,
+                                             classical ? 2 : 1);
+        Spectrum coarse;
+        Spectrum fine;
+        coarse.modes = found.modes;
+        if (!scene.rotor.shaft.rigid)
+            fine.modes =
+                solve(scene.rotor, form, finer, static_cast<int>(found.modes.size()) + 2).modes;
+        const std::vector<double> errors =
+            scene.rotor.shaft.rigid ? std::vector<double>(found.modes.size(), 0.0)
+                                    : discretization_errors(coarse, fine, model.order);
+        for (std::size_t i = 0; i < found.modes.size(); ++i) {
+            const WhirlMode &mode = found.modes[i];
+            result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
+                                              mode.eigenvalue.real(),
+                                              errors[i] + mode.residual + mode.rounding,
+                                              mode.residual});
+        }
+        if (found.unsettled > 0)
+            model.notes.push_back("for some modes no speed was found at which the bearing tables "
+                                  "agree with the critical speed: they have none, or several");
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(
+            "the critical speeds could not be found: the eigensolver did not converge, missed some, "
+            "or the stiffness matrix is not positive definite");
+    }
+    if (static_cast<int>(result.critical_speeds.size()) < scene.campbell.modes)
+        model.notes.push_back("the rotor has no more critical speeds than the ones listed");
+    model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

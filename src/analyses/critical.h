@@ -1,0 +1,17 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+namespace whirl::analyses {
+
+/// Critical speeds directly, without a sweep over speed: the `campbell.modes` lowest, and all up
+/// to speeds.to where the case has speeds.
+///
+/// Undamped and isotropic: forward det[K - W^2 (M - G)] = 0, backward det[K - W^2 (M + G)] = 0.
+/// Orthotropic undamped: det[K - W^2 (M + S)] = 0. General: l = i W in the quadratic problem,
+/// l^2 (M - iG) + l (C - i Kc) + K, of which Im l is the speed and Re l is reported.
+/// Bearing tables: the same with the coefficients at the speed found, iterated to 1e-10.
+[[nodiscard]] CriticalResult critical_speeds(const model::Case &scene);
+
+} // namespace whirl::analyses

@@ -1,0 +1,106 @@
+#include "analyses/crossings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Frequency minus a multiple of the spin speed along one line between two grid speeds.
+class Gap {
+  public:
+    Gap(const SpectrumSolver &solver, const Spectrum &from, int place, double multiple)
+        : _solver(solver), _multiple(multiple), _wanted(static_cast<int>(from.modes.size())),
+          _near(solver.energy_basis({from.modes[static_cast<std::size_t>(place)]})) {}
+
+    /// The mode at this speed that overlaps most with the one last looked at.
+    double operator()(double speed) {
+        const Spectrum spectrum = _solver.at(speed, _wanted);
+        const EnergyBasis basis = _solver.energy_basis(spectrum.modes);
+        Eigen::Index best = 0;
+        overlaps(_near, basis).row(0).maxCoeff(&best);
+        const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(best)];
+        _near = _solver.energy_basis({mode});
+        return mode.eigenvalue.imag() - _multiple * speed;
+    }
+
+  private:
+    const SpectrumSolver &_solver;
+    double _multiple;
+    int _wanted;
+    EnergyBasis _near;
+};
+
+/// Root of a function that changes sign between a and b, by the Illinois form of false position
+/// (Dowell and Jarratt 1971), which keeps the bracket.
+template <class Function>
+double bracketed_root(Function &&f, double a, double fa, double b, double fb) {
+    const double tolerance = 1e-11 * std::max(std::abs(a), std::abs(b));
+    double last = a;
+    for (int step = 0; step < 60; ++step) {
+        const double c = (a * fb - b * fa) / (fb - fa);
+        if (std::abs(c - last) <= tolerance || std::abs(b - a) <= tolerance)
+            return c;
+        const double fc = f(c);
+        if (fc == 0)
+            return c;
+        if ((fc > 0) != (fb > 0)) {
+            a = b;
+            fa = fb;
+        } else {
+            fa /= 2;
+        }
+        b = c;
+        fb = fc;
+        last = c;
+    }
+    return b;
+}
+
+std::optional<double> frequency_at(const Line &line, const std::vector<Spectrum> &spectra,
+                                   std::size_t k) {
+    if (line.place[k] == Line::absent)
+        return std::nullopt;
+    const double f = spectra[k].modes[static_cast<std::size_t>(line.place[k])].eigenvalue.imag();
+    return f > 0 ? std::optional(f) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<Crossing> crossings(const SpectrumSolver &solver, const std::vector<Line> &lines,
+                                const std::vector<Spectrum> &spectra,
+                                const std::vector<double> &multiples) {
+    std::vector<Crossing> out;
+    for (const double multiple : multiples) {
+        const std::size_t first = out.size();
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            for (std::size_t k = 0; k < spectra.size(); ++k) {
+                const auto here = frequency_at(lines[i], spectra, k);
+                if (!here)
+                    continue;
+                const double a = spectra[k].speed;
+                const double fa = *here - multiple * a;
+                if (fa == 0)
+                    out.push_back({multiple, a, *here, static_cast<int>(i)});
+                const auto next =
+                    k + 1 < spectra.size() ? frequency_at(lines[i], spectra, k + 1) : std::nullopt;
+                if (!next || fa == 0)
+                    continue;
+                const double b = spectra[k + 1].speed;
+                const double fb = *next - multiple * b;
+                if (fb == 0 || (fa > 0) == (fb > 0))
+                    continue;
+                Gap gap(solver, spectra[k], lines[i].place[k], multiple);
+                const double speed = bracketed_root(gap, a, fa, b, fb);
+                out.push_back({multiple, speed, multiple * speed, static_cast<int>(i)});
+            }
+        }
+        std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
+                  [](const Crossing &a, const Crossing &b) { return a.speed < b.speed; });
+    }
+    return out;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,67 @@
+#include "analyses/line_errors.h"
+
+#include "analyses/discretization_error.h"
+#include "assembly/discretization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Fills the gaps of a list known at some places, linearly in the logarithm, constant outside.
+void interpolate(std::vector<std::optional<double>> &values) {
+    const double floor = std::numeric_limits<double>::epsilon() / 16;
+    std::vector<std::size_t> known;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (values[k])
+            known.push_back(k);
+    if (known.empty())
+        return;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k])
+            continue;
+        const auto after = std::lower_bound(known.begin(), known.end(), k);
+        if (after == known.begin() || after == known.end()) {
+            values[k] = values[after == known.end() ? known.back() : known.front()];
+            continue;
+        }
+        const std::size_t a = *(after - 1);
+        const std::size_t b = *after;
+        const double t = static_cast<double>(k - a) / static_cast<double>(b - a);
+        values[k] = std::exp((1 - t) * std::log(std::max(*values[a], floor)) +
+                             t * std::log(std::max(*values[b], floor)));
+    }
+}
+
+} // namespace
+
+LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver, int order,
+                       const std::vector<Line> &lines, const std::vector<Spectrum> &spectra) {
+    LineErrors errors(lines.size());
+    for (auto &list : errors)
+        list.resize(spectra.size());
+    if (rotor.shaft.rigid) {
+        for (auto &list : errors)
+            std::fill(list.begin(), list.end(), 0.0);
+        return errors;
+    }
+    const auto finer = finer_solver(rotor, solver.form(), order);
+    const std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
+    for (const std::size_t k : probes) {
+        const Spectrum fine =
+            finer->at(spectra[k].speed, static_cast<int>(spectra[k].modes.size()));
+        const std::vector<double> all = discretization_errors(spectra[k], fine, order);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (lines[i].place[k] != Line::absent)
+                errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];
+    }
+    for (auto &list : errors)
+        interpolate(list);
+    return errors;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,3 @@
+#pragma once
+
+#include "analyses/discretization_error.h" // resolve_order

@@ -1,0 +1,120 @@
+#include "analyses/spectra.h"
+
+#include "linalg/session.h"
+#include "model/errors.h"
+
+#include <cstring>
+#include <string>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Appends and reads plain values: all processes are one program on like machines.
+class Bytes {
+  public:
+    explicit Bytes(std::vector<char> data = {}) : _data(std::move(data)) {}
+
+    template <class T> void put(const T *values, std::size_t count) {
+        const auto *first = reinterpret_cast<const char *>(values);
+        _data.insert(_data.end(), first, first + count * sizeof(T));
+    }
+    template <class T> void put(const T &value) { put(&value, 1); }
+
+    template <class T> void get(T *values, std::size_t count) {
+        std::memcpy(values, _data.data() + _next, count * sizeof(T));
+        _next += count * sizeof(T);
+    }
+    template <class T> T get() {
+        T value{};
+        get(&value, 1);
+        return value;
+    }
+    [[nodiscard]] const std::vector<char> &data() const { return _data; }
+    [[nodiscard]] bool at_end() const { return _next == _data.size(); }
+
+  private:
+    std::vector<char> _data;
+    std::size_t _next = 0;
+};
+
+void put(Bytes &bytes, const Spectrum &spectrum) {
+    bytes.put(spectrum.speed);
+    bytes.put(spectrum.complete_radius);
+    bytes.put(spectrum.overdamped.size());
+    bytes.put(spectrum.overdamped.data(), spectrum.overdamped.size());
+    bytes.put(spectrum.modes.size());
+    for (const WhirlMode &mode : spectrum.modes) {
+        bytes.put(mode.eigenvalue);
+        bytes.put(mode.whirl);
+        bytes.put(mode.forward_fraction);
+        bytes.put(mode.residual);
+        bytes.put(mode.rounding);
+        bytes.put(mode.shape.size());
+        bytes.put(mode.shape.data(), static_cast<std::size_t>(mode.shape.size()));
+    }
+}
+
+Spectrum get_spectrum(Bytes &bytes) {
+    Spectrum spectrum;
+    spectrum.speed = bytes.get<double>();
+    spectrum.complete_radius = bytes.get<double>();
+    spectrum.overdamped.resize(bytes.get<std::size_t>());
+    bytes.get(spectrum.overdamped.data(), spectrum.overdamped.size());
+    spectrum.modes.resize(bytes.get<std::size_t>());
+    for (WhirlMode &mode : spectrum.modes) {
+        mode.eigenvalue = bytes.get<std::complex<double>>();
+        mode.whirl = bytes.get<Whirl>();
+        mode.forward_fraction = bytes.get<double>();
+        mode.residual = bytes.get<double>();
+        mode.rounding = bytes.get<double>();
+        mode.shape.resize(bytes.get<Eigen::Index>());
+        bytes.get(mode.shape.data(), static_cast<std::size_t>(mode.shape.size()));
+    }
+    return spectrum;
+}
+
+/// Every process learns whether one of them failed, and throws the same.
+void agree_on_failure(std::string failure) {
+    const std::vector<char> mine(failure.begin(), failure.end());
+    failure.clear();
+    for (const std::vector<char> &part : linalg::gather(mine))
+        if (failure.empty())
+            failure.assign(part.begin(), part.end());
+    std::vector<char> all(failure.begin(), failure.end());
+    linalg::broadcast(all);
+    if (!all.empty())
+        throw model::AnalysisFailure(std::string(all.begin(), all.end()));
+}
+
+} // namespace
+
+std::vector<Spectrum> spectra_at(const SpectrumSolver &solver, const std::vector<double> &speeds,
+                                 int wanted) {
+    const auto processes = static_cast<std::size_t>(linalg::process_count());
+    std::vector<Spectrum> spectra;
+    if (processes == 1) {
+        for (const double speed : speeds)
+            spectra.push_back(solver.at(speed, wanted));
+        return spectra;
+    }
+    Bytes mine;
+    std::string failure;
+    try {
+        for (auto i = static_cast<std::size_t>(linalg::process_rank()); i < speeds.size();
+             i += processes)
+            put(mine, solver.at(speeds[i], wanted));
+    } catch (const model::AnalysisFailure &error) {
+        failure = error.what();
+    }
+    agree_on_failure(failure);
+    std::vector<Bytes> parts;
+    for (std::vector<char> &part : linalg::gather(mine.data()))
+        parts.emplace_back(std::move(part));
+    if (!parts.empty())
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+            spectra.push_back(get_spectrum(parts[i % processes]));
+    return spectra;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,126 @@
+#include "linalg/definite_pair.h"
+
+#include "linalg/check.h"
+#include "linalg/symmetric_eigen.h"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::linalg {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+} // namespace
+
+struct DefinitePair::Factors {
+    Sparse K, A, absK, absA, L, Lt;
+    mutable Eigen::SimplicialLDLT<Sparse> inertia;
+
+    [[nodiscard]] Eigen::VectorXd apply(const Eigen::VectorXd &z) const {
+        const Eigen::VectorXd t = Lt.triangularView<Eigen::Upper>().solve(z);
+        return L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd(A * t));
+    }
+
+    [[nodiscard]] RealPair pair_from(double mu, const Eigen::VectorXd &z) const {
+        RealPair pair;
+        pair.value = 1 / std::sqrt(mu);
+        // dw/w = 1/2 dmu/mu
+        pair.residual = (apply(z) - mu * z).norm() / (2 * z.norm() * mu);
+        pair.vector = Lt.triangularView<Eigen::Upper>().solve(z) / z.norm();
+        const Eigen::VectorXd x = pair.vector.cwiseAbs();
+        pair.rounding = std::numeric_limits<double>::epsilon() / 2 *
+                        (x.dot(absK * x) + pair.value * pair.value * x.dot(absA * x));
+        return pair;
+    }
+
+    /// Positive eigenvalues by the dense solver.
+    [[nodiscard]] std::vector<RealPair> dense() const {
+        const Eigen::Index n = K.rows();
+        Eigen::MatrixXd B(n, n);
+        for (Eigen::Index j = 0; j < n; ++j)
+            B.col(j) = apply(Eigen::VectorXd::Unit(n, j));
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((B + B.transpose()) / 2);
+        if (solver.info() != Eigen::Success)
+            throw SolverError("the dense symmetric eigensolver did not converge");
+        // A singular A has eigenvalues zero (speeds at infinity) only up to rounding.
+        const double zero = 1e-13 * solver.eigenvalues().cwiseAbs().maxCoeff();
+        std::vector<RealPair> pairs;
+        for (Eigen::Index i = n - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i)
+            pairs.push_back(pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
+        return pairs;
+    }
+};
+
+DefinitePair::DefinitePair(const Matrix &K, const Matrix &A)
+    : _factors(std::make_unique<Factors>()) {
+    Factors &f = *_factors;
+    f.K = K.view();
+    f.A = A.view();
+    f.absK = f.K.cwiseAbs();
+    f.absA = f.A.cwiseAbs();
+    const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky(f.K);
+    if (cholesky.info() != Eigen::Success)
+        throw SolverError("the stiffness matrix is not positive definite");
+    f.L = cholesky.matrixL();
+    f.Lt = f.L.transpose();
+    f.inertia.analyzePattern(f.absK + f.absA);
+}
+
+DefinitePair::~DefinitePair() = default;
+
+int DefinitePair::count_below(double bound) const {
+    const Sparse Q = _factors->K - (bound * bound) * _factors->A;
+    _factors->inertia.factorize(Q);
+    if (_factors->inertia.info() != Eigen::Success)
+        throw SolverError("an inertia count met a zero pivot");
+    return static_cast<int>((_factors->inertia.vectorD().array() < 0).count());
+}
+
+std::vector<RealPair> DefinitePair::smallest(int wanted) const {
+    const Factors &f = *_factors;
+    const auto n = static_cast<int>(f.K.rows());
+    std::vector<RealPair> pairs;
+    if (n <= 400 || 3 * wanted > n) {
+        pairs = f.dense();
+    } else {
+        const SymmetricOperator op{n,
+                                   [&](const double *z, double *y) {
+                                       Eigen::Map<Eigen::VectorXd>(y, n) =
+                                           f.apply(Eigen::Map<const Eigen::VectorXd>(z, n));
+                                   },
+                                   deterministic_vector(n)};
+        std::vector<Eigen::VectorXd> found;
+        for (int attempt = 0; attempt < 4; ++attempt) {
+            for (const auto &[mu, z] : largest_positive(op, wanted + 2, found)) {
+                found.push_back(z);
+                if (mu > 0)
+                    pairs.push_back(f.pair_from(mu, z));
+            }
+            const double last = pairs.empty() ? 0 : pairs.back().value;
+            if (!pairs.empty() &&
+                count_below(last * (1 - 1e-7)) <= static_cast<int>(pairs.size()))
+                break;
+        }
+    }
+    std::sort(pairs.begin(), pairs.end(),
+              [](const RealPair &a, const RealPair &b) { return a.value < b.value; });
+    const auto keep = std::min(pairs.size(), static_cast<std::size_t>(wanted));
+    if (keep > 0) {
+        const double last = pairs[keep - 1].value;
+        const double above = keep < pairs.size() ? pairs[keep].value : last * (1 + 1e-6);
+        const double between = last + std::min(above - last, 1e-6 * last) / 2;
+        const bool room = between - last > 1e-9 * last;
+        if (room && count_below(between) != static_cast<int>(keep))
+            throw SolverError("critical speeds are missing against the inertia count");
+    }
+    pairs.resize(keep);
+    return pairs;
+}
+
+} // namespace whirl::linalg
