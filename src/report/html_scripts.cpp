@@ -56,6 +56,13 @@ result.modes.forEach(m => {
   if (m.frequency[last] !== null) notes.push({x: speeds[last], y: m.frequency[last] * hertz, text: m.label,
     showarrow: false, xanchor: "left", xshift: 6, font: {color: look[m.whirl[last]].color}});
 });
+const top = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => (f || 0) * hertz))) * 1.05 || 1;
+const pixels = (damped ? 0.62 * 770 : 530) / top;
+let below = -1e9;
+notes.sort((a, b) => a.y - b.y).forEach(n => {
+  const height = Math.max(n.y * pixels, below + 13);
+  n.yshift = height - n.y * pixels; below = height;
+});
 const grows = (m, i) => m.real[i] !== null && m.frequency[i] !== null &&
   m.real[i] > Math.max(1e-9, (m.error[i] || 0) + (m.residual[i] || 0)) * Math.hypot(m.real[i], m.frequency[i]);
 const ux = [], uy = [], ut = [];
@@ -65,7 +72,6 @@ result.modes.forEach(m => {
 });
 if (uy.some(y => y !== null)) traces.unshift({x: ux, y: uy, text: ut, hoverinfo: "text", mode: "lines+markers",
   name: "unstable", line: {color: "rgba(224,32,138,0.45)", width: 9}, marker: {size: 3, color: "#E0208A"}});
-const top = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => (f || 0) * hertz))) * 1.05 || 1;
 const multiples = [...new Set([1, ...result.crossings.map(c => c.multiple)])];
 multiples.forEach(k => {
   const end = Math.min(speeds[last], 60 * top / k);
@@ -104,9 +110,9 @@ result.nodes.forEach((n, k) => {
 result.bearings.forEach((b, k) => traces.push({x: speeds, y: positive(b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
   line: {color: colours[k % 8], dash: dashes[(k + 1) % 4], width: 2.5}, hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} N"}));
 draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
-  xaxis: axis("Spin speed (rpm)", {anchor: "y3"}), yaxis: axis("Amplitude (µm)", {type: "log", domain: [0.58, 1], exponentformat: "power"}),
+  xaxis: axis("Spin speed (rpm)", {anchor: "y3"}), yaxis: axis("Amplitude (µm)", {type: "log", dtick: 1, domain: [0.58, 1], exponentformat: "power"}),
   yaxis2: axis("Phase of x (deg)", {domain: [0.32, 0.53], range: [-190, 190], dtick: 90}),
-  yaxis3: axis("Bearing force (N)", {type: "log", domain: [0, 0.27], exponentformat: "power"})});
+  yaxis3: axis("Bearing force (N)", {type: "log", dtick: 1, domain: [0, 0.27], exponentformat: "power"})});
 )js";
 
 constexpr const char *modes = R"js(
@@ -145,7 +151,7 @@ Object.keys(families).forEach((key, k) => {
     x: rows.map(r => r[field] * factor), y: rows.map(r => r.true_error), xaxis, yaxis, text, hoverinfo: "text", mode: "lines+markers",
     name: key, legendgroup: key, showlegend: panel === 0, line: {color: colours[k % 8], dash: dashes[k % 4]}, marker: {symbol: k, size: 8}}));
 });
-const log = {type: "log", exponentformat: "power"};
+const log = {type: "log", dtick: 1, exponentformat: "power"};
 draw(traces, {xaxis: axis("Unknowns", {...log, domain: [0, 0.46]}), xaxis2: axis("Wall time (ms)", {...log, domain: [0.54, 1], anchor: "y2"}),
   yaxis: axis("True relative error", log), yaxis2: axis("", {...log, anchor: "x2", matches: "y"})});
 )js";
@@ -159,7 +165,10 @@ std::string plot_script(const std::string &command) {
                                                              {"modes", modes},
                                                              {"accuracy", accuracy}};
     const auto found = scripts.find(command);
-    return found == scripts.end() ? "" : std::string(common) + found->second;
+    // A function of its own: names such as `top` belong to the window outside.
+    return found == scripts.end()
+               ? ""
+               : std::string("(function () {") + common + found->second + "})();\n";
 }
 
 } // namespace whirl::report

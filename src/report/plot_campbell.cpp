@@ -291,7 +291,7 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first
                   ? fmt::format(
-                        "set key at screen 0.49,{} center center horizontal maxrows 1 samplen 4\n",
+                        "set key at screen 0.49,{} center center horizontal samplen 4\n",
                         panel.top + 64 * pixel)
                   : "unset key\n";
     plots.resize(plots.size() - 2);
@@ -319,9 +319,9 @@ std::vector<Panel> panels_of(const CampbellResult &result) {
         panels.push_back({"low", false, x, {0, 1.35 * spin}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
-        const double bottom = 1.15 * std::max(smallest_decrement, -log_dec_limit);
+        const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);
         panels.push_back(
-            {"damping", true, x, {std::min(bottom, -0.02 * top), std::max(top, 0.02)}});
+            {"damping", true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
     }
     return panels;
 }

@@ -57,10 +57,10 @@ std::string mode_data(const std::string &name, const ModesResult &result, const 
 std::string legend(double height) {
     return panel_margins(0.05, 0.975, 0.01, 0.02) +
            fmt::format("unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n"
-                       "set key at screen 0.5,{} center center horizontal maxrows 1 samplen 4\n"
+                       "set key at screen 0.5,{} center center horizontal samplen 4\n"
                        "plot NaN notitle, keyentry with lines lw 2.2 lc rgb '#0072B2' title 'x', "
                        "keyentry with lines lw 2.2 dt (10,6) lc rgb '#D55E00' title 'y', "
-                       "keyentry with lines lw 1 lc rgb '#888888' title 'envelope of the orbits', "
+                       "keyentry with lines lw 1 lc rgb '#888888' title 'envelope', "
                        "keyentry with points pt 9 ps 1.4 lc rgb '#555555' title 'bearing'\n"
                        "unset label\nunset key\nset border\nset tics\n",
                        height);
@@ -127,12 +127,12 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
                     "(equal curves: forward, mirrored: backward)",
                     readable(result.speed * rpm)),
         figure.height);
+    const double length = std::max(scene.rotor.shaft.length(), 1e-9);
     figure.script += legend(1 - 80 * pixel);
     figure.script += outline(scene.rotor) +
                      "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"
                      "set ytics -1,1,1\n" +
-                     fmt::format("set xrange [{}:{}]\n", -0.03 * scene.rotor.shaft.length(),
-                                 1.03 * scene.rotor.shaft.length());
+                     fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const ModeShape &mode = result.modes[m];
         const double left = columns == 1 || m % 2 == 0 ? 0.05 : 0.545;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace whirl::report {
@@ -69,6 +70,26 @@ std::string draw(const std::string &panel, const std::vector<Curve> &curves, boo
     return data + "plot " + plots + "\n";
 }
 
+/// Logarithmic axis over the curves, at most six powers of ten down from the largest value, so that
+/// the start from rest does not squeeze the peaks.
+std::string logarithmic_axis(const std::vector<Curve> &curves) {
+    double high = 0;
+    double low = HUGE_VAL;
+    for (const Curve &curve : curves)
+        for (const PlotPoint &point : curve.points)
+            if (point.y) {
+                high = std::max(high, *point.y);
+                low = std::min(low, *point.y);
+            }
+    if (high <= 0)
+        high = low = 1;
+    low = std::max(low, 1e-6 * high);
+    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset ytics auto\n"
+                       "set yrange [{}:{}]\n",
+                       std::pow(10, std::floor(std::log10(low))),
+                       std::pow(10, std::floor(std::log10(high)) + 1));
+}
+
 std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
     const Range x = range_of(result.speeds);
     return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\nset key at graph 1.02,1 left top "
@@ -118,8 +139,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         figure_head("Unbalance response: " + title_of(scene),
                     fmt::format("{} nodes drawn of {}", amplitude.size(), result.nodes.size()),
                     figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset logscale y\n"
-        "set format y '10^{%L}'\n" +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(amplitude) +
         panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
         panel_axes(result, "Amplitude (µm)", false) + draw("a", amplitude, true) +
         "unset label\nunset logscale y\nset format y '%g'\n"
@@ -128,8 +148,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         panel_axes(result, "Phase of x (deg)", force.empty()) + draw("p", phase, false);
     if (!force.empty())
         figure.script +=
-            "set autoscale y\nset ytics auto\nset logscale y\nset format y '10^{%L}'\n" +
-            panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
+            logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
             panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
     figure.script += "unset multiplot\n";
     return figure;

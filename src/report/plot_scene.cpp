@@ -275,6 +275,8 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
 
 /// Ticks of 1, 2 or 5 times a power of ten along the shaft, in m, or mm for short rotors.
 void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
+    if (!(length > 0)) // a scene without a shaft has nothing to measure
+        return;
     const bool millimetres = length < 1;
     // Numbers need some 60 pixels each.
     const double raw = length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);

@@ -1,0 +1,37 @@
+#include "report/csv.h"
+
+#include "sample_results.h"
+
+namespace whirl::report {
+
+namespace {
+
+std::vector<std::string> lines_of(const std::string &text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+} // namespace
+
+TEST(Csv, CampbellHasUnitsOneRowAModeAndSpeedAndEmptyCells) {
+    const auto lines = lines_of(to_csv(sample_campbell()));
+    ASSERT_EQ(lines.size(), 1u + 3 * 2);
+    EXPECT_EQ(lines[0], "speed [rad/s],mode,frequency [rad/s],real [1/s],damping_ratio,log_dec,"
+                        "whirl,forward_fraction,error,residual");
+    EXPECT_EQ(lines[1].substr(0, 25), "0,1B,85.389371234123,0,0,");
+    EXPECT_EQ(lines[4], "100,1F,,,,,forward,1,,1e-15");
+    EXPECT_EQ(lines[6], "200,1F,110,2,-0.02,-0.1,forward,1,,1e-15");
+}
+
+TEST(Csv, TextWithCommasAndQuotesStaysOneCell) {
+    analyses::ResponseResult result;
+    result.speeds = {100};
+    result.nodes = {{0.5, "disc, \"big\"", {1e-5}, {0.1}, {1e-5}, {-1e-6}}};
+    EXPECT_EQ(lines_of(to_csv(result)).at(1),
+              "100,node,\"disc, \"\"big\"\"\",0.5,1e-05,0.1,1e-05,-1e-06,");
+}
+
+} // namespace whirl::report

@@ -1,0 +1,63 @@
+#include "report/html_pages.h"
+
+#include "report/plotly.h"
+#include "sample_results.h"
+
+#include <nlohmann/json.hpp>
+
+#include <regex>
+
+namespace whirl::report {
+
+namespace {
+
+std::string without_bundle(std::string html) {
+    const std::string_view bundle = plotly_bundle();
+    const std::size_t at = bundle.empty() ? std::string::npos : html.find(bundle);
+    return at == std::string::npos ? html : html.erase(at, bundle.size());
+}
+
+} // namespace
+
+TEST(Html, LoadsNothingFromElsewhere) {
+    const std::string html = without_bundle(to_html(sample_case(), sample_campbell(), "<svg/>"));
+    const std::regex reference(R"((src|href|srcset|data)\s*=\s*"(?!data:)[^"]*"|@import|url\()");
+    std::smatch found;
+    EXPECT_FALSE(std::regex_search(html, found, reference)) << found.str();
+}
+
+TEST(Html, HoldsPlotlyOrSaysThatItIsAStillPicture) {
+    const std::string html = to_html(sample_case(), sample_campbell(), "<svg id=\"still\"/>");
+    if (plotly_bundle().empty()) {
+        EXPECT_NE(html.find("<svg id=\"still\"/>"), std::string::npos);
+        EXPECT_NE(html.find("still picture"), std::string::npos);
+    } else {
+        EXPECT_GT(plotly_bundle().size(), 500000u);
+        EXPECT_NE(html.find(plotly_bundle()), std::string::npos);
+        EXPECT_EQ(plotly_bundle().find("</script"), std::string_view::npos);
+    }
+}
+
+TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {
+    model::Case scene = sample_case();
+    scene.title = "</script><script>alert(1)</script>";
+    const std::string html = without_bundle(to_html(scene, sample_campbell(), ""));
+    EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+    EXPECT_NE(html.find("&lt;script&gt;alert"), std::string::npos);
+    const std::string open = "type=\"application/json\">";
+    const std::size_t start = html.find(open) + open.size();
+    const auto data =
+        nlohmann::json::parse(html.substr(start, html.find("</script>", start) - start));
+    EXPECT_EQ(data.at("title"), scene.title);
+}
+
+TEST(Html, TablesShowCrossingsAndOverdampedModes) {
+    analyses::CampbellResult result = sample_campbell();
+    result.modes[1].frequency[2].reset();
+    const std::string html = without_bundle(to_html(sample_case(), result, ""));
+    EXPECT_NE(html.find("<td>82.5</td>"), std::string::npos) << "crossing in rad/s";
+    EXPECT_NE(html.find("<td>overdamped</td>"), std::string::npos);
+    EXPECT_NE(html.find("isotropic &amp; undamped"), std::string::npos);
+}
+
+} // namespace whirl::report

@@ -1,0 +1,84 @@
+#include "report/json.h"
+
+#include "sample_results.h"
+
+#include <nlohmann/json.hpp>
+
+namespace whirl::report {
+
+using Json = nlohmann::json;
+
+TEST(Json, EnvelopeNamesProgramFormatAndFormulation) {
+    const Json json = Json::parse(to_json(sample_case(), sample_campbell()));
+    EXPECT_EQ(json.at("program"), "whirl");
+    EXPECT_EQ(json.at("version"), program_version());
+    EXPECT_EQ(json.at("format"), 1);
+    EXPECT_EQ(json.at("command"), "campbell");
+    EXPECT_EQ(json.at("case"), "sample");
+    EXPECT_EQ(json.at("title"), wicked_title);
+    EXPECT_EQ(json.at("formulation").at("frame"), "fixed");
+    EXPECT_EQ(json.at("formulation").at("unknowns"), "planar");
+    EXPECT_EQ(json.at("formulation").at("form"), "planar");
+    EXPECT_EQ(json.at("formulation").at("why"), "isotropic & undamped");
+    EXPECT_EQ(json.at("order"), 4);
+    EXPECT_EQ(json.at("elements"), 6);
+    EXPECT_EQ(json.at("unknowns_count"), 50);
+    EXPECT_EQ(json.at("notes"), Json::array({"a note"}));
+}
+
+TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
+    const std::string text = to_json(sample_case(), sample_campbell());
+    const Json json = Json::parse(text);
+    const Json &modes = json.at("modes");
+    EXPECT_EQ(modes.at(0).at("frequency").at(0).get<double>(), 85.389371234123);
+    EXPECT_TRUE(modes.at(1).at("frequency").at(1).is_null());
+    EXPECT_TRUE(modes.at(1).at("real").at(1).is_null()) << "NaN";
+    EXPECT_TRUE(modes.at(1).at("error").at(2).is_null()) << "infinity";
+    EXPECT_EQ(modes.at(0).at("whirl"), Json::array({"mixed", "backward", "backward"}));
+    EXPECT_EQ(json.at("crossings").at(0).at("speed"), 82.5);
+    EXPECT_EQ(json.at("crossings").at(0).at("mode"), 0);
+    EXPECT_EQ(json.at("crossings").at(0).at("multiple"), 1);
+    for (const char *key : {"label", "frequency", "real", "damping_ratio", "log_dec", "whirl",
+                            "forward_fraction", "error", "residual"})
+        EXPECT_TRUE(modes.at(1).contains(key)) << key;
+    EXPECT_EQ(text.find("NaN"), std::string::npos);
+}
+
+TEST(Json, OtherResultsHaveTheirKeys) {
+    analyses::CriticalResult critical;
+    critical.critical_speeds = {{86.5, analyses::Whirl::backward, 0, 1e-12, 1e-15}};
+    const Json speeds = Json::parse(to_json(sample_case(), critical)).at("critical_speeds");
+    EXPECT_EQ(speeds.at(0).at("speed"), 86.5);
+    EXPECT_EQ(speeds.at(0).at("whirl"), "backward");
+    EXPECT_EQ(speeds.at(0).at("error"), 1e-12);
+
+    analyses::ResponseResult response;
+    response.speeds = {100};
+    response.nodes = {{0.5, "disc", {1e-5}, {0.1}, {1e-5}, {-1e-6}}};
+    response.bearings = {{0, "", {12.5}}};
+    const Json answered = Json::parse(to_json(sample_case(), response));
+    EXPECT_EQ(answered.at("nodes").at(0).at("minor").at(0), -1e-6);
+    EXPECT_EQ(answered.at("bearings").at(0).at("force").at(0), 12.5);
+
+    analyses::ShowResult show;
+    show.mass = 84;
+    const Json shown = Json::parse(to_json(sample_case(), show));
+    EXPECT_EQ(shown.at("mass"), 84);
+    for (const char *key : {"center_of_mass", "Id", "Ip", "type", "balancers"})
+        EXPECT_TRUE(shown.contains(key)) << key;
+
+    analyses::AccuracyResult accuracy;
+    accuracy.rows = {{"classical", 1, 6, 14, 1e-3, std::nullopt, 2e-4}};
+    const Json row = Json::parse(to_json(sample_case(), accuracy)).at("rows").at(0);
+    EXPECT_TRUE(row.at("error_estimate").is_null());
+    EXPECT_EQ(row.at("true_error"), 2e-4);
+    EXPECT_EQ(row.at("family"), "classical");
+}
+
+TEST(Json, TextThatIsNotUtf8IsReplacedNotRefused) {
+    model::Case scene = sample_case();
+    scene.title = "bad \xff byte";
+    EXPECT_TRUE(Json::accept(to_json(scene, sample_campbell())));
+}
+
+} // namespace whirl::report

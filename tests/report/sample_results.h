@@ -1,0 +1,103 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace whirl::report {
+
+/// A title with everything that could break a script, a page or a table.
+inline const std::string wicked_title = "it's <b>\"odd\"</b> & {a_b^2} `touch x` $(y), @z\nend";
+
+inline model::Case sample_case() {
+    model::Case scene;
+    scene.name = "sample";
+    scene.title = wicked_title;
+    model::Segment segment;
+    segment.length = 1.5;
+    segment.outer_start = segment.outer_end = 0.05;
+    scene.rotor.shaft.segments = {segment};
+    scene.rotor.discs = {model::disc_from_geometry(0.5, 0.28, 0.05, 0.07, 7810)};
+    model::Bearing bearing;
+    bearing.rows.resize(1);
+    bearing.rows[0].k = 1e6 * Eigen::Matrix2d::Identity();
+    scene.rotor.bearings = {bearing, bearing};
+    scene.rotor.bearings[1].z = 1.5;
+    return scene;
+}
+
+/// Two modes at three speeds; the second has no frequency at the second speed, a real part that is
+/// not a number and grows at the third.
+inline analyses::CampbellResult sample_campbell() {
+    using analyses::Whirl;
+    analyses::CampbellResult result;
+    result.model = {{analyses::Form::planar, "isotropic & undamped"}, 4, 6, 50, 0.01, {"a note"}};
+    result.speeds = {0, 100, 200};
+    result.modes.resize(2);
+    result.modes[0] = {"1B",
+                       {85.389371234123, 80., 75.},
+                       {0., 0., 0.},
+                       {0., 0., 0.},
+                       {0., 0., 0.},
+                       {Whirl::mixed, Whirl::backward, Whirl::backward},
+                       {0.5, 0., 0.},
+                       {1e-12, 1e-12, 1e-12},
+                       {1e-15, 1e-15, 1e-15}};
+    result.modes[1] = {"1F",
+                       {90., std::nullopt, 110.},
+                       {-1., std::numeric_limits<double>::quiet_NaN(), 2.},
+                       {0.1, std::nullopt, -0.02},
+                       {0.6, std::nullopt, -0.1},
+                       {Whirl::forward, Whirl::forward, Whirl::forward},
+                       {1., 1., 1.},
+                       {1e-12, std::nullopt, std::numeric_limits<double>::infinity()},
+                       {1e-15, 1e-15, 1e-15}};
+    result.crossings = {{1, 82.5, 82.5, 0}};
+    return result;
+}
+
+inline analyses::ModesResult sample_modes() {
+    const std::complex<double> i(0, 1);
+    analyses::ModesResult result;
+    result.speed = 100;
+    result.z = {0, 0.75, 1.5};
+    result.modes.resize(2);
+    result.modes[0] = {"1B", {0, 80},        analyses::Whirl::backward,
+                       0,    {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}};
+    result.modes[1] = {"1F", {-2, 90},       analyses::Whirl::forward,
+                       1,    {0.3, 1., 0.3}, {-0.3 * i, -i, -0.3 * i}};
+    return result;
+}
+
+inline std::string content_of(const std::filesystem::path &path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+/// A folder of a test's own, removed with everything in it.
+class ScratchFolder : public testing::Test {
+  protected:
+    ScratchFolder()
+        : folder(std::filesystem::temp_directory_path() /
+                 ("whirl_report_" + std::to_string(getpid()) + "_" +
+                  testing::UnitTest::GetInstance()->current_test_info()->name())) {
+        std::filesystem::create_directories(folder);
+    }
+    ~ScratchFolder() override {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder, ignored);
+    }
+    std::filesystem::path folder;
+};
+
+} // namespace whirl::report
