@@ -11,7 +11,7 @@ namespace whirl::closed_form {
 /// Planar rotor with a four-pendulum auto-balancer: arms l with masses m at their ends, hinged at
 /// radius a on two perpendicular lines of the rotor, tied in opposite pairs that turn by equal
 /// angles to opposite sides (phi on the first line, psi on the second). Source: Efficiency of
-/// balancing of a rotor by a four-pendulum auto-balancer with ties (paper S2 of docs/sources).
+/// balancing of a rotor by a four-pendulum auto-balancer with ties.
 /// Dimensionless: lengths by l, time by 1/omega_0, omega_0 = sqrt(c/M_Sigma), M_Sigma = M + 4 m.
 struct PendulumRotor {
     double mass_ratio = 0.0;        ///< R_m = 2 m / M_Sigma
