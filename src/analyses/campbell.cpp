@@ -64,8 +64,9 @@ CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
         const double size = std::abs(mode.eigenvalue);
         out.frequency.emplace_back(im);
         out.real.emplace_back(re);
-        out.damping_ratio.emplace_back(size > 0 ? -re / size : 0);
-        out.log_dec.emplace_back(im > 0 ? -2 * std::numbers::pi * re / im : 0);
+        // 0 - re: no negative zeros for undamped modes
+        out.damping_ratio.emplace_back(size > 0 ? (0 - re) / size : 0);
+        out.log_dec.emplace_back(im > 0 ? 2 * std::numbers::pi * (0 - re) / im : 0);
         out.whirl.push_back(mode.whirl);
         out.forward_fraction.push_back(mode.forward_fraction);
         out.residual.emplace_back(mode.residual);

@@ -149,7 +149,8 @@ std::vector<WhirlMode> general_modes(const Discretization &d, double speed, int 
         for (const linalg::ComplexPair &pair : found.pairs) {
             WhirlMode mode;
             const double size = std::abs(pair.value);
-            const bool oscillates = pair.value.imag() > 1e-6 * size;
+            // Beyond a damping ratio of 1/sqrt(2) no response peaks: not a critical speed.
+            const bool oscillates = pair.value.imag() > std::abs(pair.value.real());
             const bool zero = zeros.eigenvalues > 0 && size < 1e-3 * options.shift;
             if (!oscillates || zero || !belongs(pair.vector, mode.shape))
                 continue;

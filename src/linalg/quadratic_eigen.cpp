@@ -41,11 +41,11 @@ Eigen::VectorXcd complex_vector(Vec re, Vec im, int size) {
 void configure(PEP pep, const QuadraticOptions &options, int size) {
     // Conjugate pairs come together, so twice as many values are asked for.
     const int nev = std::min(2 * size - 2, 2 * options.wanted + 2);
-    check(PEPSetDimensions(pep, nev, std::min(2 * size, 2 * nev + 16), PETSC_DEFAULT));
+    check(PEPSetDimensions(pep, nev, std::min(2 * size, nev + 30), PETSC_DEFAULT));
     check(PEPSetProblemType(pep, PEP_GENERAL));
     check(PEPSetType(pep, PEPTOAR));
     check(PEPSetScale(pep, PEP_SCALE_SCALAR, PETSC_DEFAULT, nullptr, nullptr, 0, 0));
-    check(PEPSetTolerances(pep, 1e-12, 300));
+    check(PEPSetTolerances(pep, 1e-11, 300));
     check(PEPSetTarget(pep, options.shift));
     check(PEPSetWhichEigenpairs(pep, PEP_TARGET_MAGNITUDE));
     ST st = nullptr;

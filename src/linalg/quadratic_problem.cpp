@@ -10,38 +10,48 @@
 namespace whirl::linalg {
 
 QuadraticProblem::QuadraticProblem(const Matrix &M, const Matrix &D, const Matrix &K, double shift)
-    : _M(M.view()), _D(D.view()), _K(K.view()), _shift(shift) {
+    : _M(M.view()), _D(D.view()), _K(K.view()), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()),
+      _absK(_K.cwiseAbs()), _shift(shift) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
     _lu.compute(Q);
     if (_lu.info() != Eigen::Success)
         throw SolverError("the matrix at the shift is singular");
 }
 
+double QuadraticProblem::preconditioned_norm(const Eigen::MatrixX2d &v) const {
+    return Eigen::MatrixX2d(_lu.solve(v)).norm();
+}
+
 void QuadraticProblem::assess(ComplexPair &pair) const {
     const std::complex<double> l = pair.value;
     Eigen::Index largest = 0;
-    pair.vector.cwiseAbs().maxCoeff(&largest);
+    pair.vector.cwiseAbs2().maxCoeff(&largest);
     pair.vector /= pair.vector(largest);
-    const Eigen::VectorXcd &x = pair.vector;
-    const Eigen::VectorXcd Mx = _M.cast<std::complex<double>>() * x;
-    const Eigen::VectorXcd Dx = _D.cast<std::complex<double>>() * x;
-    const Eigen::VectorXcd Kx = _K.cast<std::complex<double>>() * x;
-    const Eigen::VectorXcd r = l * l * Mx + l * Dx + Kx;
-    const Eigen::VectorXcd slope = l * (2.0 * l * Mx + Dx);
-    const auto preconditioned = [this](const Eigen::VectorXcd &v) {
-        const Eigen::VectorXd re = _lu.solve(Eigen::VectorXd(v.real()));
-        const Eigen::VectorXd im = _lu.solve(Eigen::VectorXd(v.imag()));
-        return std::hypot(re.norm(), im.norm());
+    // Complex vectors as two real columns: real matrices times them without complex products.
+    Eigen::MatrixX2d x(pair.vector.size(), 2);
+    x << pair.vector.real(), pair.vector.imag();
+    const Eigen::MatrixX2d Mx = _M * x;
+    const Eigen::MatrixX2d Dx = _D * x;
+    const Eigen::MatrixX2d Kx = _K * x;
+    const auto times = [](std::complex<double> c, const Eigen::MatrixX2d &v) {
+        Eigen::MatrixX2d out(v.rows(), 2);
+        out << c.real() * v.col(0) - c.imag() * v.col(1), c.imag() * v.col(0) + c.real() * v.col(1);
+        return out;
     };
-    const double scale = preconditioned(slope);
-    pair.residual = scale > 0 ? preconditioned(r) / scale : 0;
-    const Eigen::VectorXd a = x.cwiseAbs();
+    const Eigen::MatrixX2d r = times(l * l, Mx) + times(l, Dx) + Kx;
+    const Eigen::MatrixX2d slope = times(2.0 * l * l, Mx) + times(l, Dx); // l Q'(l) x
+    const double scale = preconditioned_norm(slope);
+    pair.residual = scale > 0 ? preconditioned_norm(r) / scale : 0;
+    const Eigen::VectorXd a = x.rowwise().norm();
     const double size = std::abs(l);
-    const double entries = a.dot(_K.cwiseAbs() * a) + size * a.dot(_D.cwiseAbs() * a) +
-                           size * size * a.dot(_M.cwiseAbs() * a);
-    const double derivative = std::abs(x.dot(slope));
-    pair.rounding =
-        derivative > 0 ? std::numeric_limits<double>::epsilon() * entries / derivative : 0;
+    const double entries =
+        a.dot(_absK * a) + size * a.dot(_absD * a) + size * size * a.dot(_absM * a);
+    const std::complex<double> derivative(x.col(0).dot(slope.col(0)) + x.col(1).dot(slope.col(1)),
+                                          x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
+    const double size_of_derivative = std::abs(derivative);
+    pair.rounding = size_of_derivative > 0 ? std::numeric_limits<double>::epsilon() * entries /
+                                                 size_of_derivative
+                                           : 0;
 }
 
 std::vector<ComplexPair> QuadraticProblem::dense() const {

@@ -26,9 +26,12 @@ class QuadraticProblem {
 
   private:
     using Sparse = Eigen::SparseMatrix<double>;
-    Sparse _M, _D, _K;
+    Sparse _M, _D, _K, _absM, _absD, _absK;
     double _shift;
     Eigen::SparseLU<Sparse> _lu;
+
+    /// Length of Q(shift)^-1 v.
+    [[nodiscard]] double preconditioned_norm(const Eigen::MatrixX2d &v) const;
 };
 
 } // namespace whirl::linalg
