@@ -21,7 +21,7 @@ struct HarmonicTerms {
 /// Complex displacements, one column for each column of forces, and how good they are.
 struct HarmonicSolution {
     Eigen::MatrixXcd displacements;
-    double residual = 0; ///< largest |f - A q| over the largest |A| |q| + |f|, all columns
+    double residual = 0; ///< largest |f - A q| over the largest |A| |q| + |f|, of all columns
     double rounding = 0; ///< estimated relative error of q by rounding of the entries of A; large
                          ///< where A is singular (an undamped resonance)
 };
@@ -30,7 +30,7 @@ struct HarmonicSolution {
 /// motion Re(q exp(i s t)) of M q'' + (C + s G) q' + (K + s Kc) q = Re(f exp(i s t)).
 ///
 /// Real arithmetic: unknowns (Re q_j, Im q_j), blocks [Re a, -Im a; Im a, Re a]. The pattern of
-/// nonzeros is that of all speeds together, so that UMFPACK (SuiteSparse, under PETSc) orders and
+/// nonzeros is that of all speeds together, so that KLU (SuiteSparse, under PETSc) orders and
 /// analyses it once.
 class HarmonicSolver {
   public:

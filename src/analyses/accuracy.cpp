@@ -1,0 +1,201 @@
+#include "analyses/accuracy.h"
+
+#include "analyses/discretization_error.h"
+#include "analyses/spectrum.h"
+#include "analyses/speeds.h"
+#include "assembly/discretization.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// A row of the ladder takes at most so many unknowns, the reference at most three times that.
+constexpr int most_unknowns = 12000;
+
+/// The scene at one speed, on any mesh.
+struct Study {
+    const model::Rotor &rotor;
+    Form form;
+    double speed;
+    int modes;
+
+    /// Eigenvalues with the lowest frequencies, ascending by frequency.
+    [[nodiscard]] std::vector<std::complex<double>>
+    eigenvalues(const SpectrumSolver &solver) const {
+        std::vector<std::complex<double>> values;
+        for (const WhirlMode &mode : solver.at(speed, modes).modes)
+            values.push_back(mode.eigenvalue);
+        values.resize(std::min(values.size(), static_cast<std::size_t>(modes)));
+        return values;
+    }
+
+    [[nodiscard]] std::vector<std::complex<double>> eigenvalues(int order, int refinement) const {
+        return eigenvalues(SpectrumSolver(rotor, form, order, refinement));
+    }
+
+    [[nodiscard]] int spans(int refinement) const {
+        return static_cast<int>(mesh::make_mesh(rotor, refinement).spans.size());
+    }
+
+    /// Unknowns of the eigenproblem, pedestals aside.
+    [[nodiscard]] int unknowns(int order, int refinement) const {
+        const int inside = order == 1 ? 0 : 2 * order - 1;
+        const int planar = spans(refinement) * (2 + inside) + 2;
+        return form == Form::planar ? planar : 2 * planar;
+    }
+};
+
+/// Largest relative difference of two lists of eigenvalues ascending by frequency; empty where
+/// the first has fewer than the second. Damped modes of nearly equal frequency may stand in
+/// different order: neighbours are exchanged where that brings them closer. Zero frequencies
+/// (free motions) are measured by the lowest other one.
+std::optional<double> largest_difference(std::vector<std::complex<double>> values,
+                                         const std::vector<std::complex<double>> &exact) {
+    if (values.size() < exact.size())
+        return std::nullopt;
+    for (std::size_t i = 0; i + 1 < exact.size(); ++i) {
+        const double as_is =
+            std::abs(values[i] - exact[i]) + std::abs(values[i + 1] - exact[i + 1]);
+        const double other =
+            std::abs(values[i + 1] - exact[i]) + std::abs(values[i] - exact[i + 1]);
+        if (other < as_is)
+            std::swap(values[i], values[i + 1]);
+    }
+    double lowest = 0;
+    for (const std::complex<double> &value : exact)
+        if (std::abs(value) > 0 && (lowest == 0 || std::abs(value) < lowest))
+            lowest = std::abs(value);
+    double largest = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const double size = std::max(std::abs(exact[i]), lowest);
+        if (size > 0)
+            largest = std::max(largest, std::abs(values[i] - exact[i]) / size);
+    }
+    return largest;
+}
+
+/// Best of three: the others were disturbed by the machine. Long runs are not repeated.
+AccuracyRow timed_row(const Study &study, int order, int refinement,
+                      std::vector<std::complex<double>> &values) {
+    AccuracyRow row{
+        order == 1 ? "classical" : "order-p", order, study.spans(refinement), 0, 0, {}, {}};
+    for (int run = 0; run < 3 && row.seconds < 1; ++run) {
+        const auto start = std::chrono::steady_clock::now();
+        const SpectrumSolver solver(study.rotor, study.form, order, refinement);
+        values = study.eigenvalues(solver);
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        row.seconds = run == 0 ? seconds : std::min(row.seconds, seconds);
+        row.unknowns = solver.unknowns();
+    }
+    return row;
+}
+
+struct Reference {
+    int order = 0;
+    int refinement = 0;
+    std::vector<std::complex<double>> values;
+    std::optional<double> converged; ///< difference from the run two orders lower
+};
+
+AccuracyRow measured_row(const Study &study, int order, int refinement,
+                         const Reference &reference) {
+    std::vector<std::complex<double>> values;
+    AccuracyRow row = timed_row(study, order, refinement, values);
+    const auto finer = finer_solver(study.rotor, study.form, order, refinement);
+    row.error_estimate = largest_difference(values, study.eigenvalues(*finer));
+    if (row.error_estimate && order == 1)
+        *row.error_estimate *= 4.0 / 3.0; // the error falls by four: the difference is 3/4 of it
+    // Against an order-p mesh as fine as the reference itself a difference says nothing.
+    const int of_reference = study.unknowns(reference.order, reference.refinement);
+    if (order == 1 || study.unknowns(order, refinement) < of_reference)
+        row.true_error = largest_difference(std::move(values), reference.values);
+    return row;
+}
+
+Reference reference_at(const Study &study, int order, int refinement) {
+    Reference reference{order, refinement, study.eigenvalues(order, refinement), {}};
+    reference.converged =
+        largest_difference(study.eigenvalues(order - 2, refinement), reference.values);
+    return reference;
+}
+
+/// The finest mesh that the limit of unknowns allows and the eigensolver masters; order 16 on
+/// halved elements as a rule.
+Reference make_reference(const Study &study) {
+    for (const auto &[order, refinement] :
+         {std::pair(16, 2), std::pair(16, 1), std::pair(12, 1), std::pair(8, 1), std::pair(6, 1)}) {
+        if (study.unknowns(order, refinement) > 3 * most_unknowns)
+            continue;
+        try {
+            return reference_at(study, order, refinement);
+        } catch (const model::AnalysisFailure &) { // a smaller one may do
+        }
+    }
+    return reference_at(study, 4, 1);
+}
+
+/// Order and refinement of every row. The coarsest of each family stays whatever its size.
+std::vector<std::pair<int, int>> ladder(const Study &study) {
+    std::vector<std::pair<int, int>> rungs{{1, 1}};
+    for (int refinement = 2; refinement <= 64; refinement *= 2)
+        if (study.unknowns(1, 2 * refinement) <= most_unknowns)
+            rungs.emplace_back(1, refinement);
+    for (const int refinement : {1, 2})
+        for (const int order : {2, 3, 4, 6, 8, 10, 12})
+            if (study.unknowns(order, refinement) <= most_unknowns)
+                rungs.emplace_back(order, refinement);
+    return rungs;
+}
+
+void describe(AccuracyResult &result, const Study &study, const Reference &reference) {
+    result.model.order = reference.order;
+    result.model.elements = study.spans(reference.refinement);
+    result.model.unknowns = study.unknowns(reference.order, reference.refinement);
+    result.reference = fmt::format("order {} on {} elements ({} unknowns)", reference.order,
+                                   result.model.elements, result.model.unknowns);
+    if (reference.converged)
+        result.reference += fmt::format("; order {} differs from it by {:.1e}", reference.order - 2,
+                                        *reference.converged);
+    for (const std::complex<double> &value : reference.values)
+        result.reference_frequencies.push_back(value.imag());
+}
+
+} // namespace
+
+AccuracyResult accuracy(const model::Case &scene) {
+    const auto start = std::chrono::steady_clock::now();
+    if (scene.rotor.shaft.rigid)
+        throw model::BadInput(fmt::format("{}: shaft.rigid: expected false for a study of the "
+                                          "discretisation error, got true",
+                                          scene.file.string()));
+    const model::SpeedRange &range = required_speeds(scene);
+    AccuracyResult result;
+    result.model.formulation = choose_formulation(scene);
+    result.speed = range.count == 1 ? range.from : range.to;
+    const Study study{scene.rotor, result.model.formulation.form, result.speed,
+                      scene.campbell.modes};
+    const Reference reference = make_reference(study);
+    describe(result, study, reference);
+    for (const auto &[order, refinement] : ladder(study)) {
+        try {
+            result.rows.push_back(measured_row(study, order, refinement, reference));
+        } catch (const model::AnalysisFailure &failure) {
+            result.model.notes.push_back(fmt::format("order {}, refinement {} left out: {}", order,
+                                                     refinement, failure.what()));
+        }
+    }
+    result.model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "analyses/formulation.h"
+#include "assembly/discretization.h"
+#include "linalg/harmonic_solve.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+
+namespace whirl::analyses {
+
+/// Two components over time: Re(x exp(i Omega t)), Re(y exp(i Omega t)).
+struct Phasor {
+    std::complex<double> x;
+    std::complex<double> y;
+};
+
+/// Synchronous steady motion of a discretised rotor.
+///
+/// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;
+/// internal damping drops out, since nothing flexes in rotating axes. General, (x, y):
+/// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. docs/theory.md, "Three forms".
+class ForcedMotion {
+  public:
+    ForcedMotion(const assembly::Discretization &discretization, Form form);
+
+    /// Solves under the forward synchronous imbalances of the rotor.
+    /// @throws linalg::SolverError where the rotor is at an undamped resonance.
+    void solve(double speed);
+
+    /// Deflection of a combination of planar unknowns in the last solution, m.
+    [[nodiscard]] Phasor motion(const assembly::Combination &combination) const;
+    /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
+    [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Relative error of the last solution by rounding.
+    [[nodiscard]] double rounding() const { return _rounding; }
+    /// Unknowns of the real linear system.
+    [[nodiscard]] int unknowns() const { return 2 * _solver->size(); }
+
+  private:
+    const assembly::Discretization &_discretization;
+    bool _planar;
+    std::unique_ptr<linalg::HarmonicSolver> _solver;
+    double _speed = 0;
+    Eigen::VectorXcd _displacements;
+    double _rounding = 0;
+
+    void assemble(double bearing_speed);
+    [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;
+};
+
+} // namespace whirl::analyses

@@ -1,0 +1,86 @@
+#include "analyses/modes.h"
+
+#include "analyses/orbits.h"
+#include "analyses/order.h"
+#include "analyses/spectrum.h"
+#include "analyses/speeds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Points inside each span so that the whole shaft has some 120 stations, and each span at least
+/// its ends.
+int inner_stations(int spans) { return std::max(0, (120 + spans - 1) / spans - 1); }
+
+std::vector<std::complex<double>> scaled(const Eigen::VectorXcd &values,
+                                         std::complex<double> largest) {
+    std::vector<std::complex<double>> out;
+    for (const std::complex<double> &value : values)
+        out.push_back(value / largest);
+    return out;
+}
+
+/// The component of largest modulus; 1 where all are zero.
+std::complex<double> largest_component(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
+    std::complex<double> largest = 0;
+    for (const Eigen::VectorXcd *values : {&x, &y})
+        for (const std::complex<double> &value : *values)
+            if (std::abs(value) > std::abs(largest))
+                largest = value;
+    return largest == 0.0 ? 1.0 : largest;
+}
+
+ModeShape shape_of(const SpectrumSolver &solver, const Stations &stations, const WhirlMode &mode) {
+    const Eigen::VectorXcd x = solver.x_at(mode, stations);
+    const Eigen::VectorXcd y = solver.y_at(mode, stations);
+    const std::complex<double> largest = largest_component(x, y);
+    return {"",
+            mode.eigenvalue,
+            mode.whirl,
+            mode.forward_fraction,
+            scaled(x, largest),
+            scaled(y, largest)};
+}
+
+char letter(Whirl whirl) {
+    return whirl == Whirl::forward ? 'F' : whirl == Whirl::backward ? 'B' : 'M';
+}
+
+} // namespace
+
+ModesResult mode_shapes(const model::Case &scene) {
+    const auto start = std::chrono::steady_clock::now();
+    ModesResult result;
+    result.speed = required_speeds(scene).from;
+    result.model.formulation = choose_formulation(scene);
+    result.model.order = resolve_order(scene, result.model.formulation);
+    const SpectrumSolver solver(scene.rotor, result.model.formulation.form, result.model.order);
+    result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
+    result.model.unknowns = solver.unknowns();
+    const Stations stations(solver.discretization(), inner_stations(result.model.elements));
+    result.z = stations.z();
+    Spectrum spectrum = solver.at(result.speed, scene.campbell.modes);
+    if (static_cast<int>(spectrum.modes.size()) > scene.campbell.modes)
+        spectrum.modes.resize(static_cast<std::size_t>(scene.campbell.modes));
+    std::map<Whirl, int> counted;
+    for (const WhirlMode &mode : spectrum.modes) {
+        result.modes.push_back(shape_of(solver, stations, mode));
+        result.modes.back().label = fmt::format("{}{}", ++counted[mode.whirl], letter(mode.whirl));
+    }
+    if (static_cast<int>(result.modes.size()) < scene.campbell.modes)
+        result.model.notes.push_back(
+            fmt::format("{} modes were asked for, the rotor has {} that oscillate",
+                        scene.campbell.modes, result.modes.size()));
+    result.model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+namespace whirl::analyses {
+
+/// Steady motion under the imbalances of the case over its speeds, forward synchronous:
+///
+///     force at an imbalance: mr Omega^2 (cos(Omega t + phase), sin(Omega t + phase)).
+///
+/// Orbits at every node where something is attached and at the shaft ends; in each bearing the
+/// largest |k u + c u'| over a turn, u the stretch of its film (shaft minus pedestal). Bearing
+/// tables are read at each speed. Collective over MPI processes: the result is complete on process
+/// 0, without lists elsewhere. Auto-balancers are left out (a note says so).
+/// @throws model::BadInput without [[imbalance]] or [speeds];
+///         model::AnalysisFailure at an exactly singular resonance, or with rotating anisotropy.
+[[nodiscard]] ResponseResult unbalance_response(const model::Case &scene);
+
+/// The form the response uses: planar with isotropic bearings, damped or not, else general.
+/// @throws model::BadInput where the case forces the planar form and it cannot describe the scene.
+[[nodiscard]] Formulation response_formulation(const model::Case &scene);
+
+} // namespace whirl::analyses

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+namespace whirl::analyses {
+
+/// Mass, place of the centre of mass and inertias of the rotor about it, its rigid type (long:
+/// Id > Ip, short: Id < Ip, spherical: equal to 1e-9), and the form of the equations that each
+/// command will use. Without balancers (a note says so) and pedestals.
+[[nodiscard]] ShowResult show(const model::Case &scene);
+
+} // namespace whirl::analyses

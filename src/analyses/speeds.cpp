@@ -1,0 +1,83 @@
+#include "analyses/speeds.h"
+
+#include "linalg/session.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <string>
+
+namespace whirl::analyses {
+
+namespace {
+
+void append(std::vector<char> &bytes, const void *data, std::size_t size) {
+    const auto *first = static_cast<const char *>(data);
+    bytes.insert(bytes.end(), first, first + size);
+}
+
+void append_row(std::vector<char> &bytes, const std::vector<double> &row) {
+    const std::size_t size = row.size();
+    append(bytes, &size, sizeof size);
+    append(bytes, row.data(), size * sizeof(double));
+}
+
+/// Reads what append_row wrote, from `next` on.
+std::vector<double> take_row(const std::vector<char> &bytes, std::size_t &next) {
+    std::size_t size = 0;
+    std::memcpy(&size, bytes.data() + next, sizeof size);
+    next += sizeof size;
+    std::vector<double> row(size);
+    std::memcpy(row.data(), bytes.data() + next, size * sizeof(double));
+    next += size * sizeof(double);
+    return row;
+}
+
+/// The first failure message of any process, on every process.
+std::string common_failure(const std::string &mine) {
+    std::vector<char> first;
+    for (const std::vector<char> &message : linalg::gather({mine.begin(), mine.end()}))
+        if (first.empty())
+            first = message;
+    linalg::broadcast(first);
+    return {first.begin(), first.end()};
+}
+
+} // namespace
+
+const model::SpeedRange &required_speeds(const model::Case &scene) {
+    if (!scene.speeds)
+        throw model::BadInput(
+            fmt::format("{}: speeds: expected a table [speeds] with from, to and count, got none",
+                        scene.file.string()));
+    return *scene.speeds;
+}
+
+std::vector<std::vector<double>>
+rows_at(const std::vector<double> &speeds,
+        const std::function<std::vector<double>(double speed)> &row) {
+    const auto processes = static_cast<std::size_t>(linalg::process_count());
+    std::vector<char> mine;
+    std::string failure;
+    try {
+        for (auto i = static_cast<std::size_t>(linalg::process_rank()); i < speeds.size();
+             i += processes)
+            append_row(mine, row(speeds[i]));
+    } catch (const model::AnalysisFailure &error) {
+        failure = error.what();
+    }
+    failure = common_failure(failure);
+    if (!failure.empty())
+        throw model::AnalysisFailure(failure);
+    const std::vector<std::vector<char>> parts = linalg::gather(mine);
+    std::vector<std::vector<double>> rows;
+    if (parts.empty())
+        return rows;
+    std::vector<std::size_t> next(processes, 0);
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        rows.push_back(take_row(parts[i % processes], next[i % processes]));
+    return rows;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,97 @@
+#include "analyses/accuracy.h"
+
+#include "analyses/scenes.h"
+#include "closed_form/beam_frequencies.h"
+#include "elements/section.h"
+#include "model/errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace {
+
+using namespace whirl;
+
+model::Case shaft_on_springs() {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.08, tests::steel());
+    scene.rotor.discs = {tests::disc_at(0.4, 30, 0.2, 0.35)};
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 5e7), tests::isotropic_bearing(1, 5e7)};
+    scene.speeds = model::SpeedRange{0, 800, 5};
+    scene.campbell.modes = 6;
+    return scene;
+}
+
+/// Rows of one family and one number of elements a span, by order or by refinement.
+std::map<int, analyses::AccuracyRow> rows(const analyses::AccuracyResult &result,
+                                          const std::string &family, int elements) {
+    std::map<int, analyses::AccuracyRow> found;
+    for (const analyses::AccuracyRow &row : result.rows)
+        if (row.family == family && (elements == 0 || row.elements == elements))
+            found[elements == 0 ? row.elements : row.order] = row;
+    return found;
+}
+
+TEST(Accuracy, classical_elements_converge_with_the_square_of_their_length) {
+    const analyses::AccuracyResult result = analyses::accuracy(shaft_on_springs());
+    EXPECT_DOUBLE_EQ(result.speed, 800);
+    const auto classical = rows(result, "classical", 0);
+    ASSERT_EQ(classical.size(), 7U);
+    for (const int elements : {16, 32, 64}) {
+        const double rate =
+            std::log2(*classical.at(elements).true_error / *classical.at(2 * elements).true_error);
+        EXPECT_NEAR(rate, 2, 0.1) << elements;
+        EXPECT_NEAR(*classical.at(elements).error_estimate / *classical.at(elements).true_error, 1,
+                    0.1);
+    }
+}
+
+TEST(Accuracy, raising_the_order_converges_exponentially) {
+    const analyses::AccuracyResult result = analyses::accuracy(shaft_on_springs());
+    const auto by_order = rows(result, "order-p", 2);
+    ASSERT_EQ(by_order.size(), 7U);
+    // Every two orders gain more than every two before on the way to rounding.
+    const double second = *by_order.at(4).true_error / *by_order.at(6).true_error;
+    const double third = *by_order.at(6).true_error / *by_order.at(8).true_error;
+    EXPECT_GT(second, 100);
+    EXPECT_GT(third, second);
+    EXPECT_LT(*by_order.at(10).true_error, 1e-10);
+    // The best classical row has more unknowns and far fewer digits.
+    const auto classical = rows(result, "classical", 0);
+    EXPECT_GT(classical.at(128).unknowns, by_order.at(10).unknowns);
+    EXPECT_GT(*classical.at(128).true_error, 1e4 * *by_order.at(10).true_error);
+    for (const analyses::AccuracyRow &row : result.rows)
+        EXPECT_GT(row.seconds, 0);
+}
+
+/// The reference itself against the closed form of a pinned Timoshenko shaft.
+TEST(Accuracy, reference_is_exact_to_its_digits) {
+    model::Case scene = shaft_on_springs();
+    scene.rotor.discs.clear();
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 1e16), tests::isotropic_bearing(1, 1e16)};
+    scene.campbell.modes = 4;
+    const analyses::AccuracyResult result = analyses::accuracy(scene);
+    closed_form::UniformShaft shaft = closed_form::circular_shaft(1, 0.04, 0, 2e11, 7800);
+    shaft.shear_modulus = tests::steel().G;
+    shaft.shear_coefficient =
+        elements::shear_coefficient(model::ShearFormula::cowper, tests::steel().poisson_ratio(), 0);
+    ASSERT_EQ(result.reference_frequencies.size(), 4U);
+    for (const int n : {1, 2}) {
+        const auto exact = closed_form::timoshenko_whirl(shaft, n, 800);
+        // Springs 1e8 times stiffer than the shaft leave 1e-8.
+        EXPECT_NEAR(result.reference_frequencies[static_cast<std::size_t>(2 * n - 2)] / -exact[1],
+                    1, 3e-8);
+        EXPECT_NEAR(result.reference_frequencies[static_cast<std::size_t>(2 * n - 1)] / exact[2], 1,
+                    3e-8);
+    }
+}
+
+TEST(Accuracy, refuses_a_rigid_shaft) {
+    model::Case scene = shaft_on_springs();
+    scene.rotor.shaft.rigid = true;
+    EXPECT_THROW((void)analyses::accuracy(scene), model::BadInput);
+}
+
+} // namespace
