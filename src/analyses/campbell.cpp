@@ -23,9 +23,8 @@ namespace {
 /// Lines that are among the `modes` lowest at some speed.
 std::vector<Line> wanted_lines(std::vector<Line> lines, int modes) {
     std::erase_if(lines, [modes](const Line &line) {
-        return std::none_of(line.place.begin(), line.place.end(), [modes](int place) {
-            return place != Line::absent && place < modes;
-        });
+        return std::none_of(line.place.begin(), line.place.end(),
+                            [modes](int place) { return place != Line::absent && place < modes; });
     });
     return lines;
 }
@@ -91,9 +90,7 @@ void name_modes(std::vector<CampbellMode> &modes) {
     int counts[3] = {0, 0, 0};
     for (CampbellMode &mode : modes) {
         const Whirl whirl = usual_whirl(mode);
-        const char letter = whirl == Whirl::forward    ? 'F'
-                            : whirl == Whirl::backward ? 'B'
-                                                       : 'M';
+        const char letter = whirl == Whirl::forward ? 'F' : whirl == Whirl::backward ? 'B' : 'M';
         mode.label = fmt::format("{}{}", ++counts[static_cast<int>(whirl)], letter);
     }
 }
@@ -103,8 +100,9 @@ void add_notes(ModelSummary &model, const std::vector<CampbellMode> &modes,
     for (const CampbellMode &mode : modes)
         if (std::any_of(mode.frequency.begin(), mode.frequency.end(),
                         [](const auto &f) { return !f.has_value(); }))
-            model.notes.push_back(fmt::format(
-                "mode {} is overdamped at some speeds and has no whirl frequency there", mode.label));
+            model.notes.push_back(
+                fmt::format("mode {} is overdamped at some speeds and has no whirl frequency there",
+                            mode.label));
     std::size_t overdamped = 0;
     for (const Spectrum &spectrum : spectra)
         overdamped = std::max(overdamped, spectrum.overdamped.size());
@@ -161,8 +159,7 @@ CampbellResult campbell(const model::Case &scene) {
         followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
     if (linalg::process_rank() != 0)
         return result;
-    const LineErrors errors =
-        line_errors(scene.rotor, solver, result.model.order, lines, spectra);
+    const LineErrors errors = line_errors(scene.rotor, solver, result.model.order, lines, spectra);
     for (std::size_t i = 0; i < lines.size(); ++i)
         result.modes.push_back(mode_along(lines[i], spectra, errors[i]));
     name_modes(result.modes);

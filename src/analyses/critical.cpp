@@ -53,14 +53,14 @@ class TableIteration {
 
     /// The mode at other bearing coefficients that resembles `mode` most.
     WhirlMode resembling(const WhirlMode &mode, double bearing_speed) const {
-        const std::vector<WhirlMode> all =
-            synchronous_modes(_d, _form, bearing_speed, _wanted + 4);
+        const std::vector<WhirlMode> all = synchronous_modes(_d, _form, bearing_speed, _wanted + 4);
         const auto likeness = [&](const WhirlMode &other) {
             if (_form == Form::planar && other.whirl != mode.whirl)
                 return 0.0;
-            const double cosine = std::abs(other.shape.dot(mode.shape)) /
-                                  (other.shape.norm() * mode.shape.norm());
-            return cosine / (1 + std::abs(std::log(other.eigenvalue.imag() / mode.eigenvalue.imag())));
+            const double cosine =
+                std::abs(other.shape.dot(mode.shape)) / (other.shape.norm() * mode.shape.norm());
+            return cosine /
+                   (1 + std::abs(std::log(other.eigenvalue.imag() / mode.eigenvalue.imag())));
         };
         return *std::max_element(all.begin(), all.end(), [&](const auto &a, const auto &b) {
             return likeness(a) < likeness(b);
@@ -142,28 +142,26 @@ CriticalResult critical_speeds(const model::Case &scene) {
         if (!scene.rotor.shaft.rigid)
             fine.modes =
                 solve(scene.rotor, form, finer, static_cast<int>(found.modes.size()) + 2).modes;
-        const std::vector<double> errors =
-            scene.rotor.shaft.rigid ? std::vector<double>(found.modes.size(), 0.0)
-                                    : discretization_errors(coarse, fine, model.order);
+        const std::vector<double> errors = scene.rotor.shaft.rigid
+                                               ? std::vector<double>(found.modes.size(), 0.0)
+                                               : discretization_errors(coarse, fine, model.order);
         for (std::size_t i = 0; i < found.modes.size(); ++i) {
             const WhirlMode &mode = found.modes[i];
-            result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
-                                              mode.eigenvalue.real(),
-                                              errors[i] + mode.residual + mode.rounding,
-                                              mode.residual});
+            result.critical_speeds.push_back(
+                {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(),
+                 errors[i] + mode.residual + mode.rounding, mode.residual});
         }
         if (found.unsettled > 0)
             model.notes.push_back("for some modes no speed was found at which the bearing tables "
                                   "agree with the critical speed: they have none, or several");
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(
-            "the critical speeds could not be found: the eigensolver did not converge, missed some, "
-            "or the stiffness matrix is not positive definite");
+        throw model::AnalysisFailure("the critical speeds could not be found: the eigensolver did "
+                                     "not converge, missed some, "
+                                     "or the stiffness matrix is not positive definite");
     }
     if (static_cast<int>(result.critical_speeds.size()) < scene.campbell.modes)
         model.notes.push_back("the rotor has no more critical speeds than the ones listed");
-    model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

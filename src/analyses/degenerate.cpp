@@ -32,10 +32,9 @@ void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode 
         // Real shapes must stay real; both forms are real there.
         size2 = size2.real().cast<std::complex<double>>().eval();
     }
-    const Eigen::MatrixXcd form =
-        solver.form() == Form::hyperbolic
-            ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>())
-            : area;
+    const Eigen::MatrixXcd form = solver.form() == Form::hyperbolic
+                                      ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>())
+                                      : area;
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(form, size2);
     if (eigen.info() != Eigen::Success)
         return; // deflections that vanish at all stations: left as they are
@@ -53,9 +52,9 @@ void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
                          std::vector<WhirlMode> &modes) {
     std::size_t first = 0;
     for (std::size_t i = 1; i <= modes.size(); ++i) {
-        const bool joined = i < modes.size() &&
-                            std::abs(modes[i].eigenvalue - modes[i - 1].eigenvalue) <=
-                                same * std::abs(modes[i].eigenvalue);
+        const bool joined =
+            i < modes.size() && std::abs(modes[i].eigenvalue - modes[i - 1].eigenvalue) <=
+                                    same * std::abs(modes[i].eigenvalue);
         if (joined)
             continue;
         if (i - first > 1)

@@ -17,8 +17,7 @@ std::unique_ptr<SpectrumSolver> finer_solver(const model::Rotor &rotor, Form for
                                             classical ? 2 * refinement : refinement);
 }
 
-std::vector<double> discretization_errors(const Spectrum &coarse, const Spectrum &fine,
-                                          int order) {
+std::vector<double> discretization_errors(const Spectrum &coarse, const Spectrum &fine, int order) {
     const double factor = order == 1 ? 4.0 / 3.0 : 1.0;
     std::vector<double> errors;
     for (const WhirlMode &mode : coarse.modes) {

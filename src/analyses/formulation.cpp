@@ -28,9 +28,9 @@ std::string against_hyperbolic(const model::Rotor &rotor) {
 
 void require(const std::string &reason, Form form) {
     if (!reason.empty())
-        throw model::BadInput(fmt::format(
-            "formulation: expected one that can describe the scene, got \"{}\": {}",
-            form_name(form), reason));
+        throw model::BadInput(
+            fmt::format("formulation: expected one that can describe the scene, got \"{}\": {}",
+                        form_name(form), reason));
 }
 
 Formulation forced(const model::Case &scene) {

@@ -31,9 +31,8 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * elastic_scale(_discretization);
     linalg::QuadraticResult found = linalg::solve_quadratic(_system.M, D, K, options);
-    std::sort(found.pairs.begin(), found.pairs.end(), [](const auto &a, const auto &b) {
-        return std::abs(a.value) < std::abs(b.value);
-    });
+    std::sort(found.pairs.begin(), found.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     Modes out;
     out.complete_radius = found.complete_radius;
     for (int i = 0; i < zeros.whirl_modes; ++i) {

@@ -14,9 +14,9 @@ class GeneralSpectrum {
     GeneralSpectrum(const assembly::Discretization &discretization, double bearing_speed);
 
     struct Modes {
-        std::vector<WhirlMode> modes; ///< Im > 0 or zero modes; whirl not set, unsorted
+        std::vector<WhirlMode> modes;   ///< Im > 0 or zero modes; whirl not set, unsorted
         std::vector<double> overdamped; ///< real eigenvalues, 1/s
-        double complete_radius = 0;   ///< all eigenvalues of smaller modulus are known
+        double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
     };
 
     /// At least `wanted` whirl modes of least modulus, or all.

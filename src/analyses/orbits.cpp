@@ -65,7 +65,7 @@ OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y, dou
     if (forward + backward == 0 || total == 0)
         return {Whirl::mixed, 0.5};
     const double fraction = forward / (forward + backward);
-    const Whirl whirl = backward == 0   ? Whirl::forward
+    const Whirl whirl = backward == 0  ? Whirl::forward
                         : forward == 0 ? Whirl::backward
                                        : Whirl::mixed;
     return {whirl, fraction};

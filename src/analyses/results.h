@@ -22,10 +22,10 @@ enum class Whirl {
 /// What every result says of the model behind it.
 struct ModelSummary {
     Formulation formulation;
-    int order = 0;       ///< of the shaft elements; 1: classical
-    int elements = 0;    ///< of the shaft
-    int unknowns = 0;    ///< of the eigenproblem or the linear systems
-    double seconds = 0;  ///< wall time of the computation, without input and output
+    int order = 0;                  ///< of the shaft elements; 1: classical
+    int elements = 0;               ///< of the shaft
+    int unknowns = 0;               ///< of the eigenproblem or the linear systems
+    double seconds = 0;             ///< wall time of the computation, without input and output
     std::vector<std::string> notes; ///< what a user must know beside the numbers
 };
 
@@ -37,7 +37,7 @@ struct CampbellMode {
     std::vector<std::optional<double>> damping_ratio; ///< -Re/|lambda|
     std::vector<std::optional<double>> log_dec;       ///< -2 pi Re/Im
     std::vector<Whirl> whirl;
-    std::vector<double> forward_fraction; ///< share of the orbits that is forward, 0..1
+    std::vector<double> forward_fraction;        ///< share of the orbits that is forward, 0..1
     std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
     std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
 };
@@ -135,8 +135,8 @@ struct AccuracyRow {
 
 struct AccuracyResult {
     ModelSummary model;
-    std::string reference; ///< what true_error is measured against
-    double speed = 0;      ///< rad/s
+    std::string reference;                     ///< what true_error is measured against
+    double speed = 0;                          ///< rad/s
     std::vector<double> reference_frequencies; ///< rad/s
     std::vector<AccuracyRow> rows;
 };

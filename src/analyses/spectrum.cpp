@@ -77,9 +77,8 @@ int SpectrumSolver::unknowns() const { return static_cast<int>(_data->M.rows());
 Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     Spectrum spectrum;
     const bool planar = _data->form == Form::planar;
-    spectrum.modes = _data->tables
-                         ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
-                         : _data->symmetric->modes(speed, wanted);
+    spectrum.modes = _data->tables ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
+                                   : _data->symmetric->modes(speed, wanted);
     for (const WhirlMode &mode : spectrum.modes)
         spectrum.complete_radius = std::max(spectrum.complete_radius, mode.eigenvalue.imag());
     return spectrum;
@@ -97,8 +96,8 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
         return;
     separate_degenerate(*this, _data->stations, spectrum.modes);
     for (WhirlMode &mode : spectrum.modes) {
-        const OrbitSense sense = orbit_sense(x_at(mode, _data->stations),
-                                             y_at(mode, _data->stations), spectrum.speed);
+        const OrbitSense sense =
+            orbit_sense(x_at(mode, _data->stations), y_at(mode, _data->stations), spectrum.speed);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }
@@ -106,8 +105,8 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 
 Spectrum SpectrumSolver::at(double speed, int wanted) const {
     try {
-        Spectrum spectrum = _data->form == Form::general ? general(speed, wanted)
-                                                         : symmetric(speed, wanted);
+        Spectrum spectrum =
+            _data->form == Form::general ? general(speed, wanted) : symmetric(speed, wanted);
         spectrum.speed = speed;
         std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
                          [](const WhirlMode &a, const WhirlMode &b) {

@@ -71,11 +71,11 @@ std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) c
     const ZeroModes zeros = zero_modes(_discretization, _planar, D, _K);
     linalg::QuadraticOptions options;
     options.shift = 0.3 * elastic_scale(_discretization);
-    options.wanted = std::min(2 * _M.size(), (_planar ? wanted : 2 * wanted) + zeros.eigenvalues + 2);
+    options.wanted =
+        std::min(2 * _M.size(), (_planar ? wanted : 2 * wanted) + zeros.eigenvalues + 2);
     linalg::QuadraticResult found = linalg::solve_quadratic(minus_M, D, _K, options);
-    std::sort(found.pairs.begin(), found.pairs.end(), [](const auto &a, const auto &b) {
-        return std::abs(a.value) < std::abs(b.value);
-    });
+    std::sort(found.pairs.begin(), found.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     std::vector<WhirlMode> out;
     const int zero_count = _planar ? zeros.eigenvalues : zeros.eigenvalues / 2;
     for (int i = 0; i < zero_count; ++i) {

@@ -74,8 +74,7 @@ void set_sense(const Discretization &d, bool hyperbolic, std::vector<WhirlMode> 
         const Eigen::Index n = mode.shape.size() / 2;
         const Eigen::VectorXcd x = stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
         const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
-        const OrbitSense sense =
-            orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, 1);
+        const OrbitSense sense = orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, 1);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }
@@ -124,8 +123,8 @@ bool belongs(const Eigen::VectorXcd &u, Eigen::VectorXcd &shape) {
 
 bool present(const std::vector<WhirlMode> &modes, const WhirlMode &mode) {
     return std::any_of(modes.begin(), modes.end(), [&](const WhirlMode &other) {
-        const double cosine = std::abs(other.shape.dot(mode.shape)) /
-                              (other.shape.norm() * mode.shape.norm());
+        const double cosine =
+            std::abs(other.shape.dot(mode.shape)) / (other.shape.norm() * mode.shape.norm());
         return std::abs(other.eigenvalue - mode.eigenvalue) < 1e-7 * std::abs(mode.eigenvalue) &&
                cosine > 0.99;
     });

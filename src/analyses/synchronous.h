@@ -11,7 +11,6 @@ namespace whirl::analyses {
 /// `wanted` or all; bearings as they are at `bearing_speed`. The sense of whirl is set.
 /// @throws linalg::SolverError
 [[nodiscard]] std::vector<WhirlMode> synchronous_modes(const assembly::Discretization &rotor,
-                                                       Form form, double bearing_speed,
-                                                       int wanted);
+                                                       Form form, double bearing_speed, int wanted);
 
 } // namespace whirl::analyses

@@ -39,8 +39,8 @@ Matching pair_up(const Eigen::MatrixXd &overlap, int important) {
         strength[static_cast<std::size_t>(i)] = -negative;
     }
     for (std::size_t i = 0; i < out.to.size(); ++i) {
-        const bool matters = static_cast<int>(i) < important ||
-                             (out.to[i] != Line::absent && out.to[i] < important);
+        const bool matters =
+            static_cast<int>(i) < important || (out.to[i] != Line::absent && out.to[i] < important);
         out.ambiguous = out.ambiguous || (matters && strength[i] < sure);
     }
     for (std::size_t j = 0; j < taken.size() && static_cast<int>(j) < important; ++j)
@@ -59,8 +59,8 @@ std::vector<int> follow(const SpectrumSolver &solver, const Snapshot &a, const S
     if (!direct.ambiguous || depth == deepest)
         return direct.to;
     const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
-    const auto wanted = static_cast<int>(std::max(a.spectrum.modes.size(),
-                                                  b.spectrum.modes.size()));
+    const auto wanted =
+        static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
     const Spectrum between = solver.at(middle, wanted);
     const Snapshot mid{between, solver.energy_basis(between.modes)};
     const std::vector<int> first = follow(solver, a, mid, important, depth + 1);

@@ -93,8 +93,7 @@ void assemble_rotating_parts(const Discretization &discretization, const AddPlan
         assemble_disc(discretization, disc, add);
 }
 
-void assemble_supports(const Discretization &discretization, double speed,
-                       const AddCoupling &add) {
+void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {
     const auto count = static_cast<int>(discretization.rotor().bearings.size());
     for (int i = 0; i < count; ++i)
         assemble_bearing(discretization, i, speed, add);

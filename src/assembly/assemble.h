@@ -18,8 +18,7 @@ using AddPlanar =
     std::function<void(Term, std::span<const int> unknowns, const Eigen::MatrixXd &block)>;
 
 /// Receives a 2 x 2 block on (x, y) between the planar unknowns `row` and `column`.
-using AddCoupling =
-    std::function<void(Term, int row, int column, const Eigen::Matrix2d &block)>;
+using AddCoupling = std::function<void(Term, int row, int column, const Eigen::Matrix2d &block)>;
 
 /// Shaft elements and discs: everything axisymmetric that turns.
 void assemble_rotating_parts(const Discretization &discretization, const AddPlanar &add);

@@ -2,7 +2,6 @@
 
 #include "elements/beam.h"
 
-
 namespace whirl::assembly {
 
 Discretization::Discretization(const model::Rotor &rotor, int order, int refinement)

@@ -74,9 +74,8 @@ linalg::Matrix hyperbolic_coupling(const Discretization &discretization) {
     assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
                                                 const Eigen::MatrixXd &block) {
         if (term == Term::gyroscopic)
-            for_each_entry(unknowns, block, [&](int i, int j, double v) {
-                add_real(entries, i, j, v, true, 1);
-            });
+            for_each_entry(unknowns, block,
+                           [&](int i, int j, double v) { add_real(entries, i, j, v, true, 1); });
     });
     return linalg::Matrix::from_entries(2 * discretization.planar_size(), entries);
 }

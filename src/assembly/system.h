@@ -19,7 +19,7 @@ enum class Frame { fixed, rotating };
 template <Frame frame> struct RealSystem {
     linalg::Matrix M;
     linalg::Matrix C;
-    linalg::Matrix G;  ///< skew
+    linalg::Matrix G; ///< skew
     linalg::Matrix K;
     linalg::Matrix Kc; ///< skew: internal damping
 };

@@ -20,10 +20,9 @@ Section Beam::at(double xi) const {
     const double ri = (span.inner_start + (span.inner_end - span.inner_start) * xi) / 2;
     const double A = std::numbers::pi * (ro * ro - ri * ri);
     const double I = A * (ro * ro + ri * ri) / 4;
-    const double kappa =
-        shear == model::ShearFormula::given
-            ? given_shear_coefficient
-            : shear_coefficient(shear, material.poisson_ratio(), ri / ro);
+    const double kappa = shear == model::ShearFormula::given
+                             ? given_shear_coefficient
+                             : shear_coefficient(shear, material.poisson_ratio(), ri / ro);
     return {material.E * I, kappa * material.G * A, material.rho * A, material.rho * I};
 }
 

@@ -103,8 +103,7 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
                     pairs.push_back(f.pair_from(mu, z));
             }
             const double last = pairs.empty() ? 0 : pairs.back().value;
-            if (!pairs.empty() &&
-                count_below(last * (1 - 1e-7)) <= static_cast<int>(pairs.size()))
+            if (!pairs.empty() && count_below(last * (1 - 1e-7)) <= static_cast<int>(pairs.size()))
                 break;
         }
     }

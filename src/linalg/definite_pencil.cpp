@@ -164,8 +164,8 @@ std::vector<RealPair> DefinitePencil::dense(double s) const {
 
 std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
     const Factors &f = *_factors;
-    const SymmetricOperator op{
-        2 * size(), [&](const double *z, double *y) { f.apply(s, z, y); }, f.start()};
+    const SymmetricOperator op{2 * size(), [&](const double *z, double *y) { f.apply(s, z, y); },
+                               f.start()};
     std::vector<RealPair> pairs;
     std::vector<Eigen::VectorXd> found;
     // Eigenvalues that coincide can hide behind each other: the found ones are deflated and the

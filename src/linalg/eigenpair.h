@@ -9,10 +9,10 @@ namespace whirl::linalg {
 
 /// A real eigenpair of Q(w) x = 0 with a symmetric definite pencil; see DefinitePencil.
 struct RealPair {
-    double value = 0;        ///< w, rad/s
-    Eigen::VectorXd vector;  ///< x with x^T K x + w^2 x^T M x = 1
-    double residual = 0;     ///< bound on the relative error of w left by the iteration
-    double rounding = 0;     ///< relative error that rounding of the matrix entries can cause
+    double value = 0;       ///< w, rad/s
+    Eigen::VectorXd vector; ///< x with x^T K x + w^2 x^T M x = 1
+    double residual = 0;    ///< bound on the relative error of w left by the iteration
+    double rounding = 0;    ///< relative error that rounding of the matrix entries can cause
 };
 
 /// An eigenpair of (l^2 M + l D + K) x = 0 with real matrices.

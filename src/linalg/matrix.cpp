@@ -48,7 +48,20 @@ Matrix Matrix::sum(double a, const Matrix &A, double b, const Matrix &B) {
     return out;
 }
 
+Matrix Matrix::scaled(const Eigen::VectorXd &d, const Matrix &A) {
+    std::vector<Eigen::Triplet<double>> entries;
+    const SparseView view = A.view();
+    entries.reserve(static_cast<std::size_t>(view.nonZeros()));
+    for (Eigen::Index i = 0; i < view.rows(); ++i)
+        for (SparseView::InnerIterator it(view, i); it; ++it)
+            entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
+                                 d(it.row()) * it.value() * d(it.col()));
+    return from_entries(A.size(), entries);
+}
+
 int Matrix::size() const {
+    if (!_handle)
+        return 0;
     PetscInt n = 0;
     check(MatGetSize(handle(), &n, nullptr));
     return n;

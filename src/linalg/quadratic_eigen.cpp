@@ -105,14 +105,25 @@ bool all_good(const std::vector<ComplexPair> &pairs, int wanted) {
            });
 }
 
-} // namespace
+/// Scales of the unknowns that make the diagonal of the matrix at the shift 1. Deflections and
+/// slopes have different units, and a short element is far stiffer than a long one: without it
+/// the pivots of the factorisation are chosen by units, and several digits are lost.
+Eigen::VectorXd scales(const Matrix &M, const Matrix &K, double shift) {
+    const Eigen::SparseMatrix<double> stiffness = K.view();
+    const Eigen::SparseMatrix<double> mass = M.view();
+    const Eigen::VectorXd of_mass = mass.diagonal().cwiseAbs();
+    const Eigen::VectorXd of_stiffness = stiffness.diagonal().cwiseAbs();
+    const Eigen::VectorXd diagonal = of_stiffness + shift * shift * of_mass;
+    const double mean = diagonal.mean();
+    return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
+}
 
-QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
-                                const QuadraticOptions &options) {
+QuadraticResult solve_scaled(const Matrix &M, const Matrix &D, const Matrix &K,
+                             const QuadraticOptions &options) {
     const QuadraticProblem problem(M, D, K, options.shift);
-    const bool try_toar = options.method == QuadraticMethod::toar ||
-                          (options.method == QuadraticMethod::automatic &&
-                           !prefers_dense(problem.size(), options.wanted));
+    const bool try_toar =
+        options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
+                                                    !prefers_dense(problem.size(), options.wanted));
     QuadraticResult result;
     if (try_toar) {
         try {
@@ -134,6 +145,22 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
     result.pairs = problem.dense();
     sort_by_distance(result.pairs, options.shift);
     result.complete_radius = std::numeric_limits<double>::infinity();
+    return result;
+}
+
+} // namespace
+
+QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
+                                const QuadraticOptions &options) {
+    const Eigen::VectorXd d = scales(M, K, options.shift);
+    QuadraticResult result =
+        solve_scaled(Matrix::scaled(d, M), Matrix::scaled(d, D), Matrix::scaled(d, K), options);
+    for (ComplexPair &pair : result.pairs) {
+        pair.vector = d.asDiagonal() * pair.vector;
+        Eigen::Index largest = 0;
+        pair.vector.cwiseAbs2().maxCoeff(&largest);
+        pair.vector /= pair.vector(largest);
+    }
     return result;
 }
 

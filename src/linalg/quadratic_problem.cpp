@@ -49,9 +49,9 @@ void QuadraticProblem::assess(ComplexPair &pair) const {
     const std::complex<double> derivative(x.col(0).dot(slope.col(0)) + x.col(1).dot(slope.col(1)),
                                           x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
     const double size_of_derivative = std::abs(derivative);
-    pair.rounding = size_of_derivative > 0 ? std::numeric_limits<double>::epsilon() * entries /
-                                                 size_of_derivative
-                                           : 0;
+    pair.rounding = size_of_derivative > 0
+                        ? std::numeric_limits<double>::epsilon() * entries / size_of_derivative
+                        : 0;
 }
 
 std::vector<ComplexPair> QuadraticProblem::dense() const {

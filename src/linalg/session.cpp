@@ -42,8 +42,8 @@ void check(int code, std::source_location where) {
         return;
     std::string_view file = where.file_name();
     file = file.substr(file.find_last_of('/') + 1);
-    throw SolverError(fmt::format("a linear algebra step failed (code {} at {}:{})", code, file,
-                                  where.line()));
+    throw SolverError(
+        fmt::format("a linear algebra step failed (code {} at {}:{})", code, file, where.line()));
 }
 
 Session::Session() {
@@ -82,8 +82,7 @@ std::vector<std::vector<char>> gather(const std::vector<char> &bytes) {
     check(MPI_Gather(&mine, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, MPI_COMM_WORLD));
     std::vector<int> offsets(sizes.size());
     std::exclusive_scan(sizes.begin(), sizes.end(), offsets.begin(), 0);
-    std::vector<char> all(
-        static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), 0)));
+    std::vector<char> all(static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), 0)));
     check(MPI_Gatherv(bytes.data(), mine, MPI_BYTE, all.data(), sizes.data(), offsets.data(),
                       MPI_BYTE, 0, MPI_COMM_WORLD));
     std::vector<std::vector<char>> parts;

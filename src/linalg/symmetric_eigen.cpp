@@ -57,9 +57,9 @@ void deflate(EPS eps, const std::vector<Eigen::VectorXd> &deflated) {
     check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
 }
 
-std::vector<std::pair<double, Eigen::VectorXd>> solve(const SymmetricOperator &op, EPSWhich which,
-                                                      int wanted,
-                                                      const std::vector<Eigen::VectorXd> &deflated) {
+std::vector<std::pair<double, Eigen::VectorXd>>
+solve(const SymmetricOperator &op, EPSWhich which, int wanted,
+      const std::vector<Eigen::VectorXd> &deflated) {
     const MatOwner shell = shell_of(op);
     EPS raw = nullptr;
     check(EPSCreate(PETSC_COMM_SELF, &raw));

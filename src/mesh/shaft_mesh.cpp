@@ -32,9 +32,8 @@ std::vector<double> segment_nodes(double start, double end, int elements,
     for (int i = 0; i <= elements; ++i)
         nodes.push_back(i == elements ? end : start + (end - start) * i / elements);
     for (const double z : attached) {
-        const bool present = std::any_of(nodes.begin(), nodes.end(), [&](double node) {
-            return std::abs(node - z) <= merge;
-        });
+        const bool present = std::any_of(nodes.begin(), nodes.end(),
+                                         [&](double node) { return std::abs(node - z) <= merge; });
         if (z > start && z < end && !present)
             nodes.push_back(z);
     }

@@ -31,16 +31,16 @@ enum class FormChoice { automatic, planar, hyperbolic, general };
 
 /// Entries of [campbell].
 struct CampbellSettings {
-    int modes = 8;                     ///< whirl modes with the lowest frequencies
+    int modes = 8;                      ///< whirl modes with the lowest frequencies
     std::vector<double> multiples{1.0}; ///< orders of the spin speed whose crossings are wanted
 };
 
 /// Entries of [simulate].
 struct SimulateSettings {
-    double time = 0;                                ///< s
-    std::vector<std::pair<double, double>> run_up;  ///< (time s, speed rad/s)
-    std::vector<std::vector<double>> ball_angles;   ///< per balancer, rad
-    double tolerance = 1e-8;                        ///< relative, of the integrator
+    double time = 0;                               ///< s
+    std::vector<std::pair<double, double>> run_up; ///< (time s, speed rad/s)
+    std::vector<std::vector<double>> ball_angles;  ///< per balancer, rad
+    double tolerance = 1e-8;                       ///< relative, of the integrator
 };
 
 /// One axis of a map: a numeric entry of the case, or "speed".
@@ -62,7 +62,7 @@ struct Case {
     std::string title;
     std::filesystem::path file;
     Rotor rotor;
-    std::optional<SpeedRange> speeds; ///< empty where the file has no [speeds]
+    std::optional<SpeedRange> speeds;               ///< empty where the file has no [speeds]
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
     CampbellSettings campbell;
     SimulateSettings simulate;

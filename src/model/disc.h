@@ -7,12 +7,12 @@ namespace whirl::model {
 /// A rigid axisymmetric disc, its centre of mass on the axis at z.
 struct Disc {
     std::string name;
-    double z = 0;         ///< m
-    double mass = 0;      ///< kg
-    double Id = 0;        ///< diametral moment of inertia about the centre, kg m2
-    double Ip = 0;        ///< polar moment of inertia, kg m2
-    double outer = 0;     ///< outer diameter, m; only for drawings, 0 where not given
-    double width = 0;     ///< m; only for drawings, 0 where not given
+    double z = 0;     ///< m
+    double mass = 0;  ///< kg
+    double Id = 0;    ///< diametral moment of inertia about the centre, kg m2
+    double Ip = 0;    ///< polar moment of inertia, kg m2
+    double outer = 0; ///< outer diameter, m; only for drawings, 0 where not given
+    double width = 0; ///< m; only for drawings, 0 where not given
 };
 
 /// Disc from its geometry: hollow cylinder of the given diameters, width and density.

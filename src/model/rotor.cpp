@@ -36,9 +36,8 @@ bool Rotor::damped() const {
     const bool pedestals = std::any_of(bearings.begin(), bearings.end(), [](const Bearing &b) {
         return b.pedestal && b.pedestal->c != 0;
     });
-    const bool undamped = every_row(*this, [](const BearingCoefficients &row) {
-        return row.c.isZero(0) && row.ct.isZero(0);
-    });
+    const bool undamped = every_row(
+        *this, [](const BearingCoefficients &row) { return row.c.isZero(0) && row.ct.isZero(0); });
     return pedestals || !undamped || shaft.internal_damping != 0;
 }
 
