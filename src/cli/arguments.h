@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::cli {
+
+/// What the user asks for.
+struct Arguments {
+    std::string command;         ///< "show", "campbell", ...
+    std::filesystem::path scene; ///< case folder or .toml file
+    std::optional<std::filesystem::path> out;
+    bool json = false;                  ///< the JSON result alone on standard output
+    bool quiet = false;                 ///< nothing on standard output
+    std::vector<std::string> overrides; ///< "path.to.key=value"
+};
+
+/// Either arguments, or the exit status of a program that has already answered (help, version) or
+/// complained.
+struct Parsed {
+    std::optional<Arguments> arguments;
+    int status = 0;
+};
+
+/// Reads the command line. Help and version go to standard output, a mistake as one message to
+/// standard error.
+[[nodiscard]] Parsed parse_arguments(int argc, const char *const *argv);
+
+/// "show, campbell, ..."
+[[nodiscard]] std::string command_list();
+
+} // namespace whirl::cli

@@ -1,0 +1,81 @@
+#include "cli/run.h"
+
+#include "analyses/accuracy.h"
+#include "analyses/campbell.h"
+#include "analyses/critical.h"
+#include "analyses/modes.h"
+#include "analyses/response.h"
+#include "analyses/show.h"
+#include "cli/messages.h"
+#include "cli/summary.h"
+#include "input/case_file.h"
+#include "linalg/session.h"
+#include "model/errors.h"
+#include "report/json.h"
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::cli {
+
+namespace {
+
+std::string files_text(const report::Files &files) {
+    std::string text;
+    for (const std::string &note : files.notes)
+        text += fmt::format("note: {}\n", note);
+    if (!files.paths.empty())
+        text += fmt::format("picture: {}\n", files.paths.front().string());
+    const auto page = std::find_if(files.paths.begin(), files.paths.end(),
+                                   [](const auto &path) { return path.extension() == ".html"; });
+    if (page != files.paths.end())
+        text += fmt::format("report:  {}\n", page->string());
+    return text;
+}
+
+template <class Result>
+void deliver(const Arguments &arguments, const model::Case &scene, const Result &result) {
+    if (linalg::process_rank() != 0)
+        return;
+    report::Files files;
+    if (!arguments.json || arguments.out) {
+        const auto usual = std::filesystem::path("out") / scene.name / arguments.command;
+        files = report::write_report(scene, result, arguments.out.value_or(usual));
+    }
+    if (arguments.json)
+        say(report::to_json(scene, result));
+    else if (!arguments.quiet)
+        say(summary(scene, result) + files_text(files));
+}
+
+void analyse(const Arguments &arguments, const model::Case &scene) {
+    const std::string &command = arguments.command;
+    if (command == "show")
+        deliver(arguments, scene, analyses::show(scene));
+    else if (command == "campbell")
+        deliver(arguments, scene, analyses::campbell(scene));
+    else if (command == "critical")
+        deliver(arguments, scene, analyses::critical_speeds(scene));
+    else if (command == "response")
+        deliver(arguments, scene, analyses::unbalance_response(scene));
+    else if (command == "modes")
+        deliver(arguments, scene, analyses::mode_shapes(scene));
+    else if (command == "accuracy")
+        deliver(arguments, scene, analyses::accuracy(scene));
+}
+
+} // namespace
+
+void run(const Arguments &arguments) {
+    const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    for (const char *later : {"stability", "balance", "rigid-limit", "simulate"})
+        if (arguments.command == later)
+            throw model::AnalysisFailure(fmt::format("version {} cannot do the command \"{}\" yet",
+                                                     report::program_version(), arguments.command));
+    const linalg::Session session;
+    analyse(arguments, scene);
+}
+
+} // namespace whirl::cli

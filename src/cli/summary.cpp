@@ -1,0 +1,195 @@
+#include "cli/summary.h"
+
+#include "cli/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace whirl::cli {
+
+namespace {
+
+constexpr double rpm = 30 / std::numbers::pi;    // rev/min in one rad/s
+constexpr double hertz = 0.5 / std::numbers::pi; // Hz in one rad/s
+
+/// Ten digits: what the elements are made for. "-" for what is missing.
+std::string precise(std::optional<double> value) {
+    return value ? fmt::format("{:#.10g}", *value) : "-";
+}
+std::string readable(std::optional<double> value) {
+    return value ? fmt::format("{:.6g}", *value) : "-";
+}
+std::string rough(std::optional<double> value) {
+    return value ? fmt::format("{:.1e}", *value) : "-";
+}
+std::optional<double> times(std::optional<double> value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+}
+
+std::string heading(const model::Case &scene, const std::string &what) {
+    return fmt::format("{}\n{}\n\n", scene.title.empty() ? scene.name : scene.title, what);
+}
+
+std::string model_text(const analyses::ModelSummary &model) {
+    std::string text =
+        fmt::format("\nmodel: {} form ({})\n", analyses::form_name(model.formulation.form),
+                    model.formulation.why);
+    text +=
+        fmt::format("       {} elements of {}, {} unknowns, {:.3g} s\n", model.elements,
+                    model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order),
+                    model.unknowns, model.seconds);
+    for (const std::string &note : model.notes)
+        text += fmt::format("note: {}\n", note);
+    return text;
+}
+
+/// One place of a rotor: its name, or where it is.
+std::string place(const std::string &name, double z) {
+    const std::string at = fmt::format("z = {:.6g} m", z);
+    return name.empty() ? at : fmt::format("{} ({})", name, at);
+}
+
+/// "4000 rpm", "0 to 4000 rpm".
+std::string range_text(const std::vector<double> &speeds) {
+    if (speeds.empty())
+        return "no speed";
+    return speeds.size() == 1 ? fmt::format("at {:.6g} rpm", speeds.front() * rpm)
+                              : fmt::format("{:.6g} to {:.6g} rpm, {} speeds", speeds.front() * rpm,
+                                            speeds.back() * rpm, speeds.size());
+}
+
+struct Peak {
+    double value = 0;
+    double speed = 0;
+};
+
+Peak peak_of(const std::vector<double> &values, const std::vector<double> &speeds) {
+    Peak peak;
+    for (std::size_t i = 0; i < std::min(values.size(), speeds.size()); ++i)
+        if (i == 0 || values[i] > peak.value)
+            peak = {values[i], speeds[i]};
+    return peak;
+}
+
+} // namespace
+
+std::string summary(const model::Case &scene, const analyses::CampbellResult &result) {
+    std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
+    if (result.speeds.empty())
+        return text + model_text(result.model);
+    const std::size_t last = result.speeds.size() - 1;
+    Table table({"mode", "rad/s", "Hz", "rpm", "damping ratio", "whirl", "error"});
+    std::vector<analyses::CampbellMode> modes = result.modes; // as they stand at this speed
+    std::stable_sort(modes.begin(), modes.end(), [last](const auto &a, const auto &b) {
+        return a.frequency[last].value_or(0) < b.frequency[last].value_or(0);
+    });
+    for (const analyses::CampbellMode &mode : modes) {
+        const std::optional<double> w = mode.frequency[last];
+        table.add({mode.label, precise(w), readable(times(w, hertz)), readable(times(w, rpm)),
+                   readable(mode.damping_ratio[last]), analyses::whirl_name(mode.whirl[last]),
+                   rough(mode.error[last])});
+    }
+    text += fmt::format("Whirl modes at {:.6g} rpm ({:.6g} rad/s):\n{}", result.speeds[last] * rpm,
+                        result.speeds[last], table.text());
+    Table crossings({"line", "rpm", "rad/s", "Hz", "mode"});
+    for (const analyses::Crossing &crossing : result.crossings)
+        crossings.add({fmt::format("{:.6g}x", crossing.multiple), readable(crossing.speed * rpm),
+                       precise(crossing.speed), readable(crossing.speed * hertz),
+                       result.modes[static_cast<std::size_t>(crossing.mode)].label});
+    if (!crossings.empty())
+        text += fmt::format("\nCrossings with multiples of the spin speed:\n{}", crossings.text());
+    return text + model_text(result.model);
+}
+
+std::string summary(const model::Case &scene, const analyses::CriticalResult &result) {
+    std::string text = heading(scene, "Critical speeds");
+    Table table({"", "rpm", "rad/s", "Hz", "whirl", "error"});
+    int number = 0;
+    for (const analyses::CriticalSpeed &critical : result.critical_speeds)
+        table.add({std::to_string(++number), readable(critical.speed * rpm),
+                   precise(critical.speed), readable(critical.speed * hertz),
+                   analyses::whirl_name(critical.whirl), rough(critical.error)});
+    text += table.empty() ? "  none found\n" : table.text();
+    return text + model_text(result.model);
+}
+
+std::string summary(const model::Case &scene, const analyses::ResponseResult &result) {
+    std::string text = heading(scene, "Unbalance response, " + range_text(result.speeds));
+    Table nodes({"station", "largest amplitude m", "at rpm"});
+    const auto named = std::any_of(result.nodes.begin(), result.nodes.end(),
+                                   [](const auto &node) { return !node.name.empty(); });
+    for (const analyses::ResponseNode &node : result.nodes) {
+        if (named && node.name.empty())
+            continue;
+        const Peak peak = peak_of(node.amplitude, result.speeds);
+        nodes.add({place(node.name, node.z), readable(peak.value), readable(peak.speed * rpm)});
+    }
+    text += nodes.text();
+    Table bearings({"bearing", "largest force N", "at rpm"});
+    for (const analyses::ResponseBearing &bearing : result.bearings) {
+        const Peak peak = peak_of(bearing.force, result.speeds);
+        bearings.add(
+            {place(bearing.name, bearing.z), readable(peak.value), readable(peak.speed * rpm)});
+    }
+    if (!bearings.empty())
+        text += "\n" + bearings.text();
+    return text + model_text(result.model);
+}
+
+std::string summary(const model::Case &scene, const analyses::ModesResult &result) {
+    std::string text = heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm));
+    Table table({"mode", "rad/s", "Hz", "damping ratio", "whirl"});
+    for (const analyses::ModeShape &mode : result.modes) {
+        const double w = mode.eigenvalue.imag();
+        const double modulus = std::abs(mode.eigenvalue);
+        table.add({mode.label, precise(w), readable(w * hertz),
+                   readable(modulus > 0 ? 0.0 - mode.eigenvalue.real() / modulus : 0.0),
+                   analyses::whirl_name(mode.whirl)});
+    }
+    return text + table.text() + model_text(result.model);
+}
+
+std::string summary(const model::Case &scene, const analyses::ShowResult &result) {
+    std::string text = heading(scene, fmt::format("A {} rotor", result.type));
+    Table table({"mass", readable(result.mass) + " kg"});
+    table.add({"of the shaft", readable(result.shaft_mass) + " kg"});
+    table.add({"length", readable(result.length) + " m"});
+    table.add({"centre of mass", "z = " + readable(result.center_of_mass) + " m"});
+    table.add({"diametral inertia Id", readable(result.Id) + " kg m2"});
+    table.add({"polar inertia Ip", readable(result.Ip) + " kg m2"});
+    text += table.text() + "\n";
+    // Commands that use the same form for the same reason share a line.
+    std::vector<std::pair<std::string, std::string>> forms;
+    for (const auto &[command, formulation] : result.formulations) {
+        const std::string what =
+            fmt::format("{} form ({})", analyses::form_name(formulation.form), formulation.why);
+        const auto same = std::find_if(forms.begin(), forms.end(),
+                                       [&what](const auto &form) { return form.second == what; });
+        if (same == forms.end())
+            forms.emplace_back(command, what);
+        else
+            same->first += ", " + command;
+    }
+    for (const auto &[commands, what] : forms)
+        text += fmt::format("  {}: {}\n", commands, what);
+    for (const std::string &note : result.model.notes)
+        text += fmt::format("note: {}\n", note);
+    return text;
+}
+
+std::string summary(const model::Case &scene, const analyses::AccuracyResult &result) {
+    std::string text = heading(scene, fmt::format("Speed and error at {:.6g} rpm, against {}",
+                                                  result.speed * rpm, result.reference));
+    Table table({"family", "order", "elements", "unknowns", "ms", "estimate", "true error"});
+    for (const analyses::AccuracyRow &row : result.rows)
+        table.add({row.family, std::to_string(row.order), std::to_string(row.elements),
+                   std::to_string(row.unknowns), fmt::format("{:.3g}", row.seconds * 1e3),
+                   rough(row.error_estimate), rough(row.true_error)});
+    return text + table.text() + model_text(result.model);
+}
+
+} // namespace whirl::cli
