@@ -7,11 +7,11 @@ cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 # folder of src/: folders it may include from, besides itself.
 declare -A allowed=(
   [main]="cli input analyses report model"
-  [cli]="input analyses report model"
+  [cli]="input analyses linalg report model"
   [report]="analyses model"
   [analyses]="assembly linalg mesh elements model"
   [assembly]="elements mesh linalg model"
-  [elements]="model"
+  [elements]="mesh model"
   [mesh]="model"
   [linalg]="model"
   [input]="model"
@@ -45,6 +45,8 @@ check_line() {
       "$(basename "$file")" =~ $compares_with_closed_form ]] ||
       complain "$where: $folder must not include \"$header\""
   }
+  [[ "$folder" != cli || "$target" != linalg || "$header" == linalg/session.h ]] ||
+    complain "$where: cli knows of linalg only linalg/session.h"
   [[ "$folder" != linalg || "$target" != model || "$header" == model/errors.h ]] ||
     complain "$where: linalg knows of model only model/errors.h"
 }

@@ -1,0 +1,199 @@
+// The program from outside: exit status, what goes to which stream, which files appear.
+
+#include "cases/program_run.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using whirl::tests::ProgramRun;
+
+const std::string rotor = std::string(WHIRL_ROOT) + "/cases/friswell_5_9_1";
+
+/// Runs the program inside an empty folder of its own.
+class Program : public testing::Test {
+  protected:
+    fs::path folder =
+        fs::temp_directory_path() / ("whirl_cli_" + std::to_string(getpid()) + "_" +
+                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::path before = fs::current_path();
+
+    void SetUp() override {
+        fs::remove_all(folder);
+        fs::create_directories(folder / "here");
+        fs::current_path(folder / "here");
+    }
+    void TearDown() override {
+        fs::current_path(before);
+        fs::permissions(folder / "here", fs::perms::owner_all);
+        fs::remove_all(folder);
+    }
+    [[nodiscard]] ProgramRun run(const std::vector<std::string> &arguments) const {
+        return whirl::tests::run_program(WHIRL_PROGRAM, arguments, (folder / "errors").string());
+    }
+    [[nodiscard]] ProgramRun run_on(const std::string &processes,
+                                    std::vector<std::string> arguments) const {
+        std::vector<std::string> all{"--oversubscribe", "--allow-run-as-root", "-n", processes,
+                                     WHIRL_PROGRAM};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        return whirl::tests::run_program("/usr/bin/mpirun", all, (folder / "errors").string());
+    }
+    [[nodiscard]] bool nothing_written() const { return fs::is_empty(folder / "here"); }
+};
+
+long lines(const std::string &text) { return std::count(text.begin(), text.end(), '\n'); }
+
+bool contains(const std::string &text, const std::string &part) {
+    return text.find(part) != std::string::npos;
+}
+
+const std::vector<std::string> few{"--set", "speeds.count=3"};
+
+std::vector<std::string> with_few(std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), few.begin(), few.end());
+    return arguments;
+}
+
+TEST_F(Program, HelpAndVersionGoToStandardOutput) {
+    const ProgramRun help = run({"--help"});
+    EXPECT_EQ(help.status, 0);
+    for (const char *command : {"show", "campbell", "critical", "stability", "response", "balance",
+                                "rigid-limit", "simulate", "accuracy", "modes"})
+        EXPECT_TRUE(contains(help.output, command)) << command;
+    const ProgramRun of_command = run({"campbell", "--help"});
+    EXPECT_EQ(of_command.status, 0);
+    for (const char *option : {"CASE", "--out", "--json", "--set", "--quiet", "--version"})
+        EXPECT_TRUE(contains(of_command.output, option)) << option;
+    const ProgramRun version = run({"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.output.substr(0, 6), "whirl ");
+    EXPECT_EQ(lines(version.output), 1);
+    EXPECT_EQ(run({"critical", "--version"}).output, version.output);
+}
+
+TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
+        {{}, "a command is missing"},
+        {{"cambpell", rotor}, "unknown command \"cambpell\""},
+        {{"campbell"}, "a case folder or .toml file is missing"},
+        {{"campbell", rotor, "--fast"}, "--fast"},
+        {{"campbell", rotor, "second_case"}, "second_case"},
+        {{"campbell", rotor, "--out"}, "--out"},
+        {{"campbell", rotor, "--out", ""}, "--out"},
+        {{"campbell", rotor, "--set"}, "--set"},
+    };
+    for (const auto &[arguments, expected] : mistakes) {
+        const ProgramRun result = run(arguments);
+        EXPECT_EQ(result.status, 2) << expected;
+        EXPECT_EQ(result.output, "") << expected;
+        EXPECT_EQ(lines(result.errors), 1) << result.errors;
+        EXPECT_EQ(result.errors.substr(0, 7), "whirl: ") << result.errors;
+        EXPECT_TRUE(contains(result.errors, expected)) << result.errors;
+    }
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Program, BadCaseIsStatusTwoWithPlaceAndNothingWritten) {
+    const ProgramRun missing = run({"campbell", "no_such_case"});
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_TRUE(contains(missing.errors, "no_such_case")) << missing.errors;
+    const ProgramRun bad = run({"campbell", rotor, "--set", "bearing[0].k=5 kg", "--json"});
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_EQ(bad.output, "");
+    EXPECT_TRUE(contains(bad.errors, "bearing[0].k")) << bad.errors;
+    EXPECT_TRUE(contains(bad.errors, "5 kg")) << bad.errors;
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Program, SeveralOverridesAreAllUsed) {
+    const ProgramRun result =
+        run({"campbell", "--set", "speeds.count=2", "--set", "campbell.modes=4", rotor, "--json"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    const auto json = nlohmann::json::parse(result.output);
+    EXPECT_EQ(json.at("speeds").size(), 2U);
+    EXPECT_EQ(json.at("modes").size(), 4U);
+}
+
+TEST_F(Program, JsonAloneOnStandardOutputAndNoFiles) {
+    for (const std::string command : {"show", "critical"}) {
+        const ProgramRun result = run({command, rotor, "--json"});
+        ASSERT_EQ(result.status, 0) << result.errors;
+        EXPECT_EQ(result.errors, "");
+        const auto json = nlohmann::json::parse(result.output);
+        EXPECT_EQ(json.at("program"), "whirl");
+        EXPECT_EQ(json.at("format"), 1);
+        EXPECT_EQ(json.at("command"), command);
+    }
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Program, JsonWithOutGivesBothAndTheSame) {
+    const ProgramRun result = run({"critical", rotor, "--json", "--out", "results"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(fs::exists("results/critical.csv"));
+    EXPECT_TRUE(fs::exists("results/report.html"));
+    EXPECT_EQ(nlohmann::json::parse(result.output).at("command"), "critical");
+    EXPECT_FALSE(fs::exists("out"));
+}
+
+TEST_F(Program, TextNamesFormulationPictureAndReport) {
+    const ProgramRun result = run(with_few({"campbell", rotor}));
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_EQ(result.errors, "");
+    for (const char *part :
+         {"85.3893712", "815.408", "backward", "planar form",
+          "out/friswell_5_9_1/campbell/campbell.svg", "out/friswell_5_9_1/campbell/report.html"})
+        EXPECT_TRUE(contains(result.output, part)) << part << "\n" << result.output;
+    EXPECT_TRUE(fs::exists("out/friswell_5_9_1/campbell/campbell.json"));
+    const ProgramRun quiet = run({"critical", rotor, "--quiet"});
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.output, "");
+    EXPECT_TRUE(fs::exists("out/friswell_5_9_1/critical/critical.csv"));
+}
+
+TEST_F(Program, FolderThatCannotBeMadeIsStatusOneInWords) {
+    // A file stands where the folder should be: refused for every user, root as well.
+    const ProgramRun result = run({"critical", rotor, "--out", rotor + "/case.toml/results"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.output, "");
+    EXPECT_EQ(lines(result.errors), 1) << result.errors;
+    EXPECT_TRUE(contains(result.errors, "case.toml/results")) << result.errors;
+}
+
+TEST_F(Program, CommandsOfLaterVersionsSaySo) {
+    for (const std::string command : {"stability", "balance", "rigid-limit", "simulate"}) {
+        const ProgramRun result = run({command, rotor});
+        EXPECT_EQ(result.status, 1) << command;
+        EXPECT_TRUE(contains(result.errors, "\"" + command + "\"")) << result.errors;
+        EXPECT_EQ(lines(result.errors), 1) << result.errors;
+    }
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Program, UnderMpirunSpeaksOnceAndComputesTheSame) {
+    if (!fs::exists("/usr/bin/mpirun"))
+        GTEST_SKIP() << "no mpirun";
+    const auto values = [](const ProgramRun &result) {
+        auto json = nlohmann::json::parse(result.output);
+        return std::pair(json.at("speeds"), json.at("modes"));
+    };
+    const ProgramRun alone = run(with_few({"campbell", rotor, "--json"}));
+    const ProgramRun three = run_on("3", with_few({"campbell", rotor, "--json"}));
+    ASSERT_EQ(alone.status, 0) << alone.errors;
+    ASSERT_EQ(three.status, 0) << three.errors;
+    EXPECT_EQ(values(alone), values(three)); // to the last digit
+    const ProgramRun bad = run_on("3", {"campbell", rotor, "--set", "bearing[0].k=5 kg"});
+    EXPECT_EQ(bad.status, 2);
+    const std::string message = "expected a stiffness";
+    EXPECT_TRUE(contains(bad.errors, message)) << bad.errors;
+    EXPECT_EQ(bad.errors.find(message), bad.errors.rfind(message)) << bad.errors;
+    EXPECT_TRUE(nothing_written());
+}
+
+} // namespace
