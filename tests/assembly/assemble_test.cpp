@@ -1,0 +1,151 @@
+// The assembly loops: the same entries in a dense matrix as in PETSc's, and what they must obey.
+
+#include "assembly/system.h"
+#include "support/test_rotors.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace {
+
+using namespace whirl;
+using assembly::Term;
+
+/// Everything at once: cone, bore, discs, full bearings, tilt coefficients, pedestal, internal
+/// damping, axial force.
+model::Rotor rotor_with_everything() {
+    model::Rotor rotor = tests::two_disc_rotor(1e6, 0.8e6, 3e5, 200);
+    rotor.shaft.segments[1].outer_end = 0.07;
+    rotor.shaft.segments[2].inner_start = rotor.shaft.segments[2].inner_end = 0.02;
+    rotor.shaft.internal_damping = 1e-5;
+    rotor.shaft.axial_force = 2e4;
+    rotor.bearings[0].rows[0].kt << 1e4, 0, 0, 2e4;
+    rotor.bearings[0].rows[0].ct << 3, 1, -1, 4;
+    rotor.bearings[1].pedestal = model::Pedestal{5, 1e7, 100};
+    return rotor;
+}
+
+Eigen::MatrixXd dense(const linalg::Matrix &A) { return Eigen::MatrixXd(A.view()); }
+
+/// The real form filled into dense matrices by the loops of assemble.h.
+std::map<Term, Eigen::MatrixXd> dense_real_form(const assembly::Discretization &d, double speed) {
+    const Eigen::Index n = 2 * d.planar_size();
+    std::map<Term, Eigen::MatrixXd> sum;
+    for (const Term term :
+         {Term::mass, Term::damping, Term::gyroscopic, Term::stiffness, Term::circulatory})
+        sum[term] = Eigen::MatrixXd::Zero(n, n);
+    assembly::assemble_rotating_parts(
+        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+            const bool couples = term == Term::gyroscopic || term == Term::circulatory;
+            for (std::size_t i = 0; i < unknowns.size(); ++i)
+                for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                    const int x = 2 * unknowns[i];
+                    const int column = 2 * unknowns[j];
+                    const double v = block(static_cast<int>(i), static_cast<int>(j));
+                    sum[term](x, couples ? column + 1 : column) += v;
+                    sum[term](x + 1, couples ? column : column + 1) += couples ? -v : v;
+                }
+        });
+    assembly::assemble_supports(d, speed,
+                                [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                                    sum[term].block(2 * i, 2 * j, 2, 2) += block;
+                                });
+    return sum;
+}
+
+TEST(Assembly, DenseAndPetscMatricesHaveTheSameEntries) {
+    for (const int order : {1, 3, 8}) {
+        const assembly::Discretization d(rotor_with_everything(), order, 2);
+        const assembly::FixedSystem system = assembly::assemble_fixed(d, 100);
+        auto expected = dense_real_form(d, 100);
+        const auto compare = [&](Term term, const linalg::Matrix &A) {
+            ASSERT_GT(expected[term].norm(), 0);
+            // The order of summation differs: rounding of a few terms.
+            EXPECT_LE((dense(A) - expected[term]).norm(), 1e-15 * expected[term].norm());
+        };
+        compare(Term::mass, system.M);
+        compare(Term::damping, system.C);
+        compare(Term::gyroscopic, system.G);
+        compare(Term::stiffness, system.K);
+        compare(Term::circulatory, system.Kc);
+    }
+}
+
+TEST(Assembly, RealFormIsSymmetricWhereItMustBeAndSkewWhereItMustBe) {
+    const assembly::Discretization d(rotor_with_everything(), 4);
+    const assembly::FixedSystem s = assembly::assemble_fixed(d, 0);
+    const Eigen::MatrixXd M = dense(s.M);
+    const Eigen::MatrixXd G = dense(s.G);
+    const Eigen::MatrixXd Kc = dense(s.Kc);
+    EXPECT_LE((M - M.transpose()).norm(), 1e-15 * M.norm());
+    EXPECT_LE((G + G.transpose()).norm(), 1e-15 * G.norm());
+    EXPECT_LE((Kc + Kc.transpose()).norm(), 1e-15 * Kc.norm());
+    EXPECT_EQ(M.llt().info(), Eigen::Success);
+    const Eigen::MatrixXd S = dense(assembly::hyperbolic_coupling(d));
+    EXPECT_LE((S - S.transpose()).norm(), 1e-15 * S.norm());
+    // S and G have the same blocks, the lower one with the other sign.
+    for (Eigen::Index row = 0; row < S.rows(); ++row)
+        EXPECT_EQ(S.row(row), (row % 2 == 0 ? 1 : -1) * G.row(row));
+}
+
+TEST(Assembly, PlanarFormIsOnePlaneOfTheRealForm) {
+    const assembly::Discretization d(tests::two_disc_rotor(1e6, 1e6), 5);
+    const assembly::PlanarSystem planar = assembly::assemble_planar(d, 0);
+    const assembly::FixedSystem real = assembly::assemble_fixed(d, 0);
+    const Eigen::Index n = d.planar_size();
+    const auto x = Eigen::seqN(0, n, 2);
+    const auto y = Eigen::seqN(1, n, 2);
+    const Eigen::MatrixXd K = dense(real.K);
+    const Eigen::MatrixXd G = dense(real.G);
+    EXPECT_EQ(K(x, y).norm(), 0);
+    // Up to the order in which PETSc sums equal places.
+    const auto expect_same = [](const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
+        EXPECT_LE((a - b).norm(), 1e-15 * a.norm());
+    };
+    expect_same(dense(planar.K), K(x, x));
+    expect_same(dense(planar.K), K(y, y));
+    expect_same(dense(planar.M), dense(real.M)(x, x));
+    expect_same(dense(planar.G), G(x, y));
+    expect_same(dense(planar.G), -G(y, x));
+}
+
+TEST(Assembly, BearingsActAtTheirNodesWithTheirCoefficientsOfTheSpeed) {
+    model::Rotor with = tests::uniform_shaft(1, 0.05, 2);
+    const assembly::FixedSystem without =
+        assembly::assemble_fixed(assembly::Discretization(with, 1), 0);
+    model::Bearing table = tests::bearing(0.5, 1e6, 2e6, 3e5, 0);
+    table.speeds = {0, 100};
+    table.rows.push_back(table.rows[0]);
+    table.rows[1].k *= 3;
+    table.rows[1].kt << 10, 1, 2, 20;
+    with.bearings = {table};
+    const assembly::Discretization d(with, 1);
+    const Eigen::MatrixXd added =
+        dense(assembly::assemble_fixed(d, 50).K) - dense(without.K); // halfway: factor 2
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(12, 12);
+    expected.block(4, 4, 2, 2) << 2e6, 6e5, 6e5, 4e6; // second node: unknowns 2 (w), 3 (phi)
+    expected.block(6, 6, 2, 2) << 5, 0.5, 1, 10;
+    EXPECT_LT((added - expected).norm(), 1e-6); // rounding of stiffnesses of 1e9
+}
+
+TEST(Assembly, PedestalStandsBetweenBearingAndGround) {
+    model::Rotor rotor = tests::uniform_shaft(1, 0.05);
+    rotor.bearings = {tests::bearing(0, 1e6, 2e6, 0, 30)};
+    rotor.bearings[0].pedestal = model::Pedestal{4, 5e6, 70};
+    const assembly::Discretization d(rotor, 1);
+    ASSERT_EQ(d.planar_size(), 5);
+    const assembly::FixedSystem s = assembly::assemble_fixed(d, 0);
+    const int p = 2 * d.pedestal_unknown(0);
+    const Eigen::MatrixXd K = dense(s.K);
+    EXPECT_DOUBLE_EQ(K(p, p), 6e6);
+    EXPECT_DOUBLE_EQ(K(p + 1, p + 1), 7e6);
+    EXPECT_DOUBLE_EQ(K(p, 0), -1e6);
+    EXPECT_DOUBLE_EQ(K(1, p + 1), -2e6);
+    EXPECT_DOUBLE_EQ(dense(s.C)(p, p), 100);
+    EXPECT_DOUBLE_EQ(dense(s.C)(0, p), -30);
+    EXPECT_DOUBLE_EQ(dense(s.M)(p + 1, p + 1), 4);
+}
+
+} // namespace
