@@ -1,0 +1,28 @@
+#pragma once
+
+#include "analyses/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+namespace whirl::tests {
+
+constexpr double rpm = std::numbers::pi / 30; ///< rad/s
+
+inline analyses::Spectrum spectrum_of(const model::Rotor &rotor, analyses::Form form, int order,
+                                      double speed, int wanted, int refinement = 1) {
+    return analyses::SpectrumSolver(rotor, form, order, refinement).at(speed, wanted);
+}
+
+/// Frequencies (rad/s) of the first modes, ascending.
+inline std::vector<double> frequencies(const analyses::Spectrum &spectrum) {
+    std::vector<double> out;
+    for (const analyses::WhirlMode &mode : spectrum.modes)
+        out.push_back(mode.eigenvalue.imag());
+    return out;
+}
+
+} // namespace whirl::tests
