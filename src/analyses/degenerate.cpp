@@ -57,7 +57,8 @@ void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
                                     same * std::abs(modes[i].eigenvalue);
         if (joined)
             continue;
-        if (i - first > 1)
+        // Zero modes of free rotors come separated.
+        if (i - first > 1 && modes[first].eigenvalue != 0.0)
             separate(solver, stations, &modes[first], static_cast<int>(i - first));
         first = i;
     }

@@ -74,6 +74,11 @@ std::string whirl_name(Whirl whirl) {
 
 Formulation choose_formulation(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
+    if (rotor.rotating_anisotropy())
+        throw model::AnalysisFailure(
+            "the scene has a rotating anisotropy or an auto-balancer: this needs the equations in "
+            "the rotating frame, which this version does not have; remove [[anisotropy]] and "
+            "[[balancer]] to see the rotor without them");
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
     const std::string no_planar = against_planar(rotor);

@@ -20,7 +20,8 @@ struct Formulation {
 };
 
 /// The smallest exact form, or the one the case forces.
-/// @throws model::BadInput where the forced form cannot describe the scene.
+/// @throws model::AnalysisFailure for scenes that need the rotating frame (not built yet);
+/// model::BadInput where the forced form cannot describe the scene.
 [[nodiscard]] Formulation choose_formulation(const model::Case &scene);
 
 /// "planar" or "real", as in the results.

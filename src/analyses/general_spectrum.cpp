@@ -1,6 +1,7 @@
 #include "analyses/general_spectrum.h"
 
 #include "analyses/zero_modes.h"
+#include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
 
 #include <algorithm>
@@ -10,9 +11,11 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Relative to the modulus, an imaginary part below this is rounding of a real eigenvalue: two
-/// real ones that nearly meet are moved by the root of the rounding.
-constexpr double real_axis = 1e-6;
+/// An eigenvalue whose imaginary part is below this share of its modulus is no whirl: the damping
+/// ratio is above 0.9998, the motion dies out by a factor of 1e130 within one turn of it. (Real
+/// eigenvalues that nearly meet are moved off the axis by rounding, and gyroscopic coupling gives
+/// overdamped motion of an isotropic rotor a minute frequency.)
+constexpr double real_axis = 0.02;
 
 } // namespace
 
@@ -25,27 +28,35 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
     using linalg::Matrix;
     const Matrix D = Matrix::sum(1, _system.C, speed, _system.G);
     const Matrix K = Matrix::sum(1, _system.K, speed, _system.Kc);
-    const ZeroModes zeros = zero_modes(_discretization, false, D, K);
+    const ZeroModes zeros = zero_modes(_discretization, Form::general, _system.M, D, K);
     linalg::QuadraticOptions options;
+    options.zeros = zeros.eigenvalues;
     options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * elastic_scale(_discretization);
-    linalg::QuadraticResult found = linalg::solve_quadratic(_system.M, D, K, options);
+    linalg::QuadraticResult found;
+    try {
+        found = linalg::solve_quadratic(_system.M, D, K, options);
+    } catch (const linalg::SolverError &) {
+        // Motions that creep, as against strong dampers, have eigenvalues so near zero that the
+        // others drown beside them; a shift towards the others brings both to one size.
+        if (options.shift != 0)
+            throw;
+        options.shift = 0.3 * elastic_scale(_discretization);
+        options.wanted = std::min(D.size(), options.wanted + 4);
+        found = linalg::solve_quadratic(_system.M, D, K, options);
+    }
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     Modes out;
-    out.complete_radius = found.complete_radius;
-    for (int i = 0; i < zeros.whirl_modes; ++i) {
-        WhirlMode mode;
-        const Eigen::Index column = std::min<Eigen::Index>(i, zeros.motions.cols() - 1);
-        mode.shape = zeros.motions.col(column).cast<std::complex<double>>();
-        out.modes.push_back(mode);
-    }
+    out.complete_radius = std::max(0.0, found.complete_radius - options.shift);
+    out.modes = zeros.modes;
     int skip = zeros.eigenvalues;
     for (const linalg::ComplexPair &pair : found.pairs) {
         if (skip > 0) { // the blurred zeros; a complex pair stands for two
             skip -= pair.value.imag() != 0 ? 2 : 1;
-        } else if (pair.value.imag() <= real_axis * std::abs(pair.value)) {
+        } else if (pair.value.imag() <=
+                   std::max(real_axis, 10 * pair.residual) * std::abs(pair.value)) {
             out.overdamped.push_back(pair.value.real());
         } else {
             WhirlMode mode;
@@ -62,13 +73,18 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
 GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted) const {
     const int all = _system.M.size();
     int ask = std::min(all, wanted);
+    Modes out = solve(speed, ask);
     while (true) {
-        Modes out = solve(speed, ask);
         const int found = static_cast<int>(out.modes.size());
         if (found >= wanted || ask == all || std::isinf(out.complete_radius))
             return out;
         // Real eigenvalues took the places; ask for as many more.
         ask = std::min(all, ask + std::max(4, wanted - found));
+        try {
+            out = solve(speed, ask);
+        } catch (const linalg::SolverError &) {
+            return out; // what lies above cannot be resolved beside what is found
+        }
     }
 }
 

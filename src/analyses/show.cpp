@@ -75,18 +75,22 @@ ShowResult show(const model::Case &scene) {
     result.type = rigid_type(result.Id, result.Ip);
     result.shaft_mass = shaft.mass;
     result.length = rotor.shaft.length();
-    const Formulation eigen = choose_formulation(scene);
+    model::Case turning = scene; // what the analyses of this version can describe
+    turning.rotor.anisotropies.clear();
+    turning.rotor.balancers.clear();
+    const Formulation eigen = choose_formulation(turning);
     for (const char *command : {"campbell", "critical", "modes", "accuracy"})
         result.formulations.emplace_back(command, eigen);
     result.formulations.emplace_back("response", response_formulation(scene));
     result.model.formulation = eigen;
-    result.model.order = resolve_order(scene, eigen);
+    result.model.order = resolve_order(turning, eigen);
     const assembly::Discretization d(rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     result.model.unknowns = (eigen.form == Form::planar ? 1 : 2) * d.planar_size();
-    if (!rotor.balancers.empty())
-        result.model.notes.emplace_back("mass and inertias are those of the rotor without its "
-                                        "balancers");
+    if (rotor.rotating_anisotropy())
+        result.model.notes.emplace_back(
+            "mass, inertias and formulations are those of the rotor without its balancers and "
+            "rotating anisotropies; the analyses refuse scenes that have them");
     result.model.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

@@ -2,7 +2,7 @@
 
 #include "assembly/system.h"
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/shifted_pencil.h"
 #include "model/errors.h"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretizat
         const linalg::Matrix coupling = assembly::hyperbolic_coupling(discretization);
         _S = linalg::Matrix::sum(-1, coupling, 0, coupling);
     }
-    _supported = zero_modes(discretization, planar, _S, _K).eigenvalues == 0;
+    _supported = zero_modes(discretization, planar ? Form::planar : Form::hyperbolic, _M, _S, _K)
+                     .eigenvalues == 0;
     if (!_supported)
         return;
     try {
@@ -67,36 +68,22 @@ std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const 
 
 std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) const {
     const linalg::Matrix D = linalg::Matrix::sum(speed, _S, 0, _S);
-    const linalg::Matrix minus_M = linalg::Matrix::sum(-1, _M, 0, _M);
-    const ZeroModes zeros = zero_modes(_discretization, _planar, D, _K);
-    linalg::QuadraticOptions options;
+    const ZeroModes zeros =
+        zero_modes(_discretization, _planar ? Form::planar : Form::hyperbolic, _M, D, _K);
+    std::vector<WhirlMode> out = zeros.modes;
+    // In real form every mode stands twice, as +w and -w.
+    linalg::ShiftedOptions options;
+    options.nullity = static_cast<int>(zeros.motions.cols());
+    options.s = speed;
     options.shift = 0.3 * elastic_scale(_discretization);
-    options.wanted =
-        std::min(2 * _M.size(), (_planar ? wanted : 2 * wanted) + zeros.eigenvalues + 2);
-    linalg::QuadraticResult found = linalg::solve_quadratic(minus_M, D, _K, options);
-    std::sort(found.pairs.begin(), found.pairs.end(),
-              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    std::vector<WhirlMode> out;
-    const int zero_count = _planar ? zeros.eigenvalues : zeros.eigenvalues / 2;
-    for (int i = 0; i < zero_count; ++i) {
-        const Eigen::Index column = std::min<Eigen::Index>(i, zeros.motions.cols() - 1);
-        out.push_back(mode_of(i % 2 == 0 ? 0.0 : -0.0, zeros.motions.col(column), speed));
-        if (_planar && i % 2 == 1) {
-            out.back().whirl = Whirl::backward;
-            out.back().forward_fraction = 0;
-        }
-    }
-    int skip = zeros.eigenvalues;
-    for (const linalg::ComplexPair &pair : found.pairs) {
-        if (skip > 0) { // the blurred zeros; a complex pair stands for two
-            skip -= pair.value.imag() != 0 ? 2 : 1;
+    options.wanted = std::min(2 * _M.size() - 1, (_planar ? wanted : 2 * wanted) + 2);
+    const auto pairs = linalg::solve_shifted(_K, _M, _S, options);
+    for (auto i = static_cast<std::size_t>(zeros.eigenvalues); i < pairs.size(); ++i) {
+        if (!_planar && pairs[i].value < 0)
             continue;
-        }
-        if (!_planar && pair.value.real() < 0)
-            continue;
-        out.push_back(mode_of(pair.value.real(), pair.vector.real(), speed));
-        out.back().residual = pair.residual + std::abs(pair.value.imag() / pair.value.real());
-        out.back().rounding = pair.rounding;
+        out.push_back(mode_of(pairs[i].value, pairs[i].vector, speed));
+        out.back().residual = pairs[i].residual;
+        out.back().rounding = pairs[i].rounding;
     }
     return out;
 }

@@ -19,8 +19,26 @@ struct Matching {
     bool ambiguous = false;
 };
 
+struct Snapshot {
+    const Spectrum &spectrum;
+    EnergyBasis basis;
+};
+
+bool is_zero(const Spectrum &spectrum, Eigen::Index i) {
+    return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue == 0.0;
+}
+
 /// Pairs in descending order of overlap; `important` bounds which ones must be sure.
-Matching pair_up(const Eigen::MatrixXd &overlap, int important) {
+Matching pair_up(const Snapshot &a, const Snapshot &b, int important) {
+    Eigen::MatrixXd overlap = overlaps(a.basis, b.basis);
+    // Zero modes of a free rotor differ in nothing but their order, which is always the same.
+    for (Eigen::Index i = 0; i < std::min(overlap.rows(), overlap.cols()); ++i) {
+        if (!is_zero(a.spectrum, i) || !is_zero(b.spectrum, i))
+            break;
+        overlap.row(i).setZero();
+        overlap.col(i).setZero();
+        overlap(i, i) = 1;
+    }
     std::vector<std::tuple<double, Eigen::Index, Eigen::Index>> pairs;
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)
         for (Eigen::Index j = 0; j < overlap.cols(); ++j)
@@ -48,14 +66,9 @@ Matching pair_up(const Eigen::MatrixXd &overlap, int important) {
     return out;
 }
 
-struct Snapshot {
-    const Spectrum &spectrum;
-    EnergyBasis basis;
-};
-
 std::vector<int> follow(const SpectrumSolver &solver, const Snapshot &a, const Snapshot &b,
                         int important, int depth) {
-    Matching direct = pair_up(overlaps(a.basis, b.basis), important);
+    Matching direct = pair_up(a, b, important);
     if (!direct.ambiguous || depth == deepest)
         return direct.to;
     const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "analyses/whirl_mode.h"
 #include "assembly/discretization.h"
 #include "linalg/matrix.h"
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace whirl::analyses {
 
@@ -11,15 +14,18 @@ namespace whirl::analyses {
 /// an eigensolver, which could only return them blurred (the double zero of a free translation
 /// splits into +-sqrt(rounding)).
 struct ZeroModes {
-    Eigen::MatrixXd motions; ///< one a column, over the unknowns of the form
-    int eigenvalues = 0;     ///< zero eigenvalues, counted with multiplicity
-    int whirl_modes = 0;     ///< of them, how many whirl modes of zero frequency they make
+    /// One a column, over the unknowns of the form. Translations before tilts about the centre of
+    /// mass; in real form each in x, then in y, where both planes are free alike.
+    Eigen::MatrixXd motions;
+    int eigenvalues = 0;          ///< zero eigenvalues, counted with multiplicity
+    std::vector<WhirlMode> modes; ///< the whirl modes of zero frequency that they make
 };
 
-/// Zero modes of l^2 M + l D + K in planar form (unknowns of one plane; `D` = speed G, for which
-/// each eigenvalue is one whirl mode) or in real form (pairs x, y; conjugates make one).
-[[nodiscard]] ZeroModes zero_modes(const assembly::Discretization &discretization, bool planar,
-                                   const linalg::Matrix &D, const linalg::Matrix &K);
+/// Zero modes of l^2 M + l D + K. Planar: unknowns of one plane, D = speed S, each eigenvalue is
+/// one whirl mode. Hyperbolic and general: pairs x, y, two eigenvalues make one whirl mode.
+[[nodiscard]] ZeroModes zero_modes(const assembly::Discretization &discretization, Form form,
+                                   const linalg::Matrix &M, const linalg::Matrix &D,
+                                   const linalg::Matrix &K);
 
 /// A frequency of the order of the first bending one of the free shaft, rad/s; never zero.
 [[nodiscard]] double elastic_scale(const assembly::Discretization &discretization);

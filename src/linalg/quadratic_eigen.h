@@ -18,6 +18,7 @@ enum class QuadraticMethod {
 struct QuadraticOptions {
     int wanted = 8;   ///< eigenvalues nearest the shift, conjugates counted as one
     double shift = 0; ///< real; Q(shift) must be regular, 1/s
+    int zeros = 0;    ///< eigenvalues known to be zero: they need not be resolved
     QuadraticMethod method = QuadraticMethod::automatic;
 };
 
@@ -32,7 +33,7 @@ struct QuadraticResult {
 ///
 /// Each pair carries its residual as a relative change of l: |P Q(l) x| / |P l Q'(l) x| with
 /// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is.
-/// @throws SolverError where neither way converges, or Q(shift) is singular.
+/// @throws SolverError where neither way resolves as many pairs as wanted, or Q(shift) is singular.
 [[nodiscard]] QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
                                               const QuadraticOptions &options);
 

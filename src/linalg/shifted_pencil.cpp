@@ -1,0 +1,190 @@
+#include "linalg/shifted_pencil.h"
+
+#include "linalg/check.h"
+#include "linalg/symmetric_eigen.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace whirl::linalg {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using NaturalLdlt = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+
+/// L with A = L L^T for a positive semidefinite A: the `nullity` pivots that are smallest against
+/// their diagonal entries are zero but for rounding, and so are their columns.
+Sparse semidefinite_factor(const Sparse &A, int nullity) {
+    NaturalLdlt ldlt;
+    ldlt.setShift(0, 1 + 2 * std::numeric_limits<double>::epsilon()); // no pivot exactly zero
+    ldlt.compute(A);
+    if (ldlt.info() != Eigen::Success)
+        throw SolverError("the factorisation of a semidefinite matrix failed");
+    const Eigen::VectorXd pivots = ldlt.vectorD();
+    const Eigen::VectorXd relative = pivots.cwiseQuotient(A.diagonal().cwiseMax(1e-300));
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(pivots.size()));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    std::partial_sort(order.begin(), order.begin() + nullity, order.end(),
+                      [&](Eigen::Index a, Eigen::Index b) { return relative(a) < relative(b); });
+    Eigen::VectorXd roots = pivots.cwiseMax(0).cwiseSqrt();
+    for (int i = 0; i < nullity; ++i)
+        roots(order[static_cast<std::size_t>(i)]) = 0;
+    Sparse L = ldlt.matrixL();
+    return L * roots.asDiagonal();
+}
+
+/// Scales of the unknowns that make the diagonal of K 1: pivots are then not chosen by units.
+Eigen::VectorXd unit_diagonal(const Matrix &K) {
+    const Sparse stiffness = K.view();
+    return stiffness.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+}
+
+class Shifted {
+  public:
+    Shifted(const Matrix &K, const Matrix &M, const Matrix &S, const ShiftedOptions &options)
+        : _scale(unit_diagonal(K)), _K(Matrix::scaled(_scale, K).view()),
+          _M(Matrix::scaled(_scale, M).view()), _S(Matrix::scaled(_scale, S).view()), _s(options.s),
+          _shift(options.shift), _L(semidefinite_factor(_K, options.nullity)),
+          _F(semidefinite_factor(_M, 0)), _Lt(_L.transpose()), _Ft(_F.transpose()) {
+        _lu.compute(at(_shift));
+        if (_lu.info() != Eigen::Success)
+            throw SolverError("the matrix at the shift is singular");
+    }
+
+    [[nodiscard]] Eigen::Index size() const { return _K.rows(); }
+
+    void apply(const double *z, double *y) const {
+        const Eigen::Index n = size();
+        const Eigen::Map<const Eigen::VectorXd> f(z, n);
+        const Eigen::Map<const Eigen::VectorXd> g(z + n, n);
+        const Eigen::VectorXd w = _lu.solve(Eigen::VectorXd(_shift * (_F * f) + _L * g));
+        Eigen::Map<Eigen::VectorXd>(y, n) = _Ft * w;
+        Eigen::Map<Eigen::VectorXd>(y + n, n) = (_Lt * w - g) / _shift;
+    }
+
+    /// Eigenvalues between -bound and bound, zeros with their multiplicity.
+    [[nodiscard]] int count_below(double bound) const {
+        int count = 0;
+        for (const double w : {bound, -bound}) {
+            const Eigen::SimplicialLDLT<Sparse> ldlt(at(w));
+            if (ldlt.info() != Eigen::Success)
+                throw SolverError("an inertia count met a zero pivot");
+            count += static_cast<int>((ldlt.vectorD().array() < 0).count());
+        }
+        return count;
+    }
+
+    [[nodiscard]] RealPair pair_from(double theta, const Eigen::VectorXd &z) const {
+        const Eigen::Index n = size();
+        RealPair pair;
+        pair.value = _shift + 1 / theta;
+        Eigen::VectorXd Tz(2 * n);
+        apply(z.data(), Tz.data());
+        // d(theta)/theta = d(w)/(w - shift)
+        const double theta_error = (Tz - theta * z).norm() / (z.norm() * std::abs(theta));
+        const double size = std::max(std::abs(pair.value), 1e-300);
+        pair.residual = theta_error * std::abs(pair.value - _shift) / size;
+        // One step of the inverse iteration gives x from (F^T x, L^T y).
+        const Eigen::VectorXd x =
+            _lu.solve(Eigen::VectorXd(_shift * (_F * z.head(n)) + _L * z.tail(n)));
+        const double energy = x.dot(_K * x) + pair.value * pair.value * x.dot(_M * x);
+        const double mass = x.dot(_M * x);
+        const double length = std::sqrt(energy > 1e-20 * _shift * _shift * mass ? energy : mass);
+        const Eigen::VectorXd a = x.cwiseAbs() / length;
+        // The factorisation at the shift is indefinite: its rounding grows beyond that of the
+        // entries, by measurement up to some ten times.
+        pair.rounding = 16 * std::numeric_limits<double>::epsilon() * a.dot(_K.cwiseAbs() * a);
+        pair.vector = _scale.cwiseProduct(x) / length;
+        return pair;
+    }
+
+  private:
+    Eigen::VectorXd _scale;
+    Sparse _K, _M, _S;
+    double _s, _shift;
+    Sparse _L, _F, _Lt, _Ft;
+    Eigen::SparseLU<Sparse> _lu;
+
+    [[nodiscard]] Sparse at(double w) const { return _K + (w * _s) * _S - (w * w) * _M; }
+};
+
+std::vector<RealPair> dense(const Shifted &problem) {
+    const Eigen::Index all = 2 * problem.size();
+    Eigen::MatrixXd T(all, all);
+    for (Eigen::Index j = 0; j < all; ++j) {
+        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(all, j);
+        problem.apply(unit.data(), T.col(j).data());
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((T + T.transpose()) / 2);
+    if (solver.info() != Eigen::Success)
+        throw SolverError("the dense symmetric eigensolver did not converge");
+    std::vector<RealPair> pairs;
+    for (Eigen::Index i = 0; i < all; ++i)
+        pairs.push_back(problem.pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
+    return pairs;
+}
+
+void sort_by_modulus(std::vector<RealPair> &pairs) {
+    std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
+        return std::abs(a.value) < std::abs(b.value);
+    });
+}
+
+/// Keeps the pairs up to the first gap after `wanted`, if the inertia count agrees there.
+bool confirmed(const Shifted &problem, std::vector<RealPair> &pairs, int wanted) {
+    for (auto k = static_cast<std::size_t>(wanted); k < pairs.size(); ++k) {
+        const double below = std::abs(pairs[k - 1].value);
+        const double above = std::abs(pairs[k].value);
+        if (above - below < 1e-6 * above)
+            continue;
+        if (problem.count_below(below + (above - below) / 2) != static_cast<int>(k))
+            return false;
+        pairs.resize(k);
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+std::vector<RealPair> solve_shifted(const Matrix &K, const Matrix &M, const Matrix &S,
+                                    const ShiftedOptions &options) {
+    const Shifted problem(K, M, S, options);
+    const auto all = static_cast<int>(2 * problem.size());
+    if (all <= 60 || 3 * options.wanted > all) {
+        std::vector<RealPair> pairs = dense(problem);
+        sort_by_modulus(pairs);
+        return pairs;
+    }
+    const SymmetricOperator op{all, [&](const double *z, double *y) { problem.apply(z, y); },
+                               deterministic_vector(all)};
+    std::vector<RealPair> pairs;
+    std::vector<Eigen::VectorXd> found;
+    const int wanted = std::min(options.wanted, all - 1);
+    for (int attempt = 0; attempt < 8 && static_cast<int>(found.size()) < all; ++attempt) {
+        const int missing = std::max(4, wanted + 4 - static_cast<int>(found.size()));
+        for (const auto &[theta, z] : largest_magnitude(op, missing, found)) {
+            found.push_back(z);
+            pairs.push_back(problem.pair_from(theta, z));
+        }
+        sort_by_modulus(pairs);
+        if (confirmed(problem, pairs, wanted))
+            return pairs;
+        pairs.clear();
+        for (const Eigen::VectorXd &z : found) {
+            Eigen::VectorXd Tz(all);
+            problem.apply(z.data(), Tz.data());
+            pairs.push_back(problem.pair_from(z.dot(Tz) / z.squaredNorm(), z));
+        }
+    }
+    throw SolverError("the iteration missed eigenvalues that the inertia count shows");
+}
+
+} // namespace whirl::linalg
