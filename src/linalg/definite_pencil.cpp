@@ -34,6 +34,8 @@ struct DefinitePencil::Factors {
     // Small problems: the same operator in the modes at rest, L^-1 F = U sigma V^T, where it is
     // [-s A, sigma; sigma, 0] with A = U^T L^-1 S L^-T U, one small product instead of solves.
     bool modal = false;
+    RepeatedEigensolver solver;
+    int solved = 0;      ///< speeds asked for so far
     Eigen::MatrixXd LtU; ///< L^-T U: modes at rest
     Eigen::MatrixXd A;
     Eigen::VectorXd sigma;
@@ -107,8 +109,6 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
     f.F = of_M.matrixL();
     f.Ft = f.F.transpose();
     f.inertia.analyzePattern(f.absK + f.absM + Sparse(f.S.cwiseAbs()));
-    if (size() <= 200)
-        f.make_modal();
 }
 
 DefinitePencil::~DefinitePencil() = default;
@@ -172,7 +172,9 @@ std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
     // rest is asked for again until the count agrees.
     for (int attempt = 0; attempt < 4; ++attempt) {
         const int missing = std::max(2, wanted + 2 - static_cast<int>(found.size()));
-        for (const auto &[mu, z] : largest_magnitude(op, missing, found)) {
+        const auto more = attempt == 0 ? _factors->solver.largest_magnitude(op, missing)
+                                       : largest_magnitude(op, missing, found);
+        for (const auto &[mu, z] : more) {
             found.push_back(z);
             pairs.push_back(pair_from(s, mu, z));
         }
@@ -201,6 +203,10 @@ bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wante
 }
 
 std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
+    // Diagonalising at rest costs as much as some ten speeds of a small problem: it waits until
+    // there are that many. Results of both ways differ by rounding only.
+    if (!_factors->modal && size() <= 200 && ++_factors->solved > 8)
+        _factors->make_modal();
     const int all = 2 * size();
     // Where a large part of the spectrum is wanted, or the matrix is small, dense is faster and
     // finds everything.

@@ -94,8 +94,10 @@ class Shifted {
         // One step of the inverse iteration gives x from (F^T x, L^T y).
         const Eigen::VectorXd x =
             _lu.solve(Eigen::VectorXd(_shift * (_F * z.head(n)) + _L * z.tail(n)));
-        const double energy = x.dot(_K * x) + pair.value * pair.value * x.dot(_M * x);
         const double mass = x.dot(_M * x);
+        if (mass > 0)
+            pair.value = rayleigh(x, mass, pair.value);
+        const double energy = x.dot(_K * x) + pair.value * pair.value * mass;
         const double length = std::sqrt(energy > 1e-20 * _shift * _shift * mass ? energy : mass);
         const Eigen::VectorXd a = x.cwiseAbs() / length;
         // The factorisation at the shift is indefinite: its rounding grows beyond that of the
@@ -112,6 +114,16 @@ class Shifted {
     Sparse _L, _F, _Lt, _Ft;
     Eigen::SparseLU<Sparse> _lu;
 
+    /// The root near w of x^T Q(w) x: its error is the square of that of x, so the rounding in the
+    /// factors L and F, which split K and M only nearly, drops out.
+    [[nodiscard]] double rayleigh(const Eigen::VectorXd &x, double mass, double w) const {
+        const double linear = _s * x.dot(_S * x) / 2;
+        const double root = std::sqrt(linear * linear + mass * std::max(0.0, x.dot(_K * x)));
+        const double upper = (linear + root) / mass;
+        const double lower = (linear - root) / mass;
+        return std::abs(upper - w) < std::abs(lower - w) ? upper : lower;
+    }
+
     [[nodiscard]] Sparse at(double w) const { return _K + (w * _s) * _S - (w * w) * _M; }
 };
 
@@ -125,9 +137,13 @@ std::vector<RealPair> dense(const Shifted &problem) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((T + T.transpose()) / 2);
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense symmetric eigensolver did not converge");
+    // Infinite w, of unknowns without mass, come as zero up to rounding.
+    const double zero = 1e-14 * solver.eigenvalues().cwiseAbs().maxCoeff();
     std::vector<RealPair> pairs;
     for (Eigen::Index i = 0; i < all; ++i)
-        pairs.push_back(problem.pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
+        if (std::abs(solver.eigenvalues()(i)) > zero)
+            pairs.push_back(
+                problem.pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
     return pairs;
 }
 

@@ -57,42 +57,54 @@ void deflate(EPS eps, const std::vector<Eigen::VectorXd> &deflated) {
     check(EPSSetDeflationSpace(eps, static_cast<PetscInt>(raw.size()), raw.data()));
 }
 
-std::vector<std::pair<double, Eigen::VectorXd>>
-solve(const SymmetricOperator &op, EPSWhich which, int wanted,
-      const std::vector<Eigen::VectorXd> &deflated) {
-    const MatOwner shell = shell_of(op);
+int wanted_of(const SymmetricOperator &op, int wanted, std::size_t deflated) {
+    return std::min(wanted, op.size - static_cast<int>(deflated));
+}
+
+EpsOwner new_solver(Mat shell, EPSWhich which, int nev, int room) {
     EPS raw = nullptr;
     check(EPSCreate(PETSC_COMM_SELF, &raw));
-    const EpsOwner eps(raw);
-    const int room = op.size - static_cast<int>(deflated.size());
-    const int nev = std::min(wanted, room);
-    const int ncv = std::min(room, std::max(2 * nev + 8, 24));
-    check(EPSSetOperators(raw, shell.get(), nullptr));
+    EpsOwner eps(raw);
+    check(EPSSetOperators(raw, shell, nullptr));
     check(EPSSetProblemType(raw, EPS_HEP));
     check(EPSSetType(raw, EPSKRYLOVSCHUR));
     check(EPSSetWhichEigenpairs(raw, which));
-    check(EPSSetDimensions(raw, nev, ncv, PETSC_DEFAULT));
+    check(EPSSetDimensions(raw, nev, std::min(room, std::max(2 * nev + 8, 24)), PETSC_DEFAULT));
     check(EPSSetTolerances(raw, 1e-9, 500));
-    if (!deflated.empty())
-        deflate(raw, deflated);
+    return eps;
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>> run(EPS eps, const SymmetricOperator &op, int nev) {
     const VecOwner start = vector_of(op.start);
     Vec space = start.get();
-    check(EPSSetInitialSpace(raw, 1, &space));
-    check(EPSSolve(raw));
+    check(EPSSetInitialSpace(eps, 1, &space));
+    check(EPSSolve(eps));
     PetscInt converged = 0;
-    check(EPSGetConverged(raw, &converged));
+    check(EPSGetConverged(eps, &converged));
     if (converged < nev)
         throw SolverError("the symmetric eigensolver did not converge");
     std::vector<std::pair<double, Eigen::VectorXd>> pairs;
     for (PetscInt i = 0; i < converged; ++i) {
         PetscScalar value = 0;
-        check(EPSGetEigenpair(raw, i, &value, nullptr, start.get(), nullptr));
+        check(EPSGetEigenpair(eps, i, &value, nullptr, start.get(), nullptr));
         const PetscScalar *array = nullptr;
         check(VecGetArrayRead(start.get(), &array));
         pairs.emplace_back(value, Eigen::Map<const Eigen::VectorXd>(array, op.size));
         check(VecRestoreArrayRead(start.get(), &array));
     }
     return pairs;
+}
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+solve(const SymmetricOperator &op, EPSWhich which, int wanted,
+      const std::vector<Eigen::VectorXd> &deflated) {
+    const MatOwner shell = shell_of(op);
+    const int nev = wanted_of(op, wanted, deflated.size());
+    const EpsOwner eps =
+        new_solver(shell.get(), which, nev, op.size - static_cast<int>(deflated.size()));
+    if (!deflated.empty())
+        deflate(eps.get(), deflated);
+    return run(eps.get(), op, nev);
 }
 
 } // namespace
@@ -105,6 +117,35 @@ Eigen::VectorXd deterministic_vector(int size) {
         value = 0.5 + static_cast<double>(state >> 8U) / static_cast<double>(1U << 24U);
     }
     return vector;
+}
+
+struct RepeatedEigensolver::Kept {
+    SymmetricOperator op; ///< the shell matrix refers to it
+    int wanted = 0;
+    MatOwner shell;
+    EpsOwner eps;
+};
+
+RepeatedEigensolver::RepeatedEigensolver() : _kept(std::make_unique<Kept>()) {}
+RepeatedEigensolver::~RepeatedEigensolver() = default;
+
+std::vector<std::pair<double, Eigen::VectorXd>>
+RepeatedEigensolver::largest_magnitude(const SymmetricOperator &op, int wanted) {
+    const int nev = wanted_of(op, wanted, 0);
+    const bool fits = _kept->eps && _kept->op.size == op.size && _kept->wanted == nev;
+    _kept->op = op;
+    if (!fits) {
+        _kept->eps.reset();
+        _kept->shell = shell_of(_kept->op);
+        _kept->eps = new_solver(_kept->shell.get(), EPS_LARGEST_MAGNITUDE, nev, op.size);
+        _kept->wanted = nev;
+    }
+    try {
+        return run(_kept->eps.get(), op, nev);
+    } catch (const SolverError &) {
+        _kept->eps.reset(); // whatever state it is in
+        throw;
+    }
 }
 
 std::vector<std::pair<double, Eigen::VectorXd>>

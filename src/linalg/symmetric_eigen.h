@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,26 @@ struct SymmetricOperator {
 
 /// Components between 0.5 and 1.5, the same at every call.
 [[nodiscard]] Eigen::VectorXd deterministic_vector(int size);
+
+/// Finds eigenpairs of largest modulus again and again for operators of one size: what SLEPc sets
+/// up for the first is kept for the others. Results do not depend on earlier solves.
+class RepeatedEigensolver {
+  public:
+    RepeatedEigensolver();
+    ~RepeatedEigensolver();
+    RepeatedEigensolver(const RepeatedEigensolver &) = delete;
+    RepeatedEigensolver &operator=(const RepeatedEigensolver &) = delete;
+    RepeatedEigensolver(RepeatedEigensolver &&) = delete;
+    RepeatedEigensolver &operator=(RepeatedEigensolver &&) = delete;
+
+    /// @throws SolverError where fewer than `wanted` converge.
+    [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXd>>
+    largest_magnitude(const SymmetricOperator &op, int wanted);
+
+  private:
+    struct Kept;
+    std::unique_ptr<Kept> _kept;
+};
 
 /// Eigenpairs of largest modulus of a symmetric operator, orthogonal to `deflated`, by SLEPc's
 /// Krylov-Schur; vectors have length 1.
