@@ -114,9 +114,11 @@ void add_notes(ModelSummary &model, const std::vector<CampbellMode> &modes,
         return static_cast<int>(s.modes.size()) < wanted;
     });
     if (few)
-        model.notes.push_back(fmt::format(
-            "the model has fewer than the {} whirl modes asked for at some speed: all are listed",
-            wanted));
+        model.notes.push_back(
+            fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "
+                        "more that double "
+                        "precision resolves beside the others: all found are listed",
+                        wanted));
 }
 
 /// Spectra with enough modes that no wanted line leaves them. Collective.

@@ -151,13 +151,19 @@ CriticalResult critical_speeds(const model::Case &scene) {
                 {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(),
                  errors[i] + mode.residual + mode.rounding, mode.residual});
         }
+        if (scene.rotor.damped())
+            model.notes.emplace_back(
+                "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
+                "crossings "
+                "of a Campbell diagram differ from them by the order of the damping ratio squared");
         if (found.unsettled > 0)
             model.notes.push_back("for some modes no speed was found at which the bearing tables "
                                   "agree with the critical speed: they have none, or several");
     } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure("the critical speeds could not be found: the eigensolver did "
-                                     "not converge, missed some, "
-                                     "or the stiffness matrix is not positive definite");
+        throw model::AnalysisFailure(
+            "the critical speeds could not be found: the eigensolver did not converge or missed "
+            "some; stiffnesses, dampings or element lengths may differ by more orders of magnitude "
+            "than double precision holds (campbell shows crossings speed by speed)");
     }
     if (static_cast<int>(result.critical_speeds.size()) < scene.campbell.modes)
         model.notes.push_back("the rotor has no more critical speeds than the ones listed");

@@ -119,6 +119,9 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
                          [](const WhirlMode &a, const WhirlMode &b) {
                              return a.eigenvalue.imag() < b.eigenvalue.imag();
                          });
+        // No more than asked for: what follows modes to other speeds asks for as many there.
+        if (static_cast<int>(spectrum.modes.size()) > wanted)
+            spectrum.modes.resize(static_cast<std::size_t>(wanted));
         classify(spectrum);
         return spectrum;
     } catch (const linalg::SolverError &) {

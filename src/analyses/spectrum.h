@@ -46,7 +46,7 @@ class SpectrumSolver {
     SpectrumSolver(SpectrumSolver &&) = delete;
     SpectrumSolver &operator=(SpectrumSolver &&) = delete;
 
-    /// At least `wanted` whirl modes (all, where there are fewer), lowest frequencies first.
+    /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer).
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted) const;
 

@@ -3,6 +3,7 @@
 #include "analyses/orbits.h"
 #include "analyses/zero_modes.h"
 #include "assembly/system.h"
+#include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/quadratic_eigen.h"
 
@@ -34,6 +35,7 @@ std::vector<linalg::RealPair> free_roots(const Discretization &d, bool planar, c
     const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, M, none, K);
     linalg::QuadraticOptions options;
     options.shift = 0.3 * elastic_scale(d);
+    options.zeros = zeros.eigenvalues;
     options.wanted = std::min(2 * K.size(), 2 * wanted + zeros.eigenvalues + 2);
     std::vector<linalg::RealPair> out;
     for (const linalg::ComplexPair &pair : solve_quadratic(minus_A, none, K, options).pairs) {
@@ -45,11 +47,35 @@ std::vector<linalg::RealPair> free_roots(const Discretization &d, bool planar, c
     return out;
 }
 
+/// The same through K + t A, positive definite for t > 0 where the free rigid rotor is a long one:
+/// its roots are sqrt(W^2 + t). @throws linalg::SolverError for others.
+std::vector<linalg::RealPair> lifted_roots(const Discretization &d, const Matrix &K,
+                                           const Matrix &A, int wanted, int zeros) {
+    const double t = std::pow(0.3 * elastic_scale(d), 2);
+    std::vector<linalg::RealPair> out;
+    for (linalg::RealPair pair :
+         linalg::DefinitePair(Matrix::sum(1, K, t, A), A).smallest(wanted + zeros)) {
+        const double square = pair.value * pair.value - t;
+        if (square < 1e-6 * t)
+            continue; // the roots at zero
+        pair.residual *= pair.value * pair.value / square;
+        pair.value = std::sqrt(square);
+        out.push_back(pair);
+    }
+    return out;
+}
+
 std::vector<linalg::RealPair> roots(const Discretization &d, bool planar, const Matrix &K,
                                     const Matrix &M, const Matrix &A, int wanted) {
     const Matrix none = Matrix::sum(0, A, 0, A);
-    if (zero_modes(d, planar ? Form::planar : Form::hyperbolic, M, none, K).eigenvalues > 0)
-        return free_roots(d, planar, K, M, A, wanted);
+    const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, M, none, K);
+    if (zeros.eigenvalues > 0) {
+        try {
+            return lifted_roots(d, K, A, wanted, zeros.eigenvalues);
+        } catch (const linalg::SolverError &) {
+            return free_roots(d, planar, K, M, A, wanted);
+        }
+    }
     return linalg::DefinitePair(K, A).smallest(wanted);
 }
 
@@ -137,13 +163,23 @@ std::vector<WhirlMode> general_modes(const Discretization &d, double speed, int 
     const Matrix K = doubled(system.K, nullptr);
     const ZeroModes zeros = zero_modes(d, Form::general, system.M, system.C, system.K);
     linalg::QuadraticOptions options;
+    options.zeros = 2 * zeros.eigenvalues;
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * elastic_scale(d);
     std::vector<WhirlMode> out;
     // Each mode of the complex problem brings a conjugate partner into the doubled one.
     for (int ask = 2 * wanted + 4 + 2 * zeros.eigenvalues;; ask *= 2) {
         options.wanted = std::min(ask, M.size());
-        const linalg::QuadraticResult found = linalg::solve_quadratic(M, D, K, options);
+        linalg::QuadraticResult found;
+        try {
+            found = linalg::solve_quadratic(M, D, K, options);
+        } catch (const linalg::SolverError &) {
+            // As in GeneralSpectrum: creeping motions against strong dampers want a shift.
+            if (options.shift != 0 || !out.empty())
+                throw;
+            options.shift = 0.3 * elastic_scale(d);
+            found = linalg::solve_quadratic(M, D, K, options);
+        }
         out.clear();
         for (const linalg::ComplexPair &pair : found.pairs) {
             WhirlMode mode;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <source_location>
 #include <stdexcept>
 
 namespace whirl::linalg {
@@ -12,7 +11,8 @@ class SolverError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Throws SolverError where a PETSc, SLEPc or MPI call returned an error code.
-void check(int code, std::source_location where = std::source_location::current());
+/// Throws SolverError where a PETSc, SLEPc or MPI call returned an error code. File and line are
+/// those of the caller (compiler built-ins, as clang-tidy 14 cannot read std::source_location).
+void check(int code, const char *file = __builtin_FILE(), int line = __builtin_LINE());
 
 } // namespace whirl::linalg

@@ -32,6 +32,8 @@ class DefinitePair {
   private:
     struct Factors;
     std::unique_ptr<Factors> _factors;
+
+    [[nodiscard]] bool confirmed(const std::vector<RealPair> &pairs, std::size_t count) const;
 };
 
 } // namespace whirl::linalg

@@ -67,7 +67,7 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion);
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense eigensolver did not converge");
-    const Eigen::VectorXcd mu = solver.eigenvalues();
+    const Eigen::VectorXcd &mu = solver.eigenvalues();
     const Eigen::MatrixXcd vectors = solver.eigenvectors();
     const double smallest = 1e-14 * mu.cwiseAbs().maxCoeff(); // below: infinite eigenvalues
     std::vector<ComplexPair> pairs;

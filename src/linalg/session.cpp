@@ -28,6 +28,8 @@ void prepare_single_process() {
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
+    // Isolated processes would all use one session directory, and remove it under one another.
+    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }
 
 PetscErrorCode silent_handler(MPI_Comm, int, const char *, const char *, PetscErrorCode code,
@@ -37,13 +39,13 @@ PetscErrorCode silent_handler(MPI_Comm, int, const char *, const char *, PetscEr
 
 } // namespace
 
-void check(int code, std::source_location where) {
+void check(int code, const char *file, int line) {
     if (code == 0)
         return;
-    std::string_view file = where.file_name();
-    file = file.substr(file.find_last_of('/') + 1);
+    std::string_view name = file;
+    name = name.substr(name.find_last_of('/') + 1);
     throw SolverError(
-        fmt::format("a linear algebra step failed (code {} at {}:{})", code, file, where.line()));
+        fmt::format("a linear algebra step failed (code {} at {}:{})", code, name, line));
 }
 
 Session::Session() {

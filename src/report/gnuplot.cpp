@@ -54,10 +54,9 @@ std::string terminal(const Figure &figure, PictureFormat format) {
     // pngcairo's time grows with the pixels: 1200 x 840 cost 0.07 s, the SVG 0.02 s.
     const bool svg = format == PictureFormat::svg;
     return fmt::format("set encoding utf8\nset terminal {} size {},{} background '#ffffff' "
-                       "font '{},{}' enhanced {}\n",
+                       "font '{},{}' enhanced dashlength 1\n",
                        svg ? "svg" : "pngcairo", figure.width, figure.height,
-                       svg ? "DejaVu Sans, Arial, sans-serif" : "DejaVu Sans", svg ? 14 : 10.5,
-                       svg ? "dashlength 1" : "dashlength 1");
+                       svg ? "DejaVu Sans, Arial, sans-serif" : "DejaVu Sans", svg ? 14 : 10.5);
 }
 
 /// posix_spawn of gnuplot with the three standard streams given; 0 or errno.

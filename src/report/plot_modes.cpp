@@ -137,7 +137,8 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
         const ModeShape &mode = result.modes[m];
         const double left = columns == 1 || m % 2 == 0 ? 0.05 : 0.545;
         const double right = columns == 1 ? 0.975 : left + 0.43;
-        const double top = figure.height - 120.0 - 230.0 * static_cast<double>(m / columns);
+        const std::size_t row = m / columns;
+        const double top = figure.height - 120.0 - 230.0 * static_cast<double>(row);
         const std::string name = "m" + std::to_string(m);
         const bool last = m + columns >= count;
         figure.script += mode_data(name, result, mode) +
