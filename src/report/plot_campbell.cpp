@@ -289,11 +289,9 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
                              first && !result.crossings.empty() ? "title 'crossing'" : "notitle");
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
-    script += first
-                  ? fmt::format(
-                        "set key at screen 0.49,{} center center horizontal samplen 4\n",
-                        panel.top + 64 * pixel)
-                  : "unset key\n";
+    script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
+                                  panel.top + 64 * pixel)
+                    : "unset key\n";
     plots.resize(plots.size() - 2);
     return script + "plot " + plots + "\nunset label\nunset arrow\n";
 }
