@@ -1,0 +1,106 @@
+#include "analyses/campbell.h"
+
+#include "analyses/critical.h"
+#include "model/errors.h"
+#include "support/test_rotors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace {
+
+using namespace whirl;
+
+model::Case scene_of(model::Rotor rotor, int order, double to, int count) {
+    model::Case scene;
+    scene.rotor = std::move(rotor);
+    scene.rotor.shaft.order = order;
+    scene.speeds = model::SpeedRange{0, to, count};
+    return scene;
+}
+
+TEST(Campbell, CrossingsAreTheCriticalSpeedsFoundWithoutASweep) {
+    // Undamped, both are roots of the same determinant, by two independent ways.
+    for (const double kyy : {1e6, 0.8e6}) {
+        const model::Case scene = scene_of(tests::two_disc_rotor(1e6, kyy), 8, 1300, 27);
+        const analyses::CampbellResult sweep = analyses::campbell(scene);
+        const analyses::CriticalResult direct = analyses::critical_speeds(scene);
+        ASSERT_GE(sweep.crossings.size(), 6U);
+        for (std::size_t i = 0; i < sweep.crossings.size(); ++i) {
+            const analyses::Crossing &crossing = sweep.crossings[i];
+            EXPECT_NEAR(crossing.speed / direct.critical_speeds.at(i).speed, 1, 1e-9) << i;
+            // Of crossing senses: the mode that crosses whirls as the critical speed says.
+            const auto &mode = sweep.modes[static_cast<std::size_t>(crossing.mode)];
+            EXPECT_EQ(mode.label.back() == 'F',
+                      direct.critical_speeds[i].whirl == analyses::Whirl::forward)
+                << mode.label;
+        }
+    }
+}
+
+TEST(Campbell, MultiplesCrossWhereTheFrequencyIsTheMultiple) {
+    model::Case scene = scene_of(tests::two_disc_rotor(1e6, 1e6), 8, 600, 13);
+    scene.campbell.multiples = {0.5, 2};
+    const analyses::CampbellResult sweep = analyses::campbell(scene);
+    ASSERT_FALSE(sweep.crossings.empty());
+    for (const analyses::Crossing &crossing : sweep.crossings) {
+        model::Case at = scene;
+        at.speeds = model::SpeedRange{crossing.speed, crossing.speed, 1};
+        const analyses::CampbellResult one = analyses::campbell(at);
+        const bool met = std::any_of(one.modes.begin(), one.modes.end(), [&](const auto &mode) {
+            return std::abs(*mode.frequency[0] / (crossing.multiple * crossing.speed) - 1) < 1e-9;
+        });
+        EXPECT_TRUE(met) << crossing.multiple << " " << crossing.speed;
+    }
+}
+
+TEST(Campbell, FollowsEachModeOnceThroughCrossingsAndRefinement) {
+    // Forward modes rise and backward ones fall with speed (gyroscopic stiffening), and no two
+    // lines share a frequency and a sense at any speed.
+    const analyses::CampbellResult sweep =
+        analyses::campbell(scene_of(tests::two_disc_rotor(1e6, 1e6), 8, 4000, 9));
+    for (std::size_t k = 0; k < sweep.speeds.size(); ++k) {
+        std::set<std::pair<double, analyses::Whirl>> seen;
+        for (const auto &mode : sweep.modes) {
+            ASSERT_TRUE(mode.frequency[k]);
+            EXPECT_TRUE(seen.emplace(std::round(1e6 * *mode.frequency[k]), mode.whirl[k]).second);
+            EXPECT_EQ(mode.whirl[k], mode.whirl[0]);
+            if (k > 0 && mode.whirl[k] == analyses::Whirl::forward) {
+                EXPECT_GT(*mode.frequency[k], *mode.frequency[k - 1]);
+            } else if (k > 0) {
+                EXPECT_LT(*mode.frequency[k], *mode.frequency[k - 1]);
+            }
+        }
+    }
+}
+
+TEST(Campbell, DampedRotorsOfEveryOrderAreSweptToTheEnd) {
+    // Modes turn overdamped and back along these sweeps, also at speeds between the given ones.
+    for (const int order : {2, 3, 4, 5, 8})
+        for (const double c : {300.0, 3e3, 3e4, 1e8}) {
+            model::Case scene = scene_of(tests::two_disc_rotor(1e6, 1e6, 0, c), order, 1250, 26);
+            scene.campbell.modes = 12;
+            EXPECT_NO_THROW({
+                const auto sweep = analyses::campbell(scene);
+                for (const auto &mode : sweep.modes)
+                    for (const auto &real : mode.real)
+                        EXPECT_LT(real.value_or(-1), 1e-6) << order << " " << c; // dissipative
+            }) << order
+               << " " << c;
+        }
+}
+
+TEST(Campbell, RefusesWhatNeedsTheRotatingFrame) {
+    model::Case scene = scene_of(tests::two_disc_rotor(1e6, 1e6), 4, 400, 3);
+    model::Anisotropy part;
+    part.z = 0.5;
+    part.dI = 0.01;
+    scene.rotor.anisotropies.push_back(part);
+    EXPECT_THROW((void)analyses::campbell(scene), model::AnalysisFailure);
+    EXPECT_THROW((void)analyses::critical_speeds(scene), model::AnalysisFailure);
+}
+
+} // namespace
