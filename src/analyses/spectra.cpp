@@ -1,5 +1,6 @@
 #include "analyses/spectra.h"
 
+#include "analyses/progress.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 
@@ -94,16 +95,21 @@ std::vector<Spectrum> spectra_at(const SpectrumSolver &solver, const std::vector
     const auto processes = static_cast<std::size_t>(linalg::process_count());
     std::vector<Spectrum> spectra;
     if (processes == 1) {
-        for (const double speed : speeds)
+        for (const double speed : speeds) {
             spectra.push_back(solver.at(speed, wanted));
+            report_progress(static_cast<double>(spectra.size()) /
+                            static_cast<double>(speeds.size()));
+        }
         return spectra;
     }
     Bytes mine;
     std::string failure;
     try {
         for (auto i = static_cast<std::size_t>(linalg::process_rank()); i < speeds.size();
-             i += processes)
+             i += processes) {
             put(mine, solver.at(speeds[i], wanted));
+            report_progress(static_cast<double>(i + 1) / static_cast<double>(speeds.size()));
+        }
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();
     }

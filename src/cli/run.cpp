@@ -4,6 +4,7 @@
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "analyses/modes.h"
+#include "analyses/progress.h"
 #include "analyses/response.h"
 #include "analyses/show.h"
 #include "cli/messages.h"
@@ -17,6 +18,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include <unistd.h>
 
 namespace whirl::cli {
 
@@ -50,6 +55,23 @@ void deliver(const Arguments &arguments, const model::Case &scene, const Result 
         say(summary(scene, result) + files_text(files));
 }
 
+/// On a terminal, for anything longer than a second: how far the analysis is.
+void show_progress(const Arguments &arguments) {
+    if (arguments.quiet || !first_process() || isatty(STDERR_FILENO) == 0)
+        return;
+    using Clock = std::chrono::steady_clock;
+    analyses::on_progress([start = Clock::now(), last = Clock::now()](double share) mutable {
+        const Clock::time_point now = Clock::now();
+        const bool end = share >= 1;
+        if (now - start < std::chrono::seconds(1) ||
+            (!end && now - last < std::chrono::milliseconds(200)))
+            return;
+        last = now;
+        fmt::print(stderr, "\r{:3.0f} %{}", 100 * share, end ? "\r     \r" : "");
+        std::fflush(stderr);
+    });
+}
+
 void analyse(const Arguments &arguments, const model::Case &scene) {
     const std::string &command = arguments.command;
     if (command == "show")
@@ -75,6 +97,7 @@ void run(const Arguments &arguments) {
             throw model::AnalysisFailure(fmt::format("version {} cannot do the command \"{}\" yet",
                                                      report::program_version(), arguments.command));
     const linalg::Session session;
+    show_progress(arguments);
     analyse(arguments, scene);
 }
 

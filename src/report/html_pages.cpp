@@ -65,7 +65,8 @@ std::string last_speed_table(const analyses::CampbellResult &result) {
 std::string to_html(const model::Case &scene, const analyses::CampbellResult &result,
                     const std::string &picture) {
     PageContent parts = content("campbell", "Campbell diagram", scene, result, picture);
-    parts.sections.emplace_back("Crossings", crossings_table(result));
+    parts.sections.emplace_back("Critical speeds (1×) and other crossings",
+                                crossings_table(result));
     if (!result.speeds.empty())
         parts.sections.emplace_back(
             fmt::format("Whirl modes at {} rpm", readable(result.speeds.back() * rpm, 6)),
