@@ -1,7 +1,7 @@
 #include "analyses/modes.h"
 
+#include "analyses/discretization_error.h"
 #include "analyses/orbits.h"
-#include "analyses/order.h"
 #include "analyses/spectrum.h"
 #include "analyses/speeds.h"
 

@@ -20,6 +20,10 @@ Stations::Stations(const assembly::Discretization &d, int per_span) {
     _rows.push_back(d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
 }
 
+Stations Stations::for_orbits(const assembly::Discretization &discretization) {
+    return {discretization, discretization.shaft_mesh().spans.size() > 60 ? 0 : 3};
+}
+
 Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
     Eigen::VectorXcd out(static_cast<Eigen::Index>(_rows.size()));
     for (std::size_t i = 0; i < _rows.size(); ++i) {

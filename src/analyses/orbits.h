@@ -15,6 +15,9 @@ class Stations {
     /// @param per_span  points inside each span beside its ends
     Stations(const assembly::Discretization &discretization, int per_span);
 
+    /// Enough of them to judge the sense of whirl; fine meshes have enough nodes.
+    [[nodiscard]] static Stations for_orbits(const assembly::Discretization &discretization);
+
     [[nodiscard]] const std::vector<double> &z() const { return _z; }
 
     /// Deflections at the stations from planar unknowns.

@@ -1,8 +1,8 @@
 #include "analyses/response.h"
 
+#include "analyses/discretization_error.h"
 #include "analyses/forced_motion.h"
 #include "analyses/orbits.h"
-#include "analyses/order.h"
 #include "analyses/speeds.h"
 #include "linalg/check.h"
 #include "model/errors.h"

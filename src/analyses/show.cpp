@@ -1,6 +1,6 @@
 #include "analyses/show.h"
 
-#include "analyses/order.h"
+#include "analyses/discretization_error.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "elements/quadrature.h"

@@ -17,11 +17,6 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Points inside each span at which orbits are judged; fine meshes have enough nodes.
-int inner_stations(const assembly::Discretization &d) {
-    return d.shaft_mesh().spans.size() > 60 ? 0 : 3;
-}
-
 Eigen::MatrixXcd complex_product(const Eigen::SparseMatrix<double> &S, const Eigen::MatrixXcd &X) {
     Eigen::MatrixXcd out(X.rows(), X.cols());
     out.real() = S * X.real();
@@ -52,7 +47,7 @@ struct SpectrumSolver::Data {
 
     Data(const model::Rotor &rotor, Form which, int order, int refinement)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
-          stations(d, inner_stations(d)) {
+          stations(Stations::for_orbits(d)) {
         if (form == Form::general) {
             general = std::make_unique<GeneralSpectrum>(d, 0);
             const Eigen::SparseMatrix<double> full = general->system().K.view();

@@ -94,7 +94,7 @@ std::vector<WhirlMode> planar_modes(const Discretization &d, double speed, int w
 }
 
 void set_sense(const Discretization &d, bool hyperbolic, std::vector<WhirlMode> &modes) {
-    const Stations stations(d, d.shaft_mesh().spans.size() > 60 ? 0 : 3);
+    const Stations stations = Stations::for_orbits(d);
     const std::complex<double> i(0, 1);
     for (WhirlMode &mode : modes) {
         const Eigen::Index n = mode.shape.size() / 2;

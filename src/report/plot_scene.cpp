@@ -1,6 +1,7 @@
 #include "report/plot_scene.h"
 
 #include "report/plot_style.h"
+#include "report/shaft_outline.h"
 
 #include <fmt/format.h>
 
@@ -65,20 +66,6 @@ double largest_radius(const model::Rotor &rotor) {
         radius = std::max(radius, disc_radius(disc));
     for (const auto &balancer : rotor.balancers)
         radius = std::max({radius, balancer.radius, balancer.pivot + balancer.arm});
-    return radius;
-}
-
-double shaft_radius(const model::Shaft &shaft, double z) {
-    double start = 0;
-    double radius = 0;
-    for (const auto &segment : shaft.segments) {
-        const double share = segment.length > 0 ? (z - start) / segment.length : 0;
-        if (share >= -1e-9 && share <= 1 + 1e-9)
-            radius = std::max(
-                radius,
-                (segment.outer_start + share * (segment.outer_end - segment.outer_start)) / 2);
-        start += segment.length;
-    }
     return radius;
 }
 

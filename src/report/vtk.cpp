@@ -1,5 +1,7 @@
 #include "report/vtk.h"
 
+#include "report/shaft_outline.h"
+
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
@@ -22,20 +24,6 @@ struct Grid {
         return stations + station * around + static_cast<std::size_t>(k % around);
     }
 };
-
-double shaft_radius(const model::Shaft &shaft, double z) {
-    double start = 0;
-    double radius = 0;
-    for (const auto &segment : shaft.segments) {
-        const double share = segment.length > 0 ? (z - start) / segment.length : 0;
-        if (share >= -1e-9 && share <= 1 + 1e-9)
-            radius = std::max(
-                radius,
-                (segment.outer_start + share * (segment.outer_end - segment.outer_start)) / 2);
-        start += segment.length;
-    }
-    return radius;
-}
 
 pugi::xml_node add_array(pugi::xml_node parent, const std::string &name, const char *type,
                          int components, const std::string &values) {

@@ -1,3 +1,0 @@
-#pragma once
-
-#include "analyses/discretization_error.h" // resolve_order
