@@ -19,7 +19,7 @@ declare -A allowed=(
   [closed_form]=""
 )
 # Analyses whose purpose is the comparison with the rigid closed forms.
-compares_with_closed_form='^(rigid_limit|balance|show|accuracy)'
+compares_with_closed_form='^(rigid_limit|balance|balanced_position|show|accuracy)'
 
 broken=0
 complain() { echo "$*"; broken=1; }

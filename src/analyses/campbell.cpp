@@ -46,13 +46,15 @@ bool left_spectrum(const Line &line, const std::vector<Spectrum> &spectra) {
 }
 
 CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
-                        const std::vector<std::optional<double>> &errors) {
+                        const std::vector<std::optional<double>> &errors, bool rotating) {
     CampbellMode out;
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         if (line.place[k] == Line::absent) {
             for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
                                &out.error, &out.residual})
                 list->emplace_back();
+            if (rotating)
+                out.frequency_rotating.emplace_back();
             out.whirl.push_back(Whirl::mixed);
             out.forward_fraction.push_back(0.5);
             continue;
@@ -62,6 +64,8 @@ CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
         const double im = mode.eigenvalue.imag();
         const double size = std::abs(mode.eigenvalue);
         out.frequency.emplace_back(im);
+        if (rotating)
+            out.frequency_rotating.emplace_back(mode.frequency_rotating);
         out.real.emplace_back(re);
         // 0 - re: no negative zeros for undamped modes
         out.damping_ratio.emplace_back(size > 0 ? (0 - re) / size : 0);
@@ -163,7 +167,8 @@ CampbellResult campbell(const model::Case &scene) {
         return result;
     const LineErrors errors = line_errors(scene.rotor, solver, result.model.order, lines, spectra);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        result.modes.push_back(mode_along(lines[i], spectra, errors[i]));
+        result.modes.push_back(
+            mode_along(lines[i], spectra, errors[i], in_rotating_axes(solver.form())));
     name_modes(result.modes);
     add_notes(result.model, result.modes, spectra, scene.campbell.modes);
     result.crossings = crossings(solver, lines, spectra, scene.campbell.multiples);

@@ -119,6 +119,20 @@ Found solve_in_range(const model::Case &scene, Form form, const assembly::Discre
     }
 }
 
+void note_balls_held(Form form, ModelSummary &model) {
+    if (form == Form::rotating)
+        model.notes.emplace_back("forward critical speeds only, the balls of balancers held in "
+                                 "place; stability lists the speeds at which they are free");
+}
+
+void refuse_hill(Form form) {
+    if (form == Form::hill)
+        throw model::AnalysisFailure(
+            "critical speeds are not defined for this scene: with bearings that differ between "
+            "their directions nothing stands still in axes that turn with an asymmetric rotor; "
+            "campbell shows the crossings with 1x, stability the unstable bands");
+}
+
 } // namespace
 
 CriticalResult critical_speeds(const model::Case &scene) {
@@ -127,6 +141,7 @@ CriticalResult critical_speeds(const model::Case &scene) {
     ModelSummary &model = result.model;
     model.formulation = choose_formulation(scene);
     const Form form = model.formulation.form;
+    refuse_hill(form);
     model.order = resolve_order(scene, model.formulation);
     const assembly::Discretization d(scene.rotor, model.order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
@@ -156,6 +171,7 @@ CriticalResult critical_speeds(const model::Case &scene) {
                 "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
                 "crossings "
                 "of a Campbell diagram differ from them by the order of the damping ratio squared");
+        note_balls_held(form, model);
         if (found.unsettled > 0)
             model.notes.push_back("for some modes no speed was found at which the bearing tables "
                                   "agree with the critical speed: they have none, or several");

@@ -1,7 +1,11 @@
 #include "analyses/forced_motion.h"
 
 #include "assembly/system.h"
+#include "linalg/check.h"
 
+#include <Eigen/SparseLU>
+
+#include <limits>
 #include <vector>
 
 namespace whirl::analyses {
@@ -24,12 +28,16 @@ linalg::Matrix planar_support_damping(const assembly::Discretization &d, double 
 } // namespace
 
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, Form form)
-    : _discretization(discretization), _planar(form == Form::planar) {
+    : _discretization(discretization), _planar(form == Form::planar || form == Form::rotating),
+      _rotating(form == Form::rotating) {
     assemble(0);
 }
 
 void ForcedMotion::assemble(double bearing_speed) {
-    if (_planar) {
+    if (_rotating) {
+        _turning = std::make_unique<assembly::RotatingSystem>(
+            assembly::assemble_rotating(_discretization, bearing_speed, {}));
+    } else if (_planar) {
         const assembly::PlanarSystem system =
             assembly::assemble_planar(_discretization, bearing_speed);
         const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
@@ -44,8 +52,14 @@ void ForcedMotion::assemble(double bearing_speed) {
     }
 }
 
+int ForcedMotion::size() const {
+    return _rotating ? _discretization.planar_size() : _solver->size();
+}
+
+int ForcedMotion::unknowns() const { return 2 * size(); }
+
 Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
-    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(_solver->size());
+    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(size());
     for (const model::Imbalance &imbalance : _discretization.rotor().imbalances) {
         const std::complex<double> force =
             imbalance.mr * speed * speed * std::polar(1.0, imbalance.phase);
@@ -61,15 +75,39 @@ Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
     return f;
 }
 
+void ForcedMotion::solve_in_rotating_axes(double speed) {
+    const Eigen::VectorXcd f = imbalance_forces(speed);
+    Eigen::VectorXd real(2 * f.size());
+    real(Eigen::seqN(0, f.size(), 2)) = f.real();
+    real(Eigen::seqN(1, f.size(), 2)) = f.imag();
+    const linalg::Matrix stiffness = _turning->stiffness(speed);
+    const Eigen::SparseMatrix<double> K = stiffness.view();
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(K);
+    if (factors.info() != Eigen::Success)
+        throw linalg::SolverError("singular stiffness in rotating axes");
+    const Eigen::VectorXd u = factors.solve(real);
+    // A small change of the entries of K by rounding moves u by so much of itself.
+    const Eigen::VectorXd change = factors.solve(Eigen::VectorXd(K.cwiseAbs() * u.cwiseAbs()));
+    _rounding = std::numeric_limits<double>::epsilon() * change.norm() /
+                std::max(u.norm(), std::numeric_limits<double>::min());
+    _displacements.resize(f.size());
+    _displacements.real() = u(Eigen::seqN(0, f.size(), 2));
+    _displacements.imag() = u(Eigen::seqN(1, f.size(), 2));
+}
+
 void ForcedMotion::solve(double speed) {
     _speed = speed;
     if (speed == 0) { // no force; a free rotor's matrix would be singular
-        _displacements = Eigen::VectorXcd::Zero(_solver->size());
+        _displacements = Eigen::VectorXcd::Zero(size());
         _rounding = 0;
         return;
     }
     if (_discretization.rotor().bearings_depend_on_speed())
         assemble(speed);
+    if (_rotating) {
+        solve_in_rotating_axes(speed);
+        return;
+    }
     const linalg::HarmonicSolution solution = _solver->solve(speed, imbalance_forces(speed));
     _displacements = solution.displacements.col(0);
     _rounding = solution.rounding;

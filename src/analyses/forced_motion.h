@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyses/formulation.h"
-#include "assembly/discretization.h"
+#include "assembly/rotating_system.h"
 #include "linalg/harmonic_solve.h"
 
 #include <Eigen/Core>
@@ -21,7 +21,9 @@ struct Phasor {
 ///
 /// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;
 /// internal damping drops out, since nothing flexes in rotating axes. General, (x, y):
-/// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. docs/theory.md, "Three forms".
+/// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. Rotating (asymmetric rotor): the
+/// motion stands still in rotating axes, [K + Omega Ks + Omega^2 Kss] u = f. docs/theory.md, "The
+/// forms".
 class ForcedMotion {
   public:
     ForcedMotion(const assembly::Discretization &discretization, Form form);
@@ -37,17 +39,21 @@ class ForcedMotion {
     /// Relative error of the last solution by rounding.
     [[nodiscard]] double rounding() const { return _rounding; }
     /// Unknowns of the real linear system.
-    [[nodiscard]] int unknowns() const { return 2 * _solver->size(); }
+    [[nodiscard]] int unknowns() const;
 
   private:
     const assembly::Discretization &_discretization;
-    bool _planar;
+    bool _planar;   ///< one complex deflection in each place
+    bool _rotating; ///< solved in rotating axes
+    std::unique_ptr<assembly::RotatingSystem> _turning;
     std::unique_ptr<linalg::HarmonicSolver> _solver;
     double _speed = 0;
     Eigen::VectorXcd _displacements;
     double _rounding = 0;
 
     void assemble(double bearing_speed);
+    void solve_in_rotating_axes(double speed);
+    [[nodiscard]] int size() const; ///< of the displacements
     [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;
 };
 

@@ -9,8 +9,17 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Why the planar form cannot describe this rotor; empty where it can.
+/// Why the forms in the fixed frame cannot describe this rotor; empty where they can.
+std::string against_fixed(const model::Rotor &rotor) {
+    if (rotor.rotating_anisotropy())
+        return "something that turns is not axisymmetric ([[anisotropy]], [[balancer]] or an "
+               "asymmetric segment)";
+    return {};
+}
+
 std::string against_planar(const model::Rotor &rotor) {
+    if (std::string reason = against_fixed(rotor); !reason.empty())
+        return reason;
     if (!rotor.bearings_isotropic())
         return "a bearing differs between x and y or couples them";
     if (rotor.damped())
@@ -19,6 +28,8 @@ std::string against_planar(const model::Rotor &rotor) {
 }
 
 std::string against_hyperbolic(const model::Rotor &rotor) {
+    if (std::string reason = against_fixed(rotor); !reason.empty())
+        return reason;
     if (!rotor.bearings_orthotropic())
         return "a bearing couples x and y";
     if (rotor.damped())
@@ -41,7 +52,16 @@ Formulation forced(const model::Case &scene) {
     case model::FormChoice::hyperbolic:
         require(against_hyperbolic(scene.rotor), Form::hyperbolic);
         return {Form::hyperbolic, "asked for by the case"};
+    case model::FormChoice::rotating:
+        require(scene.rotor.bearings_rotation_invariant()
+                    ? ""
+                    : "a bearing is not the same from every direction",
+                Form::rotating);
+        return {Form::rotating, "asked for by the case"};
+    case model::FormChoice::hill:
+        return {Form::hill, "asked for by the case"};
     default:
+        require(against_fixed(scene.rotor), Form::general);
         return {Form::general, "asked for by the case"};
     }
 }
@@ -54,10 +74,16 @@ std::string form_name(Form form) {
         return "planar";
     case Form::hyperbolic:
         return "hyperbolic";
+    case Form::rotating:
+        return "rotating";
+    case Form::hill:
+        return "hill";
     default:
         return "general";
     }
 }
+
+std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(form) : "fixed"; }
 
 std::string unknowns_name(Form form) { return form == Form::planar ? "planar" : "real"; }
 
@@ -74,13 +100,18 @@ std::string whirl_name(Whirl whirl) {
 
 Formulation choose_formulation(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
-    if (rotor.rotating_anisotropy())
-        throw model::AnalysisFailure(
-            "the scene has a rotating anisotropy or an auto-balancer: this needs the equations in "
-            "the rotating frame, which this version does not have; remove [[anisotropy]] and "
-            "[[balancer]] to see the rotor without them");
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
+    if (rotor.rotating_anisotropy())
+        return rotor.bearings_rotation_invariant()
+                   ? Formulation{Form::rotating,
+                                 "something that turns is not axisymmetric and the bearings are "
+                                 "the "
+                                 "same from every direction: constant coefficients in axes that "
+                                 "turn with the rotor"}
+                   : Formulation{Form::hill,
+                                 "neither what turns nor the bearings are the same from every "
+                                 "direction: a series in twice the spin speed, in rotating axes"};
     const std::string no_planar = against_planar(rotor);
     if (no_planar.empty())
         return {Form::planar, "isotropic bearings, axisymmetric rotor, no damping: w = x + i y "

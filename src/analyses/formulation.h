@@ -10,7 +10,9 @@ namespace whirl::analyses {
 enum class Form {
     planar,     ///< complex planar w = x + i y, real symmetric M, G, K of half size
     hyperbolic, ///< real, four unknowns a node, orthotropic and undamped: symmetric
-    general     ///< real, four unknowns a node, any damping and coupling
+    general,    ///< real, four unknowns a node, any damping and coupling
+    rotating,   ///< real, axes that turn with the rotor: it may be asymmetric, the bearings not
+    hill        ///< both asymmetric: rotating axes, series in twice the spin speed
 };
 
 /// The form an analysis uses, and why.
@@ -20,14 +22,21 @@ struct Formulation {
 };
 
 /// The smallest exact form, or the one the case forces.
-/// @throws model::AnalysisFailure for scenes that need the rotating frame (not built yet);
-/// model::BadInput where the forced form cannot describe the scene.
+/// @throws model::BadInput where the forced form cannot describe the scene.
 [[nodiscard]] Formulation choose_formulation(const model::Case &scene);
+
+/// The equations are in axes that turn with the rotor.
+[[nodiscard]] inline bool in_rotating_axes(Form form) {
+    return form == Form::rotating || form == Form::hill;
+}
+
+/// "fixed", "rotating" or "hill", as in the results.
+[[nodiscard]] std::string frame_name(Form form);
 
 /// "planar" or "real", as in the results.
 [[nodiscard]] std::string unknowns_name(Form form);
 
-/// "planar", "hyperbolic" or "general".
+/// "planar", "hyperbolic", "general", "rotating" or "hill".
 [[nodiscard]] std::string form_name(Form form);
 
 } // namespace whirl::analyses

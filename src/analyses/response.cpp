@@ -26,9 +26,6 @@ void refuse_what_is_missing(const model::Case &scene) {
         throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]] to "
                                           "drive the response, got none",
                                           scene.file.string()));
-    if (!scene.rotor.anisotropies.empty())
-        throw model::AnalysisFailure("the unbalance response needs an axisymmetric rotor; this one "
-                                     "has [[anisotropy]]");
 }
 
 /// Nodes of the mesh with the names of what is attached there; the ends are always among them.
@@ -114,6 +111,17 @@ void note_resonances(ResponseResult &result, const std::vector<std::vector<doubl
 } // namespace
 
 Formulation response_formulation(const model::Case &scene) {
+    model::Case without = scene; // the response leaves balancers out
+    without.rotor.balancers.clear();
+    if (without.rotor.rotating_anisotropy() || scene.formulation == model::FormChoice::rotating) {
+        const Formulation formulation = choose_formulation(without);
+        if (formulation.form == Form::hill)
+            throw model::AnalysisFailure(
+                "the response of an asymmetric rotor on bearings that differ between their "
+                "directions has many frequencies and is not computed; use bearings that are the "
+                "same from every direction, or remove the asymmetry");
+        return formulation;
+    }
     const bool isotropic = scene.rotor.bearings_isotropic();
     if (scene.formulation == model::FormChoice::planar && !isotropic)
         throw model::BadInput("formulation: expected one that can describe the scene, got "
@@ -136,6 +144,7 @@ ResponseResult unbalance_response(const model::Case &scene) {
     ResponseResult result;
     result.model.formulation = response_formulation(scene);
     model::Case free_choice = scene; // the order is judged by frequencies, in their best form
+    free_choice.rotor.balancers.clear();
     free_choice.formulation = model::FormChoice::automatic;
     result.model.order = resolve_order(free_choice, choose_formulation(free_choice));
     const assembly::Discretization d(scene.rotor, result.model.order);

@@ -14,7 +14,8 @@ namespace whirl::analyses {
 /// tables are read at each speed. Collective over MPI processes: the result is complete on process
 /// 0, without lists elsewhere. Auto-balancers are left out (a note says so).
 /// @throws model::BadInput without [[imbalance]] or [speeds];
-///         model::AnalysisFailure at an exactly singular resonance, or with rotating anisotropy.
+///         model::AnalysisFailure at an exactly singular resonance, or for an asymmetric rotor on
+///         bearings that differ between their directions.
 [[nodiscard]] ResponseResult unbalance_response(const model::Case &scene);
 
 /// The form the response uses: planar with isotropic bearings, damped or not, else general.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyses/formulation.h"
+#include "analyses/show_result.h"
 
 #include <complex>
 #include <optional>
@@ -40,6 +41,7 @@ struct CampbellMode {
     std::vector<double> forward_fraction;        ///< share of the orbits that is forward, 0..1
     std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
     std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
+    std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
 };
 
 /// A mode's frequency equals a multiple of the spin speed.
@@ -113,14 +115,18 @@ struct ModesResult {
 /// What the scene is.
 struct ShowResult {
     ModelSummary model;
-    double mass = 0;           ///< kg
+    double mass = 0;           ///< kg, with balls and point-mass imbalances
     double center_of_mass = 0; ///< m
-    double Id = 0;             ///< diametral, about the centre of mass, kg m2
+    double Id = 0;             ///< mean diametral, about the centre of mass, kg m2
     double Ip = 0;             ///< polar, kg m2
     std::string type;          ///< "long", "spherical" or "short"
     double shaft_mass = 0;     ///< kg
     double length = 0;         ///< m
     std::vector<std::pair<std::string, Formulation>> formulations; ///< command, what it will use
+    std::optional<double> dI;       ///< principal diametral inertias Id -+ dI, kg m2
+    std::optional<double> dI_angle; ///< axis of the smaller one in the rotor, rad
+    std::vector<BalancerNumbers> balancers;
+    std::optional<AnisotropyChart> anisotropy;
 };
 
 struct AccuracyRow {

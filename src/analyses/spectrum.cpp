@@ -1,8 +1,10 @@
 #include "analyses/spectrum.h"
 
+#include "analyses/arrangement.h"
 #include "analyses/degenerate.h"
 #include "analyses/general_spectrum.h"
 #include "analyses/orbits.h"
+#include "analyses/rotating_spectrum.h"
 #include "analyses/symmetric_spectrum.h"
 #include "analyses/zero_modes.h"
 #include "linalg/check.h"
@@ -24,6 +26,9 @@ Eigen::MatrixXcd complex_product(const Eigen::SparseMatrix<double> &S, const Eig
     return out;
 }
 
+/// Harmonics of the Hill series for whirl modes; `stability` chooses its own number.
+constexpr int hill_harmonics = 4;
+
 /// Scales both so that each left column has length 1 in the energy product.
 template <class Dense> void normalise(Dense &left, Dense &right) {
     for (Eigen::Index i = 0; i < left.cols(); ++i) {
@@ -43,11 +48,17 @@ struct SpectrumSolver::Data {
     Stations stations;
     std::unique_ptr<SymmetricSpectrum> symmetric;
     std::unique_ptr<GeneralSpectrum> general;
+    std::vector<elements::BalancerElement> balancers;
+    std::unique_ptr<RotatingSpectrum> rotating;
     Eigen::SparseMatrix<double> K, M; // of the energy product
 
     Data(const model::Rotor &rotor, Form which, int order, int refinement)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
           stations(Stations::for_orbits(d)) {
+        if (in_rotating_axes(form)) {
+            prepare_rotating(rotor);
+            return;
+        }
         if (form == Form::general) {
             general = std::make_unique<GeneralSpectrum>(d, 0);
             const Eigen::SparseMatrix<double> full = general->system().K.view();
@@ -64,6 +75,20 @@ struct SpectrumSolver::Data {
         const linalg::Matrix none = linalg::Matrix::sum(0, mass, 0, mass);
         if (zero_modes(d, form, mass, none, stiffness).eigenvalues > 0)
             K += std::pow(0.1 * elastic_scale(d), 2) * M;
+    }
+
+    /// Modes in rotating axes are handed on as seen from the fixed frame; the energy product is
+    /// that of mass and stiffness there, with a share of the mass as stiffness for motions (of
+    /// balls, or free ones) that have no elastic energy.
+    void prepare_rotating(const model::Rotor &rotor) {
+        balancers = balancer_elements(rotor, arrangement_at_balance(rotor));
+        const int harmonics = form == Form::hill ? hill_harmonics : 0;
+        rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, harmonics);
+        const Eigen::SparseMatrix<double> full = rotating->system().K.view();
+        const Eigen::SparseMatrix<double> mass = rotating->system().M.view();
+        M = (mass + Eigen::SparseMatrix<double>(mass.transpose())) / 2;
+        K = (full + Eigen::SparseMatrix<double>(full.transpose())) / 2 +
+            std::pow(0.1 * elastic_scale(d), 2) * M;
     }
 };
 
@@ -93,8 +118,18 @@ Spectrum SpectrumSolver::general(double speed, int wanted) const {
     return {speed, std::move(found.modes), std::move(found.overdamped), found.complete_radius};
 }
 
+Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
+    RotatingSpectrum::Modes found =
+        _data->tables
+            ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
+                  .modes(speed, wanted)
+            : _data->rotating->modes(speed, wanted);
+    return {speed, std::move(found.modes), std::move(found.overdamped), found.complete_radius};
+}
+
 void SpectrumSolver::classify(Spectrum &spectrum) const {
-    if (_data->form == Form::planar)
+    // At speed each mode in rotating axes comes with its dominant whirl, which is circular.
+    if (_data->form == Form::planar || (in_rotating_axes(_data->form) && spectrum.speed != 0))
         return;
     separate_degenerate(*this, _data->stations, spectrum.modes);
     for (WhirlMode &mode : spectrum.modes) {
@@ -107,8 +142,9 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 
 Spectrum SpectrumSolver::at(double speed, int wanted) const {
     try {
-        Spectrum spectrum =
-            _data->form == Form::general ? general(speed, wanted) : symmetric(speed, wanted);
+        Spectrum spectrum = in_rotating_axes(_data->form)  ? rotating(speed, wanted)
+                            : _data->form == Form::general ? general(speed, wanted)
+                                                           : symmetric(speed, wanted);
         spectrum.speed = speed;
         std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
                          [](const WhirlMode &a, const WhirlMode &b) {
@@ -128,7 +164,7 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
 }
 
 EnergyBasis SpectrumSolver::energy_basis(const std::vector<WhirlMode> &modes) const {
-    const bool real = _data->form != Form::general;
+    const bool real = _data->form == Form::planar || _data->form == Form::hyperbolic;
     const bool planar = _data->form == Form::planar;
     const Eigen::Index n = _data->M.rows();
     const auto count = static_cast<Eigen::Index>(modes.size());

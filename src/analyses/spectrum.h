@@ -68,6 +68,7 @@ class SpectrumSolver {
 
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] Spectrum general(double speed, int wanted) const;
+    [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
     void classify(Spectrum &spectrum) const;
 };
 

@@ -1,8 +1,9 @@
 #include "analyses/synchronous.h"
 
+#include "analyses/arrangement.h"
 #include "analyses/orbits.h"
 #include "analyses/zero_modes.h"
-#include "assembly/system.h"
+#include "assembly/rotating_system.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/quadratic_eigen.h"
@@ -203,14 +204,78 @@ std::vector<WhirlMode> general_modes(const Discretization &d, double speed, int 
     return out;
 }
 
+/// All are forward; sorted, and one of each pair of equal ones.
+void name_forward(std::vector<WhirlMode> &out) {
+    for (WhirlMode &mode : out) {
+        mode.whirl = Whirl::forward;
+        mode.forward_fraction = 1;
+    }
+    // The same motion in two directions, where nothing asymmetric takes part, is one whirl.
+    std::stable_sort(out.begin(), out.end(), [](const WhirlMode &a, const WhirlMode &b) {
+        return a.eigenvalue.imag() < b.eigenvalue.imag();
+    });
+    out.erase(std::unique(out.begin(), out.end(),
+                          [](const WhirlMode &a, const WhirlMode &b) {
+                              return std::abs(a.eigenvalue - b.eigenvalue) <
+                                     1e-9 * std::abs(a.eigenvalue);
+                          }),
+              out.end());
+}
+
+/// Forward modes that stand still in rotating axes, balls held in place: det[K + W Ks + W^2 Kss] =
+/// 0. With damping W is complex, l = i W as in the other forms.
+std::vector<WhirlMode> rotating_modes(const Discretization &d, double speed, int wanted) {
+    const assembly::RotatingSystem system = assembly::assemble_rotating(
+        d, speed, balancer_elements(d.rotor(), arrangement_at_balance(d.rotor())), true);
+    std::vector<WhirlMode> out;
+    if (!d.rotor().damped()) {
+        const Matrix A = Matrix::sum(-1, system.Kss, 0, system.Kss);
+        try {
+            for (const linalg::RealPair &pair :
+                 linalg::DefinitePair(system.K, A).smallest(2 * wanted))
+                out.push_back(mode_of(pair));
+        } catch (const linalg::SolverError &) {
+            out.clear(); // free rigid motions: by the general route
+        }
+    }
+    linalg::QuadraticOptions options;
+    options.shift = 0.3 * support_scale(d);
+    options.fewest = 1;
+    for (int ask = 2 * wanted + 4; out.empty(); ask *= 2) {
+        options.wanted = std::min(ask, system.K.size());
+        const linalg::QuadraticResult found =
+            linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+        for (const linalg::ComplexPair &pair : found.pairs) {
+            WhirlMode mode;
+            mode.eigenvalue = {0 - pair.value.imag(), pair.value.real()};
+            mode.shape = pair.vector;
+            mode.residual = pair.residual;
+            mode.rounding = pair.rounding;
+            const double size = std::abs(pair.value);
+            const bool peaks = pair.value.real() > pair.value.imag();
+            if (peaks && size > 1e-3 * options.shift && !present(out, mode))
+                out.push_back(mode);
+        }
+        const bool resolved = static_cast<int>(found.pairs.size()) >= options.wanted;
+        if (static_cast<int>(out.size()) < wanted && options.wanted < system.K.size() && resolved &&
+            !std::isinf(found.complete_radius))
+            out.clear();
+        else
+            break;
+    }
+    name_forward(out);
+    return out;
+}
+
 } // namespace
 
 std::vector<WhirlMode> synchronous_modes(const Discretization &rotor, Form form,
                                          double bearing_speed, int wanted) {
-    std::vector<WhirlMode> modes = form == Form::planar ? planar_modes(rotor, bearing_speed, wanted)
-                                   : form == Form::hyperbolic
-                                       ? hyperbolic_modes(rotor, bearing_speed, wanted)
-                                       : general_modes(rotor, bearing_speed, wanted);
+    std::vector<WhirlMode> modes =
+        form == Form::planar       ? planar_modes(rotor, bearing_speed, wanted)
+        : form == Form::hyperbolic ? hyperbolic_modes(rotor, bearing_speed, wanted)
+        : form == Form::rotating   ? rotating_modes(rotor, bearing_speed, wanted)
+                                   : general_modes(rotor, bearing_speed, wanted);
     std::sort(modes.begin(), modes.end(), [](const WhirlMode &a, const WhirlMode &b) {
         return a.eigenvalue.imag() < b.eigenvalue.imag();
     });

@@ -17,6 +17,7 @@ struct WhirlMode {
     Eigen::VectorXcd shape;
     Whirl whirl = Whirl::mixed;
     double forward_fraction = 0.5;
+    double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
     double residual = 0;
     double rounding = 0;
 };

@@ -51,6 +51,32 @@ void add_square(Term term, const Combination &c, double coefficient, const AddPl
     add(term, unknowns, coefficient * values * values.transpose());
 }
 
+/// Bending stiffness and rotary inertia of a segment share its asymmetry: both are proportional to
+/// the second moments of its section.
+void assemble_shaft_asymmetry(const Discretization &d, const AddConjugate &add) {
+    const model::Shaft &shaft = d.rotor().shaft;
+    for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
+        const auto index = static_cast<std::size_t>(span);
+        const model::Segment &segment =
+            shaft.segments[static_cast<std::size_t>(d.shaft_mesh().spans[index].segment)];
+        if (segment.asymmetry == 0)
+            continue;
+        const elements::PlanarMatrices &beam = d.beam(span);
+        const std::complex<double> factor =
+            std::polar(1.0, 2 * segment.asymmetry_angle) * segment.asymmetry;
+        if (d.rigid()) {
+            const Eigen::MatrixXd T = rigid_element_motion(d, span);
+            add(Term::mass, std::vector<int>{0, 1}, T.transpose() * beam.G * T / 2, factor);
+            continue;
+        }
+        const std::vector<int> unknowns = d.beam_unknowns(span);
+        add(Term::mass, unknowns, beam.G / 2, factor);
+        add(Term::stiffness, unknowns, beam.K_bending, factor);
+        if (shaft.internal_damping != 0)
+            add(Term::damping, unknowns, shaft.internal_damping * beam.K_bending, factor);
+    }
+}
+
 void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
     add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
     add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
@@ -91,6 +117,17 @@ void assemble_rotating_parts(const Discretization &discretization, const AddPlan
     assemble_shaft(discretization, add);
     for (const model::Disc &disc : discretization.rotor().discs)
         assemble_disc(discretization, disc, add);
+}
+
+void assemble_asymmetry(const Discretization &discretization, const AddConjugate &add) {
+    assemble_shaft_asymmetry(discretization, add);
+    for (const model::Anisotropy &anisotropy : discretization.rotor().anisotropies) {
+        const std::complex<double> factor = std::polar(1.0, 2 * anisotropy.angle);
+        add_square(Term::mass, discretization.slope_at(anisotropy.z), anisotropy.dI,
+                   [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+                       add(term, unknowns, block, factor);
+                   });
+    }
 }
 
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {

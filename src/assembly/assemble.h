@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <complex>
 #include <functional>
 #include <span>
 
@@ -22,6 +23,15 @@ using AddCoupling = std::function<void(Term, int row, int column, const Eigen::M
 
 /// Shaft elements and discs: everything axisymmetric that turns.
 void assemble_rotating_parts(const Discretization &discretization, const AddPlanar &add);
+
+/// Receives a block of something that turns and is not axisymmetric; in rotating axes `factor`
+/// times the block multiplies conj(u'' + speed^2 u) (Term::mass), conj(u') (damping) or conj(u)
+/// (stiffness) of the planar unknowns u.
+using AddConjugate = std::function<void(Term, std::span<const int> unknowns,
+                                        const Eigen::MatrixXd &block, std::complex<double> factor)>;
+
+/// Inertial anisotropies and segments with two bending stiffnesses (theory.md, "Rotating frame").
+void assemble_asymmetry(const Discretization &discretization, const AddConjugate &add);
 
 /// Bearings with the coefficients they have at a spin speed (rad/s), and their pedestals.
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add);

@@ -38,6 +38,8 @@ void add_options(CLI::App &app, Arguments &arguments) {
                    "override an entry of the case, e.g. --set speeds.count=11; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    app.add_flag("--map", arguments.map,
+                 "balance: where along the shaft balancers work; other commands ignore it");
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     app.set_version_flag("--version", "whirl " + report::program_version());
 }

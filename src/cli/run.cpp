@@ -1,18 +1,24 @@
 #include "cli/run.h"
 
 #include "analyses/accuracy.h"
+#include "analyses/balance.h"
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "analyses/modes.h"
 #include "analyses/progress.h"
 #include "analyses/response.h"
+#include "analyses/rigid_limit.h"
 #include "analyses/show.h"
+#include "analyses/stability.h"
 #include "cli/messages.h"
+#include "cli/simulate.h"
 #include "cli/summary.h"
+#include "cli/summary_simulate.h"
 #include "input/case_file.h"
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "report/json.h"
+#include "report/json_simulate.h"
 #include "report/report.h"
 
 #include <fmt/format.h>
@@ -72,6 +78,15 @@ void show_progress(const Arguments &arguments) {
     });
 }
 
+/// The case of the arguments with more entries overridden.
+analyses::CaseWith with_overrides(const Arguments &arguments) {
+    return [&arguments](const std::vector<std::string> &more) {
+        std::vector<std::string> overrides = arguments.overrides;
+        overrides.insert(overrides.end(), more.begin(), more.end());
+        return input::load_case(arguments.scene, overrides);
+    };
+}
+
 void analyse(const Arguments &arguments, const model::Case &scene) {
     const std::string &command = arguments.command;
     if (command == "show")
@@ -84,18 +99,22 @@ void analyse(const Arguments &arguments, const model::Case &scene) {
         deliver(arguments, scene, analyses::unbalance_response(scene));
     else if (command == "modes")
         deliver(arguments, scene, analyses::mode_shapes(scene));
+    else if (command == "stability")
+        deliver(arguments, scene, analyses::stability(scene, with_overrides(arguments)));
     else if (command == "accuracy")
         deliver(arguments, scene, analyses::accuracy(scene));
+    else if (command == "rigid-limit")
+        deliver(arguments, scene, analyses::rigid_limit(scene));
+    else if (command == "balance")
+        deliver(arguments, scene, analyses::balance(scene, {arguments.map}));
+    else if (command == "simulate")
+        deliver(arguments, scene, simulate_or_leave_restart(arguments, scene));
 }
 
 } // namespace
 
 void run(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
-    for (const char *later : {"stability", "balance", "rigid-limit", "simulate"})
-        if (arguments.command == later)
-            throw model::AnalysisFailure(fmt::format("version {} cannot do the command \"{}\" yet",
-                                                     report::program_version(), arguments.command));
     const linalg::Session session;
     show_progress(arguments);
     analyse(arguments, scene);

@@ -1,66 +1,18 @@
 #include "cli/summary.h"
 
+#include "cli/summary_balance.h"
+#include "cli/summary_show.h"
 #include "cli/table.h"
+#include "cli/words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <optional>
 
 namespace whirl::cli {
 
 namespace {
-
-constexpr double rpm = 30 / std::numbers::pi;    // rev/min in one rad/s
-constexpr double hertz = 0.5 / std::numbers::pi; // Hz in one rad/s
-
-/// Ten digits: what the elements are made for. "-" for what is missing.
-std::string precise(std::optional<double> value) {
-    return value ? fmt::format("{:#.10g}", *value) : "-";
-}
-std::string readable(std::optional<double> value) {
-    return value ? fmt::format("{:.6g}", *value) : "-";
-}
-std::string rough(std::optional<double> value) {
-    return value ? fmt::format("{:.1e}", *value) : "-";
-}
-std::optional<double> times(std::optional<double> value, double factor) {
-    return value ? std::optional(*value * factor) : std::nullopt;
-}
-
-std::string heading(const model::Case &scene, const std::string &what) {
-    return fmt::format("{}\n{}\n\n", scene.title.empty() ? scene.name : scene.title, what);
-}
-
-std::string model_text(const analyses::ModelSummary &model) {
-    std::string text =
-        fmt::format("\nmodel: {} form ({})\n", analyses::form_name(model.formulation.form),
-                    model.formulation.why);
-    text +=
-        fmt::format("       {} elements of {}, {} unknowns, {:.3g} s\n", model.elements,
-                    model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order),
-                    model.unknowns, model.seconds);
-    for (const std::string &note : model.notes)
-        text += fmt::format("note: {}\n", note);
-    return text;
-}
-
-/// One place of a rotor: its name, or where it is.
-std::string place(const std::string &name, double z) {
-    const std::string at = fmt::format("z = {:.6g} m", z);
-    return name.empty() ? at : fmt::format("{} ({})", name, at);
-}
-
-/// "4000 rpm", "0 to 4000 rpm".
-std::string range_text(const std::vector<double> &speeds) {
-    if (speeds.empty())
-        return "no speed";
-    return speeds.size() == 1 ? fmt::format("at {:.6g} rpm", speeds.front() * rpm)
-                              : fmt::format("{:.6g} to {:.6g} rpm, {} speeds", speeds.front() * rpm,
-                                            speeds.back() * rpm, speeds.size());
-}
 
 struct Peak {
     double value = 0;
@@ -161,7 +113,9 @@ std::string summary(const model::Case &scene, const analyses::ShowResult &result
     table.add({"centre of mass", "z = " + readable(result.center_of_mass) + " m"});
     table.add({"diametral inertia Id", readable(result.Id) + " kg m2"});
     table.add({"polar inertia Ip", readable(result.Ip) + " kg m2"});
-    text += table.text() + "\n";
+    if (result.dI.value_or(0) > 0)
+        table.add({"anisotropy dI", readable(*result.dI) + " kg m2"});
+    text += table.text() + "\n" + rotating_parts_text(result);
     // Commands that use the same form for the same reason share a line.
     std::vector<std::pair<std::string, std::string>> forms;
     for (const auto &[command, formulation] : result.formulations) {
@@ -190,6 +144,11 @@ std::string summary(const model::Case &scene, const analyses::AccuracyResult &re
                    std::to_string(row.unknowns), fmt::format("{:.3g}", row.seconds * 1e3),
                    rough(row.error_estimate), rough(row.true_error)});
     return text + table.text() + model_text(result.model);
+}
+
+std::string summary(const model::Case &scene, const analyses::BalanceResult &result) {
+    return heading(scene, "Auto-balancing, " + range_text(result.speeds)) + balance_text(result) +
+           model_text(result.model);
 }
 
 } // namespace whirl::cli

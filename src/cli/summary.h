@@ -1,6 +1,9 @@
 #pragma once
 
+#include "analyses/balance_result.h"
 #include "analyses/results.h"
+#include "analyses/rigid_limit_result.h"
+#include "analyses/stability_result.h"
 #include "model/case.h"
 
 #include <string>
@@ -14,5 +17,10 @@ namespace whirl::cli {
 [[nodiscard]] std::string summary(const model::Case &scene, const analyses::ModesResult &result);
 [[nodiscard]] std::string summary(const model::Case &scene, const analyses::ShowResult &result);
 [[nodiscard]] std::string summary(const model::Case &scene, const analyses::AccuracyResult &result);
+[[nodiscard]] std::string summary(const model::Case &scene,
+                                  const analyses::StabilityResult &result);
+[[nodiscard]] std::string summary(const model::Case &scene,
+                                  const analyses::RigidLimitResult &result);
+[[nodiscard]] std::string summary(const model::Case &scene, const analyses::BalanceResult &result);
 
 } // namespace whirl::cli

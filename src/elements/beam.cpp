@@ -141,7 +141,7 @@ PlanarMatrices beam_matrices(const Beam &beam, int order) {
     const double Phi = order == 1 ? shear_parameter(beam) : 0;
     const Quadrature &rule = gauss_legendre(quadrature_points(beam, order));
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, n);
-    PlanarMatrices out{zero, zero, zero, zero};
+    PlanarMatrices out{zero, zero, zero, zero, zero};
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
         const Section a = beam.at(rule.points[q]);
         const Shapes s = shapes_at(beam, order, Phi, rule.points[q]);
@@ -149,6 +149,7 @@ PlanarMatrices beam_matrices(const Beam &beam, int order) {
         const Eigen::VectorXd slope = s.phi + s.shear; // w'
         out.M += dz * (a.rhoA * s.w * s.w.transpose() + a.rhoI * s.phi * s.phi.transpose());
         out.G += dz * 2 * a.rhoI * s.phi * s.phi.transpose();
+        out.K_bending += dz * a.EI * s.curvature * s.curvature.transpose();
         out.K += dz * (a.EI * s.curvature * s.curvature.transpose() +
                        a.kappaGA * s.shear * s.shear.transpose());
         out.K_axial += dz * beam.axial_force * slope * slope.transpose();

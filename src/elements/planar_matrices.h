@@ -8,10 +8,11 @@ namespace whirl::elements {
 /// (deflections w in m, slopes phi in rad); docs/conventions.md has frames and signs.
 /// Kinetic energy of both planes: 1/2 w'^H M w'; the spin couples the planes by G.
 struct PlanarMatrices {
-    Eigen::MatrixXd M;       ///< mass and rotary inertia, symmetric, positive semidefinite
-    Eigen::MatrixXd G;       ///< polar inertia, symmetric: enters as -i speed G for w = x + i y
-    Eigen::MatrixXd K;       ///< elastic stiffness, symmetric, positive semidefinite
-    Eigen::MatrixXd K_axial; ///< stiffness by axial force, symmetric
+    Eigen::MatrixXd M;         ///< mass and rotary inertia, symmetric, positive semidefinite
+    Eigen::MatrixXd G;         ///< polar inertia, symmetric: enters as -i speed G for w = x + i y
+    Eigen::MatrixXd K;         ///< elastic stiffness, symmetric, positive semidefinite
+    Eigen::MatrixXd K_axial;   ///< stiffness by axial force, symmetric
+    Eigen::MatrixXd K_bending; ///< the part of K without shear
 };
 
 } // namespace whirl::elements

@@ -54,10 +54,11 @@ model::Case read_case(CheckedTable &root) {
     model::Case scene;
     read_format(root);
     scene.title = root.text("title").value_or("");
-    constexpr std::array forms{model::FormChoice::automatic, model::FormChoice::planar,
-                               model::FormChoice::hyperbolic, model::FormChoice::general};
-    scene.formulation =
-        forms[root.choice("formulation", {"auto", "planar", "hyperbolic", "general"}, 0)];
+    constexpr std::array forms{model::FormChoice::automatic,  model::FormChoice::planar,
+                               model::FormChoice::hyperbolic, model::FormChoice::general,
+                               model::FormChoice::rotating,   model::FormChoice::hill};
+    scene.formulation = forms[root.choice(
+        "formulation", {"auto", "planar", "hyperbolic", "general", "rotating", "hill"}, 0)];
     const Materials materials = read_materials(root);
     scene.rotor.shaft = read_shaft(root, materials);
     read_discs(root, materials, scene.rotor);
@@ -69,6 +70,7 @@ model::Case read_case(CheckedTable &root) {
     read_speeds(root, scene);
     read_campbell(root, scene);
     read_simulate(root, scene);
+    read_balance(root, scene);
     read_map(root, scene);
     root.refuse_unknown();
     return scene;

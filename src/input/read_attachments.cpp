@@ -126,6 +126,7 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor) {
             table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
         balancer.imbalance_radius =
             table.optional_number("imbalance_radius", Quantity::length, Range::positive());
+        balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
         table.refuse_unknown();
         rotor.balancers.push_back(balancer);
     }

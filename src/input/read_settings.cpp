@@ -107,6 +107,33 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key,
     return axis;
 }
 
+/// The motor that drives the rotor, where its speed is not prescribed.
+void read_motor(CheckedTable &table, model::SimulateSettings &simulate) {
+    simulate.torque = table.optional_number("torque", Quantity::torque);
+    simulate.torque_slope =
+        table.number_or("torque_slope", 0, Quantity::tilt_damping, Range::not_negative());
+    simulate.inertia = table.number_or("inertia", 0, Quantity::inertia, Range::not_negative());
+    if (simulate.torque && !simulate.run_up.empty())
+        table.fail("torque", "expected either run_up or the torque of a motor, got both");
+    for (const char *key : {"torque_slope", "inertia"})
+        if (!simulate.torque && table.has(key))
+            table.fail(key, "expected only together with torque, got it alone");
+}
+
+/// What the integration keeps and writes.
+void read_simulate_options(CheckedTable &table, model::Case &scene) {
+    model::SimulateSettings &simulate = scene.simulate;
+    simulate.gravity = table.number_or("gravity", 0, Quantity::acceleration);
+    simulate.output_points =
+        table.whole_or("output_points", simulate.output_points, 2, largest_count);
+    simulate.modes = table.whole_or("modes", 0, 0, 10000);
+    simulate.reduction_tolerance =
+        table.number_or("reduction_tolerance", simulate.reduction_tolerance,
+                        Quantity::dimensionless, Range::inside(0, 1));
+    if (const auto restart = table.text("restart"))
+        simulate.restart = *restart;
+}
+
 } // namespace
 
 void read_speeds(CheckedTable &root, model::Case &scene) {
@@ -149,6 +176,19 @@ void read_simulate(CheckedTable &root, model::Case &scene) {
     simulate.ball_angles = read_ball_angles(*table);
     simulate.tolerance = table->number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
                                           Range::inside(0, 1));
+    read_motor(*table, simulate);
+    read_simulate_options(*table, scene);
+    table->refuse_unknown();
+}
+
+void read_balance(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("balance");
+    if (!table)
+        return;
+    scene.balance.simulated = table->whole_or("simulated", 0, 0, 1000);
+    if (scene.balance.simulated > 0 && !root.has("simulate"))
+        table->fail("simulated", "expected a section [simulate] that says how long the motions "
+                                 "are, got none");
     table->refuse_unknown();
 }
 

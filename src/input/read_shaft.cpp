@@ -39,6 +39,9 @@ std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &
         segment.inner_end = table.number_or("inner_end", segment.inner_start, Quantity::length,
                                             Range::not_negative());
         segment.elements = table.whole_or("elements", elements, 1, largest_count);
+        segment.asymmetry =
+            table.number_or("asymmetry", 0, Quantity::dimensionless, Range::inside(-1, 1));
+        segment.asymmetry_angle = table.number_or("asymmetry_angle", 0, Quantity::angle);
         segment.material =
             pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
                           table.path_of("material"), context.problems)
@@ -52,10 +55,11 @@ std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &
 }
 
 const std::vector<CsvRule> station_columns{
-    {"length", Quantity::length},         {"outer", Quantity::length},
-    {"inner", Quantity::length},          {"outer_end", Quantity::length},
-    {"inner_end", Quantity::length},      {"material", {}},
-    {"elements", Quantity::dimensionless}};
+    {"length", Quantity::length},          {"outer", Quantity::length},
+    {"inner", Quantity::length},           {"outer_end", Quantity::length},
+    {"inner_end", Quantity::length},       {"material", {}},
+    {"elements", Quantity::dimensionless}, {"asymmetry", Quantity::dimensionless},
+    {"asymmetry_angle", Quantity::angle}};
 
 model::Segment read_station(CsvTable &table, std::size_t row, const Materials &materials,
                             int elements, ReadContext &context) {
@@ -67,6 +71,9 @@ model::Segment read_station(CsvTable &table, std::size_t row, const Materials &m
         table.optional_number(row, "outer_end", Range::positive()).value_or(segment.outer_start);
     segment.inner_end = table.optional_number(row, "inner_end", Range::not_negative())
                             .value_or(segment.inner_start);
+    segment.asymmetry = table.optional_number(row, "asymmetry", Range::inside(-1, 1)).value_or(0);
+    segment.asymmetry_angle =
+        table.optional_number(row, "asymmetry_angle", Range::any()).value_or(0);
     const std::string name = table.text(row, "material");
     segment.material = pick_material(materials, name.empty() ? std::nullopt : std::optional(name),
                                      table.origin(row), "material", context.problems)

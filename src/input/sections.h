@@ -38,6 +38,7 @@ void read_imbalances(CheckedTable &root, model::Rotor &rotor);
 void read_speeds(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
 void read_simulate(CheckedTable &root, model::Case &scene);
+void read_balance(CheckedTable &root, model::Case &scene);
 void read_map(CheckedTable &root, model::Case &scene);
 
 /// Largest number of anything that a case counts.

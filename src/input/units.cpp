@@ -41,6 +41,8 @@ constexpr std::array quantities{
     QuantityInfo{Quantity::time, "a time", "s", AngleRule::never},
     QuantityInfo{Quantity::force, "a force", "N", AngleRule::never},
     QuantityInfo{Quantity::imbalance, "an imbalance", "kg m", AngleRule::never},
+    QuantityInfo{Quantity::torque, "a torque", "N m", AngleRule::never},
+    QuantityInfo{Quantity::acceleration, "an acceleration", "m/s2", AngleRule::never},
 };
 
 const QuantityInfo &info(Quantity quantity) {

@@ -22,7 +22,9 @@ enum class Quantity {
     angular_speed,  ///< rad/s
     time,           ///< s
     force,          ///< N
-    imbalance       ///< kg m, mass times radius
+    imbalance,      ///< kg m, mass times radius
+    torque,         ///< N m
+    acceleration    ///< m/s2
 };
 
 /// The quantity with its article and SI unit, for messages: "a stiffness in N/m".

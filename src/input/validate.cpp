@@ -1,5 +1,7 @@
 #include "input/validate.h"
 
+#include "input/validate_rotating.h"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -60,11 +62,14 @@ void check_ball_angles(const model::Case &scene, const Check &check) {
                                      balancers.size(), angles.size()));
         return;
     }
-    for (std::size_t i = 0; i < angles.size(); ++i)
-        if (std::ssize(angles[i]) != balancers[i].n)
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const bool tied = balancers[i].kind == model::BalancerKind::pendulum4;
+        const int expected = tied ? 2 : balancers[i].n;
+        if (std::ssize(angles[i]) != expected)
             check.fail(fmt::format("{}[{}]", path, i),
-                       fmt::format("expected {} angles, one for each ball or pendulum, got {}",
-                                   balancers[i].n, angles[i].size()));
+                       fmt::format("expected {} angles, one for each {}, got {}", expected,
+                                   tied ? "pair of tied pendulums" : "ball", angles[i].size()));
+    }
 }
 
 } // namespace
@@ -114,6 +119,8 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
+    check_anisotropies(rotor, root, problems);
+    check_ball_positions(rotor, root, problems);
     check_ball_angles(scene, check);
 }
 

@@ -48,15 +48,14 @@ Matrix Matrix::sum(double a, const Matrix &A, double b, const Matrix &B) {
     return out;
 }
 
-Matrix Matrix::scaled(const Eigen::VectorXd &d, const Matrix &A) {
+Matrix Matrix::from_sparse(const Eigen::SparseMatrix<double> &A) {
     std::vector<Eigen::Triplet<double>> entries;
-    const SparseView view = A.view();
-    entries.reserve(static_cast<std::size_t>(view.nonZeros()));
-    for (Eigen::Index i = 0; i < view.rows(); ++i)
-        for (SparseView::InnerIterator it(view, i); it; ++it)
+    entries.reserve(static_cast<std::size_t>(A.nonZeros()));
+    for (Eigen::Index j = 0; j < A.outerSize(); ++j)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it)
             entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
-                                 d(it.row()) * it.value() * d(it.col()));
-    return from_entries(A.size(), entries);
+                                 it.value());
+    return from_entries(static_cast<int>(A.rows()), entries);
 }
 
 int Matrix::size() const {

@@ -24,13 +24,12 @@ class Matrix {
     [[nodiscard]] static Matrix from_entries(int n,
                                              const std::vector<Eigen::Triplet<double>> &entries);
 
+    [[nodiscard]] static Matrix from_sparse(const Eigen::SparseMatrix<double> &A);
+
     /// a A + b B.
     [[nodiscard]] static Matrix sum(double a, const Matrix &A, double b, const Matrix &B);
 
     /// Rows; 0 where there is no matrix (by default, or moved from).
-    /// diag(d) A diag(d).
-    [[nodiscard]] static Matrix scaled(const Eigen::VectorXd &d, const Matrix &A);
-
     [[nodiscard]] int size() const;
     [[nodiscard]] _p_Mat *handle() const { return _handle.get(); }
 

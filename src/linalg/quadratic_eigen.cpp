@@ -12,6 +12,8 @@ namespace whirl::linalg {
 
 namespace {
 
+using Sparse = Eigen::SparseMatrix<double>;
+
 /// Below this size the dense route costs less than a millisecond or two and finds everything;
 /// TOAR of SLEPc 3.18 fails in LAPACK on small systems of which a large part is wanted.
 bool prefers_dense(int unknowns, int wanted) { return unknowns <= 24 || 5 * wanted >= unknowns; }
@@ -61,14 +63,19 @@ void configure(PEP pep, const QuadraticOptions &options, int size, double tolera
     check(PCFactorSetMatSolverType(pc, MATSOLVERKLU)); // SuiteSparse, partial pivoting
 }
 
-std::vector<ComplexPair> toar(const Matrix &M, const Matrix &D, const Matrix &K,
-                              const QuadraticOptions &options, double tolerance) {
+/// Matrices in PETSc's form, for its solver.
+struct Operators {
+    Matrix M, D, K;
+};
+
+std::vector<ComplexPair> toar(const Operators &operators, const QuadraticOptions &options,
+                              double tolerance) {
     PEP raw = nullptr;
     check(PEPCreate(PETSC_COMM_SELF, &raw));
     const PepOwner pep(raw);
-    Mat matrices[3] = {K.handle(), D.handle(), M.handle()};
+    Mat matrices[3] = {operators.K.handle(), operators.D.handle(), operators.M.handle()};
     check(PEPSetOperators(raw, 3, matrices));
-    const int n = M.size();
+    const int n = operators.M.size();
     configure(raw, options, n, tolerance);
     const VecOwner re = new_vector(n);
     const VecOwner im = new_vector(n);
@@ -129,29 +136,30 @@ bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &opti
 /// Scales of the unknowns that make the diagonal of the matrix at the shift 1. Deflections and
 /// slopes have different units, and a short element is far stiffer than a long one: without it
 /// the pivots of the factorisation are chosen by units, and several digits are lost.
-Eigen::VectorXd scales(const Matrix &M, const Matrix &K, double shift) {
-    const Eigen::SparseMatrix<double> stiffness = K.view();
-    const Eigen::SparseMatrix<double> mass = M.view();
-    const Eigen::VectorXd of_mass = mass.diagonal().cwiseAbs();
-    const Eigen::VectorXd of_stiffness = stiffness.diagonal().cwiseAbs();
+Eigen::VectorXd scales(const Sparse &M, const Sparse &K, double shift) {
+    const Eigen::VectorXd of_mass = M.diagonal().cwiseAbs();
+    const Eigen::VectorXd of_stiffness = K.diagonal().cwiseAbs();
     const Eigen::VectorXd diagonal = of_stiffness + shift * shift * of_mass;
     const double mean = diagonal.mean();
     return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
 }
 
-QuadraticResult solve_scaled(const Matrix &M, const Matrix &D, const Matrix &K,
+QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
                              const QuadraticOptions &options) {
     const QuadraticProblem problem(M, D, K, options.shift);
     const bool try_toar =
         options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
                                                     !prefers_dense(problem.size(), options.wanted));
     QuadraticResult result;
+    Operators operators;
+    if (try_toar)
+        operators = {Matrix::from_sparse(M), Matrix::from_sparse(D), Matrix::from_sparse(K)};
     // Rounding in ill-conditioned matrices can keep the residual above the first tolerance.
     for (const double tolerance : {1e-11, 1e-8}) {
         if (!try_toar)
             break;
         try {
-            result.pairs = toar(M, D, K, options, tolerance);
+            result.pairs = toar(operators, options, tolerance);
             for (ComplexPair &pair : result.pairs)
                 problem.assess(pair);
         } catch (const SolverError &) {
@@ -171,7 +179,9 @@ QuadraticResult solve_scaled(const Matrix &M, const Matrix &D, const Matrix &K,
     result.pairs = problem.dense();
     sort_by_distance(result.pairs, options.shift);
     const std::size_t all = result.pairs.size();
-    const bool enough = keep_resolved(result.pairs, options, acceptable_residual);
+    const int fewest = options.fewest > 0 ? options.fewest : options.wanted;
+    (void)keep_resolved(result.pairs, options, acceptable_residual);
+    const bool enough = static_cast<int>(result.pairs.size()) >= fewest;
     if (result.pairs.size() == all) {
         result.complete_radius = std::numeric_limits<double>::infinity();
     } else {
@@ -186,9 +196,16 @@ QuadraticResult solve_scaled(const Matrix &M, const Matrix &D, const Matrix &K,
 
 QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
                                 const QuadraticOptions &options) {
+    return solve_quadratic(Sparse(M.view()), Sparse(D.view()), Sparse(K.view()), options);
+}
+
+QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
+                                const QuadraticOptions &options) {
     const Eigen::VectorXd d = scales(M, K, options.shift);
-    QuadraticResult result =
-        solve_scaled(Matrix::scaled(d, M), Matrix::scaled(d, D), Matrix::scaled(d, K), options);
+    const auto scaled = [&d](const Sparse &A) {
+        return Sparse(d.asDiagonal() * A * d.asDiagonal());
+    };
+    QuadraticResult result = solve_scaled(scaled(M), scaled(D), scaled(K), options);
     for (ComplexPair &pair : result.pairs) {
         pair.vector = d.asDiagonal() * pair.vector;
         Eigen::Index largest = 0;

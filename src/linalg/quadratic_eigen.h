@@ -17,6 +17,7 @@ enum class QuadraticMethod {
 /// What to compute.
 struct QuadraticOptions {
     int wanted = 8;   ///< eigenvalues nearest the shift, conjugates counted as one
+    int fewest = 0;   ///< accept so many where double precision resolves no more; 0: `wanted`
     double shift = 0; ///< real; Q(shift) must be regular, 1/s
     int zeros = 0;    ///< eigenvalues known to be zero: they need not be resolved
     QuadraticMethod method = QuadraticMethod::automatic;
@@ -35,6 +36,13 @@ struct QuadraticResult {
 /// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is.
 /// @throws SolverError where neither way resolves as many pairs as wanted, or Q(shift) is singular.
 [[nodiscard]] QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
+                                              const QuadraticOptions &options);
+
+/// The same for matrices that were combined anew for one speed: PETSc gets them only where the
+/// problem is large enough for its solver.
+[[nodiscard]] QuadraticResult solve_quadratic(const Eigen::SparseMatrix<double> &M,
+                                              const Eigen::SparseMatrix<double> &D,
+                                              const Eigen::SparseMatrix<double> &K,
                                               const QuadraticOptions &options);
 
 } // namespace whirl::linalg

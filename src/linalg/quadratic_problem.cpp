@@ -6,12 +6,13 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::linalg {
 
-QuadraticProblem::QuadraticProblem(const Matrix &M, const Matrix &D, const Matrix &K, double shift)
-    : _M(M.view()), _D(D.view()), _K(K.view()), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()),
-      _absK(_K.cwiseAbs()), _shift(shift) {
+QuadraticProblem::QuadraticProblem(Sparse M, Sparse D, Sparse K, double shift)
+    : _M(std::move(M)), _D(std::move(D)), _K(std::move(K)), _absM(_M.cwiseAbs()),
+      _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()), _shift(shift) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
     _lu.compute(Q);
     if (_lu.info() != Eigen::Success)

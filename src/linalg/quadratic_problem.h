@@ -1,7 +1,6 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
-#include "linalg/matrix.h"
 
 #include <Eigen/SparseLU>
 
@@ -13,7 +12,8 @@ namespace whirl::linalg {
 class QuadraticProblem {
   public:
     /// @throws SolverError where Q(shift) is singular.
-    QuadraticProblem(const Matrix &M, const Matrix &D, const Matrix &K, double shift);
+    QuadraticProblem(Eigen::SparseMatrix<double> M, Eigen::SparseMatrix<double> D,
+                     Eigen::SparseMatrix<double> K, double shift);
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
 

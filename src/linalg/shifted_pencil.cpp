@@ -46,13 +46,17 @@ Eigen::VectorXd unit_diagonal(const Matrix &K) {
     return stiffness.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
 }
 
+Sparse scaled(const Eigen::VectorXd &d, const Matrix &A) {
+    return d.asDiagonal() * Sparse(A.view()) * d.asDiagonal();
+}
+
 class Shifted {
   public:
     Shifted(const Matrix &K, const Matrix &M, const Matrix &S, const ShiftedOptions &options)
-        : _scale(unit_diagonal(K)), _K(Matrix::scaled(_scale, K).view()),
-          _M(Matrix::scaled(_scale, M).view()), _S(Matrix::scaled(_scale, S).view()), _s(options.s),
-          _shift(options.shift), _L(semidefinite_factor(_K, options.nullity)),
-          _F(semidefinite_factor(_M, 0)), _Lt(_L.transpose()), _Ft(_F.transpose()) {
+        : _scale(unit_diagonal(K)), _K(scaled(_scale, K)), _M(scaled(_scale, M)),
+          _S(scaled(_scale, S)), _s(options.s), _shift(options.shift),
+          _L(semidefinite_factor(_K, options.nullity)), _F(semidefinite_factor(_M, 0)),
+          _Lt(_L.transpose()), _Ft(_F.transpose()) {
         _lu.compute(at(_shift));
         if (_lu.info() != Eigen::Success)
             throw SolverError("the matrix at the shift is singular");

@@ -33,6 +33,8 @@ struct Balancer {
     double damping = 0;   ///< ball: N s/m along the race; pendulum4: N m s/rad at the hinge
     double imbalance = 0; ///< m0 R0 that it is to balance, kg m
     std::optional<double> imbalance_radius; ///< R0, m: the imbalance is a point mass that counts
+    bool tilt_inertia = true; ///< false: balls and imbalance as if on the axis, for comparison with
+                              ///< models that leave their moments of inertia out
     std::vector<double> position; ///< ball angles in the rotor, rad; empty: symmetric position
 };
 

@@ -27,7 +27,7 @@ struct SpeedRange {
 };
 
 /// Which form of the equations the user forces; see docs/theory.md, "Three forms".
-enum class FormChoice { automatic, planar, hyperbolic, general };
+enum class FormChoice { automatic, planar, hyperbolic, general, rotating, hill };
 
 /// Entries of [campbell].
 struct CampbellSettings {
@@ -41,6 +41,19 @@ struct SimulateSettings {
     std::vector<std::pair<double, double>> run_up; ///< (time s, speed rad/s)
     std::vector<std::vector<double>> ball_angles;  ///< per balancer, rad
     double tolerance = 1e-8;                       ///< relative, of the integrator
+    std::optional<double> torque; ///< N m, of a motor at rest: the spin speed becomes an unknown
+    double torque_slope = 0;      ///< N m s: the motor's torque is torque - torque_slope * speed
+    double inertia = 0;           ///< kg m2, polar, of what turns with the rotor and is not in it
+    double gravity = 0;           ///< m/s2 towards -y
+    int output_points = 2000;     ///< of the time series
+    int modes = 0;                ///< of the shaft that are kept; 0: as many as needed
+    double reduction_tolerance = 1e-3; ///< relative error that keeping few modes may cause
+    std::filesystem::path restart;     ///< file of an interrupted run to go on from, or empty
+};
+
+/// Entries of [balance].
+struct BalanceSettings {
+    int simulated = 0; ///< speeds of the range at which the motion in time is computed as well
 };
 
 /// One axis of a map: a numeric entry of the case, or "speed".
@@ -66,6 +79,7 @@ struct Case {
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
     CampbellSettings campbell;
     SimulateSettings simulate;
+    BalanceSettings balance;
     std::optional<MapSettings> map;
 };
 

@@ -10,6 +10,10 @@ bool isotropic(const Eigen::Matrix2d &a) {
     return a(0, 0) == a(1, 1) && a(0, 1) == 0 && a(1, 0) == 0;
 }
 
+bool rotation_invariant(const Eigen::Matrix2d &a) {
+    return a(0, 0) == a(1, 1) && a(0, 1) == -a(1, 0);
+}
+
 bool diagonal(const Eigen::Matrix2d &a) { return a(0, 1) == 0 && a(1, 0) == 0; }
 
 template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
@@ -23,6 +27,13 @@ template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
 bool Rotor::bearings_isotropic() const {
     return every_row(*this, [](const BearingCoefficients &row) {
         return isotropic(row.k) && isotropic(row.c) && isotropic(row.kt) && isotropic(row.ct);
+    });
+}
+
+bool Rotor::bearings_rotation_invariant() const {
+    return every_row(*this, [](const BearingCoefficients &row) {
+        return rotation_invariant(row.k) && rotation_invariant(row.c) &&
+               rotation_invariant(row.kt) && rotation_invariant(row.ct);
     });
 }
 

@@ -21,6 +21,8 @@ struct Rotor {
 
     /// Bearings are equal in x and y, without cross coupling, at every speed.
     [[nodiscard]] bool bearings_isotropic() const;
+    /// Bearings that look the same from every direction, at every speed: kxx = kyy, kxy = -kyx.
+    [[nodiscard]] bool bearings_rotation_invariant() const;
     /// No bearing couples x with y, at any speed.
     [[nodiscard]] bool bearings_orthotropic() const;
     /// Damping anywhere: bearings, pedestals or shaft material.
@@ -29,7 +31,7 @@ struct Rotor {
     [[nodiscard]] bool bearings_depend_on_speed() const;
     /// Something turns with the rotor and is not axisymmetric.
     [[nodiscard]] bool rotating_anisotropy() const {
-        return !anisotropies.empty() || !balancers.empty();
+        return !anisotropies.empty() || !balancers.empty() || shaft.asymmetric();
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include "model/material.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace whirl::model {
@@ -22,6 +23,10 @@ struct Segment {
     double inner_end = 0;   ///< bore diameter at the end, m
     Material material;
     int elements = 1; ///< elements of equal length before nodes of attached components are added
+    /// Share by which the second moment of area differs between two perpendicular axes that turn
+    /// with the shaft (a keyway): I (1 + asymmetry) and I (1 - asymmetry), I that of the circle.
+    double asymmetry = 0;
+    double asymmetry_angle = 0; ///< direction of deflection in the rotor that is stiffer, rad
 };
 
 /// The flexible shaft, from z = 0 to the sum of the lengths of its segments.
@@ -36,6 +41,11 @@ struct Shaft {
     double internal_damping = 0;  ///< s; stress = E (strain + internal_damping * strain rate)
     double axial_force = 0;       ///< N, tension positive
 
+    /// Some segment has two different bending stiffnesses.
+    [[nodiscard]] bool asymmetric() const {
+        return std::any_of(segments.begin(), segments.end(),
+                           [](const Segment &segment) { return segment.asymmetry != 0; });
+    }
     /// Length of the shaft, m.
     [[nodiscard]] double length() const {
         double sum = 0;

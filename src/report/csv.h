@@ -1,6 +1,9 @@
 #pragma once
 
+#include "analyses/balance_result.h"
 #include "analyses/results.h"
+#include "analyses/rigid_limit_result.h"
+#include "analyses/stability_result.h"
 
 #include <string>
 
@@ -14,5 +17,8 @@ namespace whirl::report {
 [[nodiscard]] std::string to_csv(const analyses::ModesResult &result);
 [[nodiscard]] std::string to_csv(const analyses::ShowResult &result);
 [[nodiscard]] std::string to_csv(const analyses::AccuracyResult &result);
+[[nodiscard]] std::string to_csv(const analyses::StabilityResult &result);
+[[nodiscard]] std::string to_csv(const analyses::RigidLimitResult &result);
+[[nodiscard]] std::string to_csv(const analyses::BalanceResult &result);
 
 } // namespace whirl::report

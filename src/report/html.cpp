@@ -79,6 +79,12 @@ std::string form_formula(analyses::Form form) {
     case analyses::Form::hyperbolic:
         return "(ω²<b>M</b> + ωΩ<b>S</b> − <b>K</b>) q = 0, <b>S</b> = [0 <b>G</b>; <b>G</b> 0], "
                "with λ = iω and y → iy";
+    case analyses::Form::rotating:
+        return "<b>M</b> q̈ + (<b>C</b> + Ω<b>C</b><sub>1</sub>) q̇ + (<b>K</b> + Ω<b>K</b>"
+               "<sub>1</sub> + Ω²<b>K</b><sub>2</sub>) q = 0 in axes that turn with the rotor";
+    case analyses::Form::hill:
+        return "the same in axes that turn with the rotor, with supports in cos 2Ωt and sin 2Ωt: "
+               "q = e<sup>λt</sup> Σ q<sub>k</sub> e<sup>2ikΩt</sup>";
     case analyses::Form::general:
         break;
     }

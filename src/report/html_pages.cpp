@@ -1,9 +1,12 @@
 #include "report/html_pages.h"
 
 #include "report/html.h"
+#include "report/html_balance.h"
 #include "report/html_scripts.h"
+#include "report/html_show.h"
 #include "report/json.h"
 #include "report/plot_style.h"
+#include "report/plotly.h"
 
 #include <fmt/format.h>
 
@@ -123,7 +126,7 @@ std::string to_html(const model::Case &scene, const analyses::ModesResult &resul
 }
 
 std::string to_html(const model::Case &scene, const analyses::ShowResult &result,
-                    const std::string &picture) {
+                    const std::string &picture, const std::string &more) {
     PageContent parts = content("show", "Scene", scene, result, picture);
     parts.sections.emplace_back(
         "Rigid body", html_table({"Quantity", "Value"},
@@ -134,6 +137,10 @@ std::string to_html(const model::Case &scene, const analyses::ShowResult &result
                                   {"Diametral inertia about it", readable(result.Id, 8) + " kg m²"},
                                   {"Polar inertia", readable(result.Ip, 8) + " kg m²"},
                                   {"Type", result.type}}));
+    for (const auto &section : show_sections(result))
+        parts.sections.push_back(section);
+    if (!more.empty())
+        parts.sections.emplace_back("Curves of the rigid rotor", more);
     Rows rows;
     for (const auto &[command, used] : result.formulations)
         rows.push_back({command, analyses::form_name(used.form), used.why});
@@ -154,6 +161,18 @@ std::string to_html(const model::Case &scene, const analyses::AccuracyResult &re
                                 html_table({"Family", "Order", "Elements", "Unknowns",
                                             "Wall time (ms)", "Estimate", "True error"},
                                            rows));
+    return page(scene, result.model, parts);
+}
+
+std::string to_html(const model::Case &scene, const analyses::BalanceResult &result,
+                    const std::string &picture) {
+    PageContent parts = content("balance", "Auto-balancing", scene, result, picture);
+    // With an interactive diagram the page has no picture of its own: those of the placement and
+    // of the pendulums come below it.
+    if (!plotly_bundle().empty() && !picture.empty())
+        parts.sections.emplace_back("Pictures", picture);
+    for (auto &section : balance_sections(result))
+        parts.sections.push_back(std::move(section));
     return page(scene, result.model, parts);
 }
 

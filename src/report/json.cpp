@@ -1,68 +1,28 @@
 #include "report/json.h"
 
-#include <nlohmann/json.hpp>
-
-#include <optional>
-#include <vector>
+#include "report/json_balance.h"
+#include "report/json_parts.h"
+#include "report/json_show.h"
 
 namespace whirl::report {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
-
-Json number(const std::optional<double> &value) {
-    // The library writes NaN and infinity as null.
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json list(const std::vector<std::optional<double>> &values) {
-    Json items = Json::array();
-    for (const auto &value : values)
-        items.push_back(number(value));
-    return items;
-}
-
-Json formulation(const analyses::Formulation &used) {
-    return {{"frame", "fixed"},
-            {"unknowns", analyses::unknowns_name(used.form)},
-            {"form", analyses::form_name(used.form)},
-            {"why", used.why}};
-}
-
-Json envelope(const char *command, const model::Case &scene, const analyses::ModelSummary &model) {
-    return {{"program", "whirl"},
-            {"version", program_version()},
-            {"format", 1},
-            {"command", command},
-            {"case", scene.name},
-            {"title", scene.title},
-            {"formulation", formulation(model.formulation)},
-            {"order", model.order},
-            {"elements", model.elements},
-            {"unknowns_count", model.unknowns},
-            {"seconds", model.seconds},
-            {"notes", model.notes}};
-}
-
-std::string text(const Json &json) {
-    // A title that is not UTF-8 must not cost the result: bad bytes are replaced.
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 Json campbell_mode(const analyses::CampbellMode &mode) {
     Json whirl = Json::array();
     for (const analyses::Whirl sense : mode.whirl)
         whirl.push_back(analyses::whirl_name(sense));
-    return {{"label", mode.label},
-            {"frequency", list(mode.frequency)},
-            {"real", list(mode.real)},
-            {"damping_ratio", list(mode.damping_ratio)},
-            {"log_dec", list(mode.log_dec)},
-            {"whirl", whirl},
-            {"forward_fraction", mode.forward_fraction},
-            {"error", list(mode.error)},
-            {"residual", list(mode.residual)}};
+    Json out{{"label", mode.label}, {"frequency", json_list(mode.frequency)}};
+    if (!mode.frequency_rotating.empty())
+        out["frequency_rotating"] = json_list(mode.frequency_rotating);
+    out.update({{"real", json_list(mode.real)},
+                {"damping_ratio", json_list(mode.damping_ratio)},
+                {"log_dec", json_list(mode.log_dec)},
+                {"whirl", whirl},
+                {"forward_fraction", mode.forward_fraction},
+                {"error", json_list(mode.error)},
+                {"residual", json_list(mode.residual)}});
+    return out;
 }
 
 Json mode_shape(const analyses::ModeShape &mode) {
@@ -86,10 +46,8 @@ Json mode_shape(const analyses::ModeShape &mode) {
 
 } // namespace
 
-std::string program_version() { return WHIRL_VERSION; }
-
 std::string to_json(const model::Case &scene, const analyses::CampbellResult &result) {
-    Json json = envelope("campbell", scene, result.model);
+    Json json = json_envelope("campbell", scene, result.model);
     json["speeds"] = result.speeds;
     json["modes"] = Json::array();
     for (const auto &mode : result.modes)
@@ -100,11 +58,11 @@ std::string to_json(const model::Case &scene, const analyses::CampbellResult &re
                                      {"speed", crossing.speed},
                                      {"frequency", crossing.frequency},
                                      {"mode", crossing.mode}});
-    return text(json);
+    return json_text(json);
 }
 
 std::string to_json(const model::Case &scene, const analyses::CriticalResult &result) {
-    Json json = envelope("critical", scene, result.model);
+    Json json = json_envelope("critical", scene, result.model);
     json["critical_speeds"] = Json::array();
     for (const auto &critical : result.critical_speeds)
         json["critical_speeds"].push_back({{"speed", critical.speed},
@@ -112,11 +70,11 @@ std::string to_json(const model::Case &scene, const analyses::CriticalResult &re
                                            {"real", critical.real},
                                            {"error", critical.error},
                                            {"residual", critical.residual}});
-    return text(json);
+    return json_text(json);
 }
 
 std::string to_json(const model::Case &scene, const analyses::ResponseResult &result) {
-    Json json = envelope("response", scene, result.model);
+    Json json = json_envelope("response", scene, result.model);
     json["speeds"] = result.speeds;
     json["nodes"] = Json::array();
     for (const auto &node : result.nodes)
@@ -130,21 +88,21 @@ std::string to_json(const model::Case &scene, const analyses::ResponseResult &re
     for (const auto &bearing : result.bearings)
         json["bearings"].push_back(
             {{"z", bearing.z}, {"name", bearing.name}, {"force", bearing.force}});
-    return text(json);
+    return json_text(json);
 }
 
 std::string to_json(const model::Case &scene, const analyses::ModesResult &result) {
-    Json json = envelope("modes", scene, result.model);
+    Json json = json_envelope("modes", scene, result.model);
     json["speed"] = result.speed;
     json["z"] = result.z;
     json["modes"] = Json::array();
     for (const auto &mode : result.modes)
         json["modes"].push_back(mode_shape(mode));
-    return text(json);
+    return json_text(json);
 }
 
 std::string to_json(const model::Case &scene, const analyses::ShowResult &result) {
-    Json json = envelope("show", scene, result.model);
+    Json json = json_envelope("show", scene, result.model);
     json["mass"] = result.mass;
     json["center_of_mass"] = result.center_of_mass;
     json["Id"] = result.Id;
@@ -152,18 +110,23 @@ std::string to_json(const model::Case &scene, const analyses::ShowResult &result
     json["type"] = result.type;
     json["shaft_mass"] = result.shaft_mass;
     json["length"] = result.length;
+    json["dI"] = json_number(result.dI);
+    json["dI_angle"] = json_number(result.dI_angle);
     json["balancers"] = Json::array();
+    for (const auto &balancer : result.balancers)
+        json["balancers"].push_back(balancer_json(balancer));
+    json["anisotropy"] = anisotropy_json(result.anisotropy);
     json["formulations"] = Json::array();
     for (const auto &[command, used] : result.formulations) {
         Json entry{{"command", command}};
-        entry.update(formulation(used));
+        entry.update(json_formulation(used));
         json["formulations"].push_back(entry);
     }
-    return text(json);
+    return json_text(json);
 }
 
 std::string to_json(const model::Case &scene, const analyses::AccuracyResult &result) {
-    Json json = envelope("accuracy", scene, result.model);
+    Json json = json_envelope("accuracy", scene, result.model);
     json["reference"] = result.reference;
     json["speed"] = result.speed;
     json["reference_frequencies"] = result.reference_frequencies;
@@ -174,9 +137,15 @@ std::string to_json(const model::Case &scene, const analyses::AccuracyResult &re
                                 {"elements", row.elements},
                                 {"unknowns", row.unknowns},
                                 {"seconds", row.seconds},
-                                {"error_estimate", number(row.error_estimate)},
-                                {"true_error", number(row.true_error)}});
-    return text(json);
+                                {"error_estimate", json_number(row.error_estimate)},
+                                {"true_error", json_number(row.true_error)}});
+    return json_text(json);
+}
+
+std::string to_json(const model::Case &scene, const analyses::BalanceResult &result) {
+    Json json = json_envelope("balance", scene, result.model);
+    json.update(balance_json(result));
+    return json_text(json);
 }
 
 } // namespace whirl::report

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "analyses/balance_result.h"
 #include "analyses/results.h"
+#include "analyses/rigid_limit_result.h"
+#include "analyses/stability_result.h"
 #include "model/case.h"
 
 #include <string>
@@ -15,6 +18,11 @@ namespace whirl::report {
 [[nodiscard]] std::string to_json(const model::Case &scene, const analyses::ModesResult &result);
 [[nodiscard]] std::string to_json(const model::Case &scene, const analyses::ShowResult &result);
 [[nodiscard]] std::string to_json(const model::Case &scene, const analyses::AccuracyResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene,
+                                  const analyses::StabilityResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene,
+                                  const analyses::RigidLimitResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::BalanceResult &result);
 
 /// Version of the program, as in the results.
 [[nodiscard]] std::string program_version();

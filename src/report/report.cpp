@@ -4,13 +4,22 @@
 #include "report/files.h"
 #include "report/gnuplot.h"
 #include "report/html_pages.h"
+#include "report/html_scripts.h"
+#include "report/html_simulate.h"
 #include "report/json.h"
+#include "report/json_simulate.h"
 #include "report/plot_accuracy.h"
+#include "report/plot_anisotropy.h"
+#include "report/plot_balance.h"
 #include "report/plot_campbell.h"
+#include "report/plot_composite.h"
 #include "report/plot_critical.h"
 #include "report/plot_modes.h"
 #include "report/plot_response.h"
+#include "report/plot_rigid_limit.h"
 #include "report/plot_scene.h"
+#include "report/plot_simulate.h"
+#include "report/plot_stability.h"
 #include "report/plotly.h"
 #include "report/vtk.h"
 
@@ -46,12 +55,36 @@ bool start(PlotJobs &jobs, OutputFiles &files, const Figure &figure, PictureForm
     return started;
 }
 
+/// A picture beside the main one, and its curves as a table.
+struct Extra {
+    std::string name; ///< of its files, without ending
+    Figure figure;
+    std::string csv;
+};
+
+std::vector<Extra> extras_of(const model::Case &scene, const analyses::ShowResult &result) {
+    std::vector<Extra> extras;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        if (result.balancers[i].curves)
+            extras.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
+                              composite_figure(scene, result, i),
+                              composite_csv(*result.balancers[i].curves)});
+    if (result.anisotropy)
+        extras.push_back({"anisotropy", anisotropy_figure(scene, *result.anisotropy),
+                          anisotropy_csv(*result.anisotropy)});
+    return extras;
+}
+
 const char *no_gnuplot = "gnuplot is not installed: no SVG and PNG pictures";
+
+/// More pictures of a result, by their file names without ending.
+using NamedFigures = std::vector<std::pair<std::string, Figure>>;
 
 /// The pictures are drawn by their own processes while this one writes the other files.
 template <class Result>
 Files write(const std::string &command, const model::Case &scene, const Result &result,
-            const Figure &figure, const fs::path &folder, const std::string &vtp = "") {
+            const Figure &figure, const fs::path &folder, const std::string &vtp = "",
+            const NamedFigures &more = {}) {
     OutputFiles files(folder);
     PlotJobs jobs;
     Files written;
@@ -63,14 +96,24 @@ Files write(const std::string &command, const model::Case &scene, const Result &
         files.drop(command + ".svg");
         written.notes.emplace_back(no_gnuplot);
     }
+    std::vector<fs::path> further;
+    for (const auto &[name, other] : drawn ? more : NamedFigures{}) {
+        further.push_back(files.reserve(name + ".svg"));
+        jobs.start(other, PictureFormat::svg, further.back());
+        jobs.start(other, PictureFormat::png, files.reserve(name + ".png"));
+    }
     files.add(command + ".json", to_json(scene, result));
     files.add(command + ".csv", to_csv(result));
     if (!vtp.empty())
         files.add(command + ".vtp", vtp);
     std::string picture;
-    if (drawn && plotly_bundle().empty()) { // a still picture in the page: wait for it
+    const bool still = plotly_bundle().empty() || plot_script(command).empty();
+    if (drawn && (still || !further.empty())) { // still pictures in the page: wait for them
         jobs.finish();
-        picture = svg_element(svg);
+        if (still)
+            picture = svg_element(svg);
+        for (const fs::path &other : further)
+            picture += svg_element(other);
     }
     files.add("report.html", to_html(scene, result, picture));
     jobs.finish();
@@ -111,10 +154,21 @@ Files write_report(const model::Case &scene, const analyses::ShowResult &result,
     files.add("show.svg", svg);
     if (!start(jobs, files, to_figure(drawing), PictureFormat::png, "show.png"))
         written.notes.emplace_back("gnuplot is not installed: no PNG picture");
+    std::vector<fs::path> curves; // pictures for the page
+    for (const Extra &extra : extras_of(scene, result)) {
+        if (start(jobs, files, extra.figure, PictureFormat::png, extra.name + ".png")) {
+            curves.push_back(files.reserve(extra.name + ".svg"));
+            jobs.start(extra.figure, PictureFormat::svg, curves.back());
+        }
+        files.add(extra.name + ".csv", extra.csv);
+    }
     files.add("show.json", to_json(scene, result));
     files.add("show.csv", to_csv(result));
-    files.add("report.html", to_html(scene, result, svg));
-    jobs.finish();
+    jobs.finish(); // the page holds the finished pictures
+    std::string more;
+    for (const fs::path &picture : curves)
+        more += svg_element(picture);
+    files.add("report.html", to_html(scene, result, svg, more));
     written.paths = files.commit();
     return written;
 }
@@ -122,6 +176,32 @@ Files write_report(const model::Case &scene, const analyses::ShowResult &result,
 Files write_report(const model::Case &scene, const analyses::AccuracyResult &result,
                    const fs::path &folder) {
     return write("accuracy", scene, result, accuracy_figure(scene, result), folder);
+}
+
+Files write_report(const model::Case &scene, const analyses::StabilityResult &result,
+                   const fs::path &folder) {
+    return write("stability", scene, result, stability_figure(scene, result), folder);
+}
+
+Files write_report(const model::Case &scene, const analyses::RigidLimitResult &result,
+                   const fs::path &folder) {
+    return write("rigid-limit", scene, result, rigid_limit_figure(scene, result), folder);
+}
+
+Files write_report(const model::Case &scene, const analyses::BalanceResult &result,
+                   const fs::path &folder) {
+    NamedFigures more;
+    if (result.placement)
+        more.emplace_back("placement", placement_figure(scene, *result.placement));
+    for (std::size_t i = 0; i < result.pendulum.size(); ++i)
+        more.emplace_back("pendulum" + (i == 0 ? "" : "_" + std::to_string(i + 1)),
+                          pendulum_figure(scene, result.pendulum[i]));
+    return write("balance", scene, result, balance_figure(scene, result), folder, "", more);
+}
+
+Files write_report(const model::Case &scene, const analyses::SimulateResult &result,
+                   const fs::path &folder) {
+    return write("simulate", scene, result, simulate_figure(scene, result), folder);
 }
 
 } // namespace whirl::report

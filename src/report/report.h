@@ -1,6 +1,10 @@
 #pragma once
 
+#include "analyses/balance_result.h"
 #include "analyses/results.h"
+#include "analyses/rigid_limit_result.h"
+#include "analyses/simulate_result.h"
+#include "analyses/stability_result.h"
 #include "model/case.h"
 
 #include <filesystem>
@@ -29,6 +33,16 @@ Files write_report(const model::Case &scene, const analyses::ModesResult &result
 Files write_report(const model::Case &scene, const analyses::ShowResult &result,
                    const std::filesystem::path &folder);
 Files write_report(const model::Case &scene, const analyses::AccuracyResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::StabilityResult &result,
+                   const std::filesystem::path &folder);
+Files write_report(const model::Case &scene, const analyses::RigidLimitResult &result,
+                   const std::filesystem::path &folder);
+/// Also pictures of the placement and of each pendulum balancer, where there are any.
+Files write_report(const model::Case &scene, const analyses::BalanceResult &result,
+                   const std::filesystem::path &folder);
+
+Files write_report(const model::Case &scene, const analyses::SimulateResult &result,
                    const std::filesystem::path &folder);
 
 } // namespace whirl::report

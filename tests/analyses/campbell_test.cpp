@@ -93,14 +93,18 @@ TEST(Campbell, DampedRotorsOfEveryOrderAreSweptToTheEnd) {
         }
 }
 
-TEST(Campbell, RefusesWhatNeedsTheRotatingFrame) {
+TEST(Campbell, RefusesFormsInTheFixedFrameForAsymmetricRotors) {
     model::Case scene = scene_of(tests::two_disc_rotor(1e6, 1e6), 4, 400, 3);
     model::Anisotropy part;
     part.z = 0.5;
     part.dI = 0.01;
     scene.rotor.anisotropies.push_back(part);
-    EXPECT_THROW((void)analyses::campbell(scene), model::AnalysisFailure);
-    EXPECT_THROW((void)analyses::critical_speeds(scene), model::AnalysisFailure);
+    for (const auto form :
+         {model::FormChoice::planar, model::FormChoice::hyperbolic, model::FormChoice::general}) {
+        scene.formulation = form;
+        EXPECT_THROW((void)analyses::campbell(scene), model::BadInput);
+        EXPECT_THROW((void)analyses::critical_speeds(scene), model::BadInput);
+    }
 }
 
 } // namespace

@@ -89,7 +89,7 @@ TEST(Show, names_the_form_of_each_command) {
         EXPECT_EQ(formulation.form,
                   command == "response" ? analyses::Form::planar : analyses::Form::general)
             << command;
-    EXPECT_EQ(result.formulations.size(), 5U);
+    EXPECT_EQ(result.formulations.size(), 6U);
 }
 
 } // namespace

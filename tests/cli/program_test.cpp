@@ -166,13 +166,32 @@ TEST_F(Program, FolderThatCannotBeMadeIsStatusOneInWords) {
     EXPECT_TRUE(contains(result.errors, "case.toml/results")) << result.errors;
 }
 
-TEST_F(Program, CommandsOfLaterVersionsSaySo) {
-    for (const std::string command : {"stability", "balance", "rigid-limit", "simulate"}) {
-        const ProgramRun result = run({command, rotor});
-        EXPECT_EQ(result.status, 1) << command;
-        EXPECT_TRUE(contains(result.errors, "\"" + command + "\"")) << result.errors;
-        EXPECT_EQ(lines(result.errors), 1) << result.errors;
-    }
+TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
+    const ProgramRun result = run({"rigid-limit", rotor});
+    EXPECT_EQ(result.status, 0) << result.errors;
+    EXPECT_TRUE(contains(result.output, "The rigid formulas are within 1 %")) << result.output;
+    EXPECT_TRUE(fs::exists("out/friswell_5_9_1/rigid-limit/rigid-limit.json"));
+    const std::string anisotropic = std::string(WHIRL_ROOT) + "/cases/friswell_5_9_2";
+    const ProgramRun refused = run({"rigid-limit", anisotropic});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_TRUE(contains(refused.errors, "bearing[0] differs between x and y")) << refused.errors;
+    EXPECT_EQ(lines(refused.errors), 1) << refused.errors;
+    EXPECT_FALSE(fs::exists("out/friswell_5_9_2"));
+}
+
+TEST_F(Program, BalanceWantsPlanesAndMapsOnlyWhenAsked) {
+    const ProgramRun without = run({"balance", rotor});
+    EXPECT_EQ(without.status, 2);
+    EXPECT_TRUE(contains(without.errors, "[[plane]]")) << without.errors;
+    EXPECT_EQ(lines(without.errors), 1) << without.errors;
+    const std::string drum = std::string(WHIRL_ROOT) + "/cases/extractor_two_plane";
+    const auto has_placement = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> all = with_few({"balance", drum, "--json"});
+        all.insert(all.end(), more.begin(), more.end());
+        return nlohmann::json::parse(run(all).output).contains("placement");
+    };
+    EXPECT_FALSE(has_placement({}));
+    EXPECT_TRUE(has_placement({"--map"}));
     EXPECT_TRUE(nothing_written());
 }
 

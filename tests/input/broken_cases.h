@@ -1,6 +1,7 @@
 #pragma once
 
 #include "broken_attachments.h"
+#include "broken_rotating.h"
 #include "broken_shafts.h"
 
 #include <filesystem>
@@ -11,7 +12,7 @@ namespace whirl::tests {
 /// Cases with one mistake each, for tests of the reader and of the program.
 inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
-    for (const auto &part : {broken_attachments(), broken_settings()})
+    for (const auto &part : {broken_attachments(), broken_rotating_parts(), broken_settings()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

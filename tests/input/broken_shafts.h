@@ -19,7 +19,7 @@ inline std::vector<BrokenCase> broken_shafts() {
         {"unknown section", 8, "disk", "unknown key, did you mean \"disc\"?",
          base + "[[disk]]\nz = 0\n"},
         {"unknown key", 8, "shaft.ordr", "did you mean \"order\"?", base + "ordr = 4\n"},
-        {"unknown formulation", 1, "formulation", "or \"general\", got \"plane\"",
+        {"unknown formulation", 1, "formulation", "or \"hill\", got \"plane\"",
          "formulation = \"plane\"\n" + base},
         {"no shaft", 1, "shaft", "missing, expected a section [shaft]", steel},
         {"shaft is a number", 6, "shaft", "expected a table, got 3",

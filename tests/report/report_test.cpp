@@ -7,10 +7,12 @@
 #include <pugixml.hpp>
 
 #include <cstdlib>
+#include <limits>
 
 namespace whirl::report {
 
 namespace fs = std::filesystem;
+using namespace nlohmann::literals;
 
 class ReportTest : public ScratchFolder {
   protected:
@@ -55,6 +57,61 @@ TEST_F(ReportTest, SingleSpeedStillMakesAReport) {
 TEST_F(ReportTest, ModesHaveAFileForParaView) {
     expect_complete(write_report(sample_case(), sample_modes(), folder));
     EXPECT_TRUE(fs::exists(folder / "modes.vtp"));
+}
+
+/// A balancer with curves of three points; numbers of no rotor in particular.
+analyses::BalancerNumbers sample_balancer() {
+    analyses::BalancerNumbers balancer;
+    balancer.name = "it's <one> & \"two\"";
+    balancer.E = 2;
+    balancer.D = {-0.5, 0.1};
+    balancer.D_interval = {0.25, 0.75};
+    balancer.dimensionless.m = 0.05;
+    analyses::CompositeCurves &curves = balancer.curves.emplace();
+    curves.m = {0, 0.1, 0.2};
+    curves.angle = {0, 2, 4};
+    for (auto *list :
+         {&curves.A_m, &curves.C, &curves.A_C1, &curves.A_C2, &curves.A_C1_paper,
+          &curves.A_C2_paper, &curves.A, &curves.A_paper, &curves.A_without, &curves.A_full,
+          &curves.A_least, &curves.A_largest, &curves.A_C, &curves.A_C_paper})
+        *list = {0.5, 0.6, 0.7};
+    return balancer;
+}
+
+TEST_F(ReportTest, ShowDrawsBalancersAndAnisotropy) {
+    analyses::ShowResult result;
+    analyses::BalancerNumbers idle = sample_balancer(); // no imbalance: E is infinite
+    idle.E = std::numeric_limits<double>::infinity();
+    analyses::BalancerNumbers weak; // no balanced position: no curves
+    weak.E = 0.5;
+    result.balancers = {sample_balancer(), weak, idle};
+    analyses::AnisotropyChart &chart = result.anisotropy.emplace();
+    chart.speed = {1, 2};
+    chart.limit = {0.1, 0.2};
+    chart.undamped = {0, 0.1};
+    chart.polar = {0.5, 1};
+    chart.critical_over_polar = {{1.0, 1.5}, {}};
+    chart.unstable_over_polar = {analyses::ChartBand{1.1, std::nullopt}, std::nullopt};
+    const Files files = write_report(sample_case(), result, folder);
+    expect_complete(files);
+    const auto json = nlohmann::json::parse(content_of(folder / "show.json"));
+    EXPECT_EQ(json.at("balancers").size(), 3U);
+    EXPECT_EQ(json.at("/balancers/0/D_s"_json_pointer), 0.1);
+    EXPECT_EQ(json.at("/balancers/0/D_interval/1"_json_pointer), 0.75);
+    EXPECT_TRUE(json.at("/balancers/1/D_c"_json_pointer).is_null());
+    EXPECT_TRUE(json.at("/balancers/2/E"_json_pointer).is_null());
+    EXPECT_TRUE(json.at("/balancers/0/dimensionless/p2"_json_pointer).is_null());
+    const std::string page = content_of(folder / "report.html");
+    EXPECT_NE(page.find("it&#39;s &lt;one&gt;"), std::string::npos) << "escaped";
+    if (!files.notes.empty())
+        GTEST_SKIP() << files.notes[0];
+    for (const char *name : {"composite.svg", "composite_3.svg", "anisotropy.svg"}) {
+        pugi::xml_document svg;
+        EXPECT_TRUE(svg.load_file((folder / name).c_str())) << name;
+        EXPECT_TRUE(fs::exists((folder / name).replace_extension(".png"))) << name;
+        EXPECT_TRUE(fs::exists((folder / name).replace_extension(".csv"))) << name;
+    }
+    EXPECT_FALSE(fs::exists(folder / "composite_2.svg"));
 }
 
 TEST_F(ReportTest, WithoutGnuplotTheRestIsWrittenAndANoteSaysSo) {

@@ -50,7 +50,8 @@ inline analyses::CampbellResult sample_campbell() {
                        {Whirl::mixed, Whirl::backward, Whirl::backward},
                        {0.5, 0., 0.},
                        {1e-12, 1e-12, 1e-12},
-                       {1e-15, 1e-15, 1e-15}};
+                       {1e-15, 1e-15, 1e-15},
+                       {}};
     result.modes[1] = {"1F",
                        {90., std::nullopt, 110.},
                        {-1., std::numeric_limits<double>::quiet_NaN(), 2.},
@@ -59,7 +60,8 @@ inline analyses::CampbellResult sample_campbell() {
                        {Whirl::forward, Whirl::forward, Whirl::forward},
                        {1., 1., 1.},
                        {1e-12, std::nullopt, std::numeric_limits<double>::infinity()},
-                       {1e-15, 1e-15, 1e-15}};
+                       {1e-15, 1e-15, 1e-15},
+                       {}};
     result.crossings = {{1, 82.5, 82.5, 0}};
     return result;
 }

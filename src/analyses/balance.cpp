@@ -1,0 +1,213 @@
+#include "analyses/balance.h"
+
+#include "analyses/balance_bands.h"
+#include "analyses/balance_pendulum.h"
+#include "analyses/balance_placement.h"
+#include "analyses/balance_rigid.h"
+#include "analyses/balance_scene.h"
+#include "analyses/balance_tier_three.h"
+#include "analyses/balance_tier_two.h"
+#include "analyses/balance_words.h"
+#include "analyses/progress.h"
+#include "analyses/speeds.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Ends of the bands strictly inside the range.
+std::vector<BandEnd> inner_ends(const std::vector<SpeedBand> &bands, double from, double to) {
+    std::vector<BandEnd> ends;
+    for (const SpeedBand &band : bands) {
+        if (band.from > from)
+            ends.push_back({band.from, false, {}, {}, {}});
+        if (band.to < to)
+            ends.push_back({band.to, true, {}, {}, {}});
+    }
+    return ends;
+}
+
+template <class Ends> auto nearest_end(Ends &ends, double speed, bool upper) {
+    auto best = ends.end();
+    for (auto end = ends.begin(); end != ends.end(); ++end)
+        if (end->upper == upper &&
+            (best == ends.end() || std::abs(end->speed - speed) < std::abs(best->speed - speed)))
+            best = end;
+    return best;
+}
+
+/// Ends beside the rigid ones: two belong together where each is the other's nearest.
+void complete(BalanceBands &bands, double from, double to) {
+    bands.ends = inner_ends(bands.bands, from, to);
+    const std::vector<BandEnd> rigid =
+        inner_ends(bands.rigid_bands.value_or(std::vector<SpeedBand>{}), from, to);
+    for (BandEnd &end : bands.ends) {
+        const auto partner = nearest_end(rigid, end.speed, end.upper);
+        // Farther apart than by half, they have nothing to do with each other.
+        if (partner != rigid.end() && std::abs(end.speed / partner->speed - 1) < 0.5 &&
+            nearest_end(bands.ends, partner->speed, end.upper)->speed == end.speed) {
+            end.rigid = partner->speed;
+            end.relative_difference = end.speed / partner->speed - 1;
+        }
+        for (const double pinned : bands.pinned)
+            if (end.upper && std::abs(pinned / end.speed - 1) < 1e-6)
+                end.pinned = pinned;
+    }
+}
+
+void fill_bands(const BalanceScene &s, const BalanceBreakpoints &points, BalanceForm &form,
+                BalanceResult &result) {
+    std::vector<double> samples;
+    if (!points.sharp)
+        samples = samples_around(points.hints, s.speeds, s.from, s.to);
+    const auto bands = [&](const SpeedFunction &criterion, const std::vector<double> &pinned) {
+        return points.sharp ? sharp_bands(criterion, points.critical, pinned, s.from, s.to)
+                            : sampled_bands(criterion, samples);
+    };
+    for (std::size_t i = 0; i < s.planes.size(); ++i) {
+        BalanceBands &plane = result.planes[i].bands;
+        plane.pinned = points.pinned[i];
+        plane.bands = bands([&](double speed) { return form.plane(static_cast<int>(i), speed); },
+                            plane.pinned);
+    }
+    BalanceBands &joint = result.joint.bands;
+    joint.pinned = points.pinned_all;
+    joint.bands = s.planes.size() == 1
+                      ? result.planes[0].bands.bands
+                      : bands([&](double speed) { return form.joint(speed); }, joint.pinned);
+}
+
+void fill_rigid(const BalanceScene &s, BalanceResult &result) {
+    result.rigid = rigid_equivalent(s.rotor, s.from);
+    std::vector<double> z;
+    for (const model::CorrectionPlane &plane : s.planes)
+        z.push_back(plane.z);
+    if (result.rigid && s.has_range()) {
+        for (BalancePlane &plane : result.planes)
+            plane.bands.rigid_bands = rigid_plane_bands(*result.rigid, plane.z, s.from, s.to);
+        result.joint.bands.rigid_bands = rigid_joint_bands(*result.rigid, z, s.from, s.to);
+    }
+    for (BalancePlane &plane : result.planes)
+        complete(plane.bands, s.from, s.to);
+    complete(result.joint.bands, s.from, s.to);
+}
+
+/// One row a speed: the eigenvalues, the diagonal, the worst imbalances.
+void fill_signature(const BalanceScene &s, BalanceForm &form, BalanceResult &result) {
+    const std::size_t count = s.planes.size();
+    const auto row = [&](double speed) {
+        const SignaturePoint point = form.signature(speed);
+        std::vector<double> values = point.eigenvalues;
+        values.push_back(point.negative);
+        values.push_back(point.relative);
+        for (std::size_t i = 0; i < count; ++i)
+            values.push_back(form.plane(static_cast<int>(i), speed));
+        for (const std::complex<double> &s_i : point.worst)
+            values.insert(values.end(), {s_i.real(), s_i.imag()});
+        return values;
+    };
+    const std::vector<std::vector<double>> rows = rows_at(s.speeds, row);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        auto next = rows[k].begin();
+        SignaturePoint point;
+        point.speed = s.speeds[k];
+        point.eigenvalues.assign(next, next + static_cast<std::ptrdiff_t>(count));
+        next += static_cast<std::ptrdiff_t>(count);
+        point.negative = static_cast<int>(*next++);
+        point.relative = *next++;
+        for (BalancePlane &plane : result.planes)
+            plane.criterion.push_back(*next++);
+        for (std::size_t i = 0; i < count; ++i, next += 2)
+            point.worst.emplace_back(*next, *(next + 1));
+        result.joint.signature.push_back(point);
+    }
+}
+
+void fill_notes(const model::Case &scene, const BalanceScene &s, BalanceResult &result) {
+    std::vector<std::string> &notes = result.model.notes;
+    const model::Rotor &rotor = scene.rotor;
+    if (!rotor.balancers.empty())
+        notes.emplace_back("the criterion is that of balancers without mass: the rotor is taken "
+                           "without their balls and pendulums");
+    if (!rotor.anisotropies.empty())
+        notes.emplace_back("the rotating anisotropies of the case are left out");
+    if (!rotor.bearings_isotropic())
+        notes.emplace_back("bearings differ between x and y: the criterion takes the forward part "
+                           "of the receptance, the rigid closed form the mean stiffness");
+    if (rotor.damped())
+        notes.emplace_back("the rigid closed form has no damping");
+    const auto pedestal = [](const model::Bearing &b) {
+        return b.pedestal && b.pedestal->mass > 0;
+    };
+    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(), pedestal))
+        notes.emplace_back("the rigid closed form leaves out the masses of the pedestals");
+    if (rotor.bearings_depend_on_speed())
+        notes.push_back(
+            fmt::format("the rigid closed form takes the bearings as at {:.6g} rad/s", s.from));
+    if (!result.rigid)
+        notes.emplace_back("no rigid closed form: the supports do not hold a rigid rotor");
+    if (result.joint.rank < static_cast<int>(s.planes.size()) && !rotor.shaft.rigid)
+        notes.emplace_back("correction planes at one place count once");
+    if (!s.has_range())
+        notes.emplace_back("one speed only: bands need a range of speeds");
+}
+
+BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
+                        const assembly::Discretization &d) {
+    BalanceForm form(d, s.formulation.form, s.places(d));
+    BalanceResult result;
+    result.model.formulation = s.formulation;
+    result.model.order = s.order;
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    result.model.unknowns = form.receptance().unknowns();
+    result.speeds = s.speeds;
+    for (const model::CorrectionPlane &plane : s.planes)
+        result.planes.push_back({plane.name, plane.z, {}, {}});
+    result.joint.rank = form.rank();
+    const BalanceBreakpoints points = balance_breakpoints(s, d, form.receptance().undamped());
+    result.sharp = points.sharp;
+    result.critical_speeds = points.critical;
+    report_progress(0.1);
+    if (s.has_range())
+        fill_bands(s, points, form, result);
+    report_progress(0.3);
+    fill_rigid(s, result);
+    fill_signature(s, form, result);
+    fill_notes(scene, s, result);
+    return result;
+}
+
+} // namespace
+
+BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
+    const auto start = std::chrono::steady_clock::now();
+    const BalanceScene s(scene);
+    const assembly::Discretization d(s.rotor, s.order);
+    try {
+        BalanceResult result = criterion(scene, s, d);
+        if (options.map)
+            result.placement = placement(s, d, result.critical_speeds);
+        result.pendulum = pendulum_balance(scene, s, result.model.notes);
+        report_progress(0.5);
+        result.balanced_position = balanced_position(scene, result.model.notes);
+        if (s.has_range())
+            result.simulated = simulated_speeds(scene, result.model.notes);
+        result.findings = balance_findings(result, *scene.speeds, scene.rotor.damped());
+        report_progress(1);
+        result.model.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return result;
+    } catch (const linalg::SolverError &error) {
+        throw model::AnalysisFailure(fmt::format("balance: {}", error.what()));
+    }
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "analyses/balance_receptance.h"
+#include "analyses/balance_result.h"
+
+#include <map>
+
+namespace whirl::analyses {
+
+/// The criterion's Hermitian form at the correction planes over spin speed; speeds once looked at
+/// are remembered.
+class BalanceForm {
+  public:
+    /// @param places  deflections at the planes; the discretisation must outlive this
+    BalanceForm(const assembly::Discretization &rotor, Form form,
+                const std::vector<assembly::Combination> &places);
+
+    /// Hermitian part of R, planes x planes, 1/kg. At a resonance, where R has no value, that of a
+    /// speed beside it.
+    /// @throws model::AnalysisFailure where there is none there either.
+    [[nodiscard]] const Eigen::MatrixXcd &at(double speed);
+
+    /// Re R_jj.
+    [[nodiscard]] double plane(int index, double speed);
+    /// Largest eigenvalue on the imbalances that make a force at all (all of them, unless the
+    /// rotor is rigid and has more than two planes).
+    [[nodiscard]] double joint(double speed);
+    /// Eigenvalues of the form; those of imbalances without force are exactly zero.
+    [[nodiscard]] SignaturePoint signature(double speed);
+
+    [[nodiscard]] int rank() const { return static_cast<int>(_range.cols()); }
+    [[nodiscard]] const ForwardReceptance &receptance() const { return _receptance; }
+
+  private:
+    ForwardReceptance _receptance;
+    Eigen::MatrixXd _range; ///< orthonormal imbalances that make a force, planes x rank
+    std::map<double, Eigen::MatrixXcd> _known;
+
+    [[nodiscard]] Eigen::MatrixXcd on_range(double speed);
+};
+
+} // namespace whirl::analyses

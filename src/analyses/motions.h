@@ -1,0 +1,57 @@
+#pragma once
+
+#include "analyses/arrangement.h"
+#include "analyses/formulation.h"
+#include "assembly/discretization.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// A free motion exp(l t) at one spin speed, in the frame of the form.
+struct Motion {
+    std::complex<double> value; ///< l, 1/s
+    Eigen::VectorXcd state;     ///< displacements and velocities, made comparable; length 1
+    double noise = 0;           ///< how far Re l can be from the truth by rounding, 1/s
+    bool may_meet = true;       ///< slow enough for a combination resonance at this speed
+};
+
+/// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
+/// listed, so that lines can be followed through the real axis.
+class MotionSolver {
+  public:
+    /// @param form       general, rotating or hill
+    /// @param order      of the shaft elements
+    /// @param arrangement  where the balls of each balancer stand
+    /// @param harmonics  of the Hill series (form hill)
+    MotionSolver(const model::Rotor &rotor, Form form, int order, const Arrangement &arrangement,
+                 int harmonics);
+    ~MotionSolver();
+    MotionSolver(const MotionSolver &) = delete;
+    MotionSolver &operator=(const MotionSolver &) = delete;
+    MotionSolver(MotionSolver &&) = delete;
+    MotionSolver &operator=(MotionSolver &&) = delete;
+
+    /// All motions with |l| up to a little above the spin speed, and at least `least` of them.
+    /// @throws model::AnalysisFailure where they cannot be found.
+    [[nodiscard]] std::vector<Motion> at(double speed) const;
+
+    /// Real unknowns of the eigenproblem.
+    [[nodiscard]] int unknowns() const;
+    [[nodiscard]] const assembly::Discretization &discretization() const;
+
+    static constexpr int least = 8;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> _data;
+};
+
+/// Largest real part, 1/s; below the noise of the motions it is 0.
+[[nodiscard]] double growth_of(const std::vector<Motion> &motions);
+
+} // namespace whirl::analyses

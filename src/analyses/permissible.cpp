@@ -1,0 +1,131 @@
+#include "analyses/permissible.h"
+
+#include "analyses/rigid_limit_anisotropy.h"
+#include "assembly/rotating_system.h"
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::analyses {
+
+namespace {
+
+model::Rotor with_anisotropy(model::Rotor rotor, std::size_t index, double dI) {
+    rotor.anisotropies[index].dI = dI;
+    return rotor;
+}
+
+/// The dI at which the mass matrix becomes singular: along the axis of smaller inertia the node
+/// has 1/(e^T M^-1 e) to lose.
+double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int order,
+                           const Arrangement &arrangement) {
+    const model::Rotor without = with_anisotropy(rotor, index, 0);
+    const assembly::Discretization d(without, order);
+    const assembly::RotatingSystem system =
+        assembly::assemble_rotating(d, 0, balancer_elements(without, arrangement));
+    const Eigen::SparseMatrix<double> M = system.M.view();
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(M);
+    const model::Anisotropy &anisotropy = rotor.anisotropies[index];
+    double least = std::numeric_limits<double>::infinity();
+    for (const double turn : {0.0, std::acos(0.0)}) {
+        Eigen::VectorXd e = Eigen::VectorXd::Zero(M.rows());
+        for (const auto &[unknown, value] : d.slope_at(anisotropy.z)) {
+            e(2 * unknown) += value * std::cos(anisotropy.angle + turn);
+            e(2 * unknown + 1) += value * std::sin(anisotropy.angle + turn);
+        }
+        const Eigen::VectorXd response = factors.solve(e);
+        least = std::min(least, 1 / std::max(e.dot(response), 1e-300));
+    }
+    return least;
+}
+
+/// One element of a rotor with its dI varied.
+class Varied {
+  public:
+    Varied(const model::Case &scene, const StabilityModel &model, const Arrangement &arrangement,
+           std::size_t index)
+        : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
+
+    [[nodiscard]] MotionSolver solver(double dI) const {
+        return {with_anisotropy(_scene.rotor, _index, dI), _model.form, _model.order, _arrangement,
+                _model.harmonics};
+    }
+
+    /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
+    [[nodiscard]] bool splits_critical_speeds(double dI, double top) const {
+        if (_model.form != Form::rotating)
+            return false;
+        const auto count = [&](double value) {
+            const assembly::Discretization d(with_anisotropy(_scene.rotor, _index, value),
+                                             _model.order);
+            return standing_speeds(d, _arrangement, true, top).size();
+        };
+        return count(dI) > count(0);
+    }
+
+    /// The dI between 0 and an unstable one at which this speed is just stable.
+    [[nodiscard]] double just_stable(double speed, double unstable) const {
+        double low = 0;
+        double high = unstable;
+        while (high - low > 1e-12 * unstable) {
+            const double middle = (low + high) / 2;
+            (growth_of(solver(middle).at(speed)) > 0 ? high : low) = middle;
+        }
+        return low;
+    }
+
+  private:
+    const model::Case &_scene;
+    const StabilityModel &_model;
+    const Arrangement &_arrangement;
+    std::size_t _index;
+};
+
+std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
+                                  const std::vector<double> &speeds) {
+    constexpr int most_steps = 40;
+    double dI = largest;
+    bool limited = false;
+    if (undamped && varied.splits_critical_speeds(1e-3 * largest, speeds.back()))
+        return 0;
+    for (int step = 0; step < most_steps; ++step) {
+        const MotionSolver solver = varied.solver(dI);
+        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
+        const std::vector<SpeedInterval> bands = unstable_bands(at, speeds);
+        if (bands.empty())
+            break;
+        limited = true;
+        double next = dI;
+        for (const SpeedInterval &band : bands)
+            next = std::min(next, varied.just_stable(strongest_speed(at, band), next));
+        const bool settled = dI - next < 1e-11 * dI;
+        dI = next;
+        if (settled || dI < 1e-9 * largest)
+            break;
+    }
+    if (dI < 1e-7 * largest)
+        dI = 0; // the smallest anisotropy is too much
+    return limited ? std::optional(dI) : std::nullopt;
+}
+
+} // namespace
+
+std::vector<PermissibleAnisotropy> permissible_anisotropies(const model::Case &scene,
+                                                            const StabilityModel &model,
+                                                            const Arrangement &arrangement,
+                                                            const std::vector<double> &speeds) {
+    std::vector<PermissibleAnisotropy> out;
+    for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
+        const model::Anisotropy &element = scene.rotor.anisotropies[i];
+        const double singular = singular_anisotropy(scene.rotor, i, model.order, arrangement);
+        const Varied varied(scene, model, arrangement, i);
+        out.push_back({element.z, element.name,
+                       permissible(varied, 0.999 * singular, !scene.rotor.damped(), speeds),
+                       rigid_permissible_anisotropy(scene.rotor, speeds.front(), speeds.back())});
+    }
+    return out;
+}
+
+} // namespace whirl::analyses

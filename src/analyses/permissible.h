@@ -1,0 +1,20 @@
+#pragma once
+
+#include "analyses/stability_model.h"
+#include "analyses/stability_result.h"
+
+#include <vector>
+
+namespace whirl::analyses {
+
+/// For each anisotropy element the largest dI (the others as given) that leaves every speed of
+/// `speeds` stable, by descent: from the largest dI that has a mass matrix, each unstable band
+/// gives the dI at which its strongest speed is just stable, until no band is left. Beside it the
+/// closed form of the rigid rotor (A. N. Gorbenko, On the permissible level of inertial anisotropy
+/// of a gyroscopic rotor) where its supports are isotropic, symmetric about the centre of mass and
+/// there is no balancer.
+[[nodiscard]] std::vector<PermissibleAnisotropy>
+permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
+                         const Arrangement &arrangement, const std::vector<double> &speeds);
+
+} // namespace whirl::analyses

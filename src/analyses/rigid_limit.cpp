@@ -1,0 +1,384 @@
+#include "analyses/rigid_limit.h"
+
+#include "analyses/discretization_error.h"
+#include "analyses/progress.h"
+#include "analyses/rigid_limit_model.h"
+#include "analyses/rigid_limit_shaft.h"
+#include "assembly/discretization.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace whirl::analyses {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double one_percent = 0.01;
+using Values = std::vector<std::optional<ModelValue>>;
+
+double difference(const RigidTarget &target, const ModelValue &found) {
+    return std::abs(found.value - target.closed_form) / target.closed_form;
+}
+
+/// Least-squares slope of log y over log x.
+std::optional<double> slope(const std::vector<std::pair<double, double>> &points) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const auto &[x, y] : points) {
+        const double u = std::log(x);
+        const double v = std::log(y);
+        n += 1;
+        sx += u;
+        sy += v;
+        sxx += u * u;
+        sxy += u * v;
+    }
+    const double spread = n * sxx - sx * sx;
+    if (points.size() < 3 || !(spread > 0))
+        return std::nullopt;
+    return (n * sxy - sx * sy) / spread;
+}
+
+/// The speed that differs most, and by how much: infinitely where one does not exist.
+struct Worst {
+    double difference = 0;
+    std::string quantity;
+};
+
+/// The comparison at any stiffness; what has been computed is kept.
+class Comparison {
+  public:
+    Comparison(const model::Rotor &rotor, int order, const std::vector<RigidTarget> &targets)
+        : _rotor(rotor), _order(order), _targets(targets) {}
+
+    const Values &at(double factor) {
+        const auto found = _kept.find(factor);
+        if (found != _kept.end())
+            return found->second;
+        report_progress(std::min(0.8, 0.03 * static_cast<double>(_kept.size())));
+        return _kept.emplace(factor, model_values(stiffened(_rotor, factor), _order, _targets))
+            .first->second;
+    }
+
+    Worst worst(double factor) {
+        Worst out;
+        const Values &values = at(factor);
+        for (std::size_t i = 0; i < _targets.size(); ++i) {
+            if (!_targets[i].speed())
+                continue;
+            const double d = values[i] ? difference(_targets[i], *values[i]) : infinite;
+            if (d > out.difference || out.quantity.empty())
+                out = {d, _targets[i].quantity};
+        }
+        return out;
+    }
+
+    /// Some speed is still told from the closed form by more than its rounding.
+    bool above_rounding(double factor) {
+        const Values &values = at(factor);
+        for (std::size_t i = 0; i < _targets.size(); ++i)
+            if (!values[i] || (_targets[i].speed() &&
+                               difference(_targets[i], *values[i]) > margin * values[i]->noise))
+                return true;
+        return false;
+    }
+
+    static constexpr double margin = 10; ///< differences this many times the rounding count
+
+  private:
+    const model::Rotor &_rotor;
+    int _order;
+    const std::vector<RigidTarget> &_targets;
+    std::map<double, Values> _kept;
+};
+
+/// Factors of E and G, two a decade, up to 1e6 or until rounding takes over.
+std::vector<double> stiffness_factors(Comparison &comparison) {
+    constexpr int last = 12;
+    constexpr int fewest = 5;
+    std::vector<double> factors;
+    for (int i = 0; i <= last; ++i) {
+        const double factor = std::pow(10, i / 2.0);
+        if (i >= fewest && !comparison.above_rounding(factor))
+            break;
+        factors.push_back(factor);
+    }
+    return factors;
+}
+
+/// The factor above which every speed is within 1 %: searched downwards from a stiff shaft.
+std::optional<double> one_percent_factor(Comparison &comparison) {
+    constexpr double stiffest = 1e12;
+    constexpr double softest = 1e-9;
+    const double step = std::sqrt(10.0);
+    double within = 1;
+    while (comparison.worst(within).difference > one_percent) {
+        within *= step;
+        if (within > stiffest)
+            throw model::AnalysisFailure(
+                "the model does not approach the rigid rotor: " + comparison.worst(1).quantity +
+                " stays more than 1 % off, or cannot be found, however stiff the shaft");
+    }
+    double beyond = within;
+    for (; comparison.worst(beyond).difference <= one_percent; beyond /= step)
+        if (beyond < softest)
+            return std::nullopt;
+        else
+            within = beyond;
+    // Secant in the logarithms, on which the difference is nearly straight, kept in the bracket.
+    const auto excess = [&comparison](double x) {
+        const double d = comparison.worst(std::exp(x)).difference;
+        return std::isfinite(d) ? std::log(d / one_percent) : infinite;
+    };
+    double a = std::log(within), b = std::log(beyond);
+    double fa = excess(a), fb = excess(b);
+    for (int i = 0; i < 80 && std::abs(a - b) > 1e-9; ++i) {
+        double next = (a + b) / 2;
+        if (std::isfinite(fb) && std::isfinite(fa) && i % 3 != 2)
+            next = std::clamp((a * fb - b * fa) / (fb - fa), std::min(a, b) + 1e-10,
+                              std::max(a, b) - 1e-10);
+        const double f = excess(next);
+        (f > 0 ? b : a) = next;
+        (f > 0 ? fb : fa) = f;
+    }
+    return std::exp(a);
+}
+
+/// Fits the rate over points well above rounding and in the range where the first order dominates.
+void close_row(RigidLimitRow &row, const RigidTarget &target, const Values &found,
+               const std::vector<double> &abscissa) {
+    constexpr double first_order = 0.01;
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        if (!found[k]) {
+            row.fe.emplace_back();
+            row.relative_difference.emplace_back();
+            row.rounding.emplace_back();
+            continue;
+        }
+        const double d = difference(target, *found[k]);
+        row.fe.emplace_back(found[k]->value);
+        row.relative_difference.emplace_back(d);
+        row.rounding.emplace_back(found[k]->noise);
+        if (std::isfinite(abscissa[k]) && d < first_order &&
+            d > Comparison::margin * found[k]->noise)
+            points.emplace_back(abscissa[k], d);
+    }
+    row.rate = slope(points);
+}
+
+RigidLimitRow row_of(const RigidTarget &target, int order) {
+    RigidLimitRow row;
+    row.quantity = target.quantity;
+    row.unit = target.unit;
+    row.closed_form = target.closed_form;
+    row.speed = target.speed();
+    row.order = order;
+    return row;
+}
+
+/// The i-th value of every point.
+Values values_of(const std::vector<Values> &points, std::size_t i) {
+    Values out;
+    for (const Values &point : points)
+        out.push_back(point[i]);
+    return out;
+}
+
+/// Largest difference of the model without elastic unknowns, which is that of rounding alone.
+/// @throws model::AnalysisFailure where it is not.
+double rigid_difference(const std::vector<RigidTarget> &targets, const Values &rigid) {
+    constexpr double rounding = 1e-6; // near A = C the inertias leave few digits
+    double largest = 0;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const double d = rigid[i] ? difference(targets[i], *rigid[i]) : infinite;
+        if (!(d <= rounding))
+            throw model::AnalysisFailure(
+                fmt::format("{}: the rigid model does not agree with its closed form {:.6g} {}",
+                            targets[i].quantity, targets[i].closed_form, targets[i].unit));
+        largest = std::max(largest, d);
+    }
+    return largest;
+}
+
+void add_stiffness_rows(RigidLimitResult &result, const std::vector<RigidTarget> &targets,
+                        const std::vector<double> &factors, const std::vector<Values> &points,
+                        const Values &rigid) {
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        RigidLimitRow row = row_of(targets[i], result.model.order);
+        row.factor = factors;
+        for (const double factor : factors)
+            row.stiffness.push_back(std::isfinite(factor) ? factor * result.stiffness : infinite);
+        close_row(row, targets[i], values_of(points, i), row.stiffness);
+        if (rigid[i])
+            row.rigid = rigid[i]->value;
+        result.rows.push_back(row);
+    }
+}
+
+/// Mass, centre, inertias of the model on rigid motions, against the sum over the parts.
+void add_inertia_rows(RigidLimitResult &result, const RigidInertia &exact, double length,
+                      const std::vector<model::Rotor> &meshes, int order) {
+    std::vector<RigidInertia> found;
+    for (const model::Rotor &mesh : meshes)
+        found.push_back(model_inertia(mesh, order));
+    const auto add = [&](const char *name, const char *unit, double scale, auto number) {
+        RigidLimitRow row;
+        row.quantity = name;
+        row.unit = unit;
+        row.closed_form = number(exact);
+        row.speed = false;
+        row.inertia = true;
+        row.order = order;
+        for (std::size_t k = 0; k < meshes.size(); ++k) {
+            row.elements.push_back(element_count(meshes[k]));
+            row.factor.push_back(result.mesh_factor);
+            row.fe.emplace_back(number(found[k]));
+            row.relative_difference.emplace_back(std::abs(*row.fe.back() - row.closed_form) /
+                                                 (scale > 0 ? scale : 1));
+        }
+        result.rows.push_back(row);
+    };
+    add("mass", "kg", exact.mass, [](const RigidInertia &r) { return r.mass; });
+    add("centre of mass", "m", length, [](const RigidInertia &r) { return r.center; });
+    add("mean diametral inertia", "kg m2", exact.A, [](const RigidInertia &r) { return r.A; });
+    add("polar inertia", "kg m2", exact.C, [](const RigidInertia &r) { return r.C; });
+    if (meshes.front().rotating_anisotropy())
+        add("anisotropy", "kg m2", std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.A,
+            [](const RigidInertia &r) { return std::abs(r.a); });
+}
+
+void add_mesh_rows(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+    constexpr int most_elements = 32;
+    const bool rigid = rotor.shaft.rigid;
+    const model::Rotor stiff = rigid ? rotor : stiffened(rotor, result.mesh_factor);
+    const std::vector<model::Rotor> meshes = meshes_to_coarsest(stiff, most_elements);
+    std::vector<int> orders{result.model.order};
+    if (orders.front() != 1 && !rigid)
+        orders.push_back(1);
+    for (const int order : orders) {
+        std::vector<Values> points;
+        for (const model::Rotor &mesh : meshes)
+            points.push_back(model_values(mesh, order, forms.targets));
+        for (std::size_t i = 0; i < forms.targets.size(); ++i) {
+            RigidLimitRow row = row_of(forms.targets[i], order);
+            std::vector<double> abscissa;
+            for (const model::Rotor &mesh : meshes) {
+                row.elements.push_back(element_count(mesh));
+                row.factor.push_back(result.mesh_factor);
+                abscissa.push_back(element_count(mesh));
+            }
+            close_row(row, forms.targets[i], values_of(points, i), abscissa);
+            result.rows.push_back(row);
+        }
+        add_inertia_rows(result, forms.inertia, rotor.shaft.length(), meshes, order);
+    }
+}
+
+RigidShaft shaft_at(Comparison &comparison, const RigidLimitResult &result, double factor) {
+    const Worst worst = comparison.worst(factor);
+    const double stiffness = factor * result.stiffness;
+    return {factor, stiffness, stiffness / result.bearing_stiffness, worst.difference,
+            worst.quantity};
+}
+
+std::string percent(double share) {
+    return share >= 1e-4 ? fmt::format("{:.3g} %", 100 * share) : fmt::format("{:.1e}", share);
+}
+
+std::string stiffness_text(const RigidShaft &shaft) {
+    return fmt::format("48 EI/L^3 = {:.4g} N/m, {:.3g} times the bearings together",
+                       shaft.stiffness, shaft.over_bearings);
+}
+
+std::string sentence_of(const RigidLimitResult &result) {
+    if (!result.one_percent)
+        return "The rigid formulas are within 1 % however soft the shaft: it does not bend.";
+    const RigidShaft &limit = *result.one_percent;
+    if (limit.factor > 1)
+        return fmt::format(
+            "The rigid formulas are within 1 % once the shaft is {:.4g} times as stiff as it is "
+            "({}); {}.",
+            limit.factor, stiffness_text(limit),
+            result.as_is ? fmt::format("with the shaft as it is they err by up to {} ({})",
+                                       percent(result.as_is->largest), result.as_is->quantity)
+                         : "with the shaft as it is not all of these speeds exist");
+    return fmt::format(
+        "The rigid formulas are within 1 % with the shaft as it is ({}): they err by up to {} "
+        "({}); they reach 1 % with a shaft of {:.4g} times its stiffness ({}).",
+        stiffness_text(*result.as_is), percent(result.as_is->largest), result.as_is->quantity,
+        limit.factor, stiffness_text(limit));
+}
+
+/// Sweep, 1 % stiffness and sentence of an elastic shaft.
+void stiffen(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+    constexpr double stiff_enough = 1e-3; // for the mesh sweep
+    result.stiffness = bending_stiffness(rotor);
+    Comparison comparison(rotor, result.model.order, forms.targets);
+    if (const auto factor = one_percent_factor(comparison))
+        result.one_percent = shaft_at(comparison, result, *factor);
+    const std::vector<double> factors = stiffness_factors(comparison);
+    std::vector<Values> points;
+    for (const double factor : factors)
+        points.push_back(comparison.at(factor));
+    const Values rigid = model_values(without_elasticity(rotor), result.model.order, forms.targets);
+    static_cast<void>(rigid_difference(forms.targets, rigid));
+    add_stiffness_rows(result, forms.targets, factors, points, rigid);
+    if (std::isfinite(comparison.worst(1).difference))
+        result.as_is = shaft_at(comparison, result, 1);
+    result.sentence = sentence_of(result);
+    const auto stiff = std::find_if(factors.begin(), factors.end(), [&comparison](double factor) {
+        return comparison.worst(factor).difference <= stiff_enough;
+    });
+    result.mesh_factor = stiff == factors.end() ? factors.back() : *stiff;
+}
+
+/// The model without elastic unknowns in the place of the sweep.
+void compare_rigid(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+    result.stiffness = infinite;
+    result.mesh_factor = infinite;
+    const Values values = model_values(rotor, result.model.order, forms.targets);
+    add_stiffness_rows(result, forms.targets, {infinite}, {values}, values);
+    result.sentence =
+        fmt::format("The shaft is rigid: model and closed forms differ by {:.1e} at most.",
+                    rigid_difference(forms.targets, values));
+}
+
+} // namespace
+
+RigidLimitResult rigid_limit(const model::Case &given) {
+    const auto start = std::chrono::steady_clock::now();
+    RigidLimitResult result;
+    ModelSummary &model = result.model;
+    model::Case scene = rigid_limit_scene(given, model.notes);
+    const RigidForms forms = rigid_forms(scene);
+    model.notes.insert(model.notes.end(), forms.notes.begin(), forms.notes.end());
+    model.order = resolve_order(scene, choose_formulation(scene));
+    model.formulation =
+        scene.rotor.rotating_anisotropy()
+            ? Formulation{Form::rotating, "something that turns is not axisymmetric: motions that "
+                                          "stand still in axes that turn with the rotor"}
+            : Formulation{Form::planar, "forward critical speeds without damping on isotropic "
+                                        "bearings: symmetric matrices of half size"};
+    const assembly::Discretization d(scene.rotor, model.order);
+    model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    model.unknowns = (scene.rotor.rotating_anisotropy() ? 2 : 1) * d.planar_size();
+    result.bearing_stiffness = forms.bearing_stiffness;
+    if (scene.rotor.shaft.rigid)
+        compare_rigid(result, scene.rotor, forms);
+    else
+        stiffen(result, scene.rotor, forms);
+    report_progress(0.9);
+    add_mesh_rows(result, scene.rotor, forms);
+    report_progress(1);
+    model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

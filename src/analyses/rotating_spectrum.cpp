@@ -1,0 +1,211 @@
+#include "analyses/rotating_spectrum.h"
+
+#include "analyses/zero_modes.h"
+#include "assembly/hill_system.h"
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::analyses {
+
+namespace {
+
+constexpr std::complex<double> i_unit(0, 1);
+
+/// As in the fixed frame: so near the real axis there is no whirl (general_spectrum.cpp).
+constexpr double real_axis = 0.02;
+
+/// Share of the copy whose centre must be largest; equal shares may differ by rounding.
+constexpr double equal_share = 1 - 1e-6;
+
+} // namespace
+
+RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretization,
+                                   double bearing_speed,
+                                   const std::vector<elements::BalancerElement> &balancers,
+                                   int harmonics)
+    : _discretization(discretization), _harmonics(harmonics),
+      _system(assembly::assemble_rotating(discretization, bearing_speed, balancers)),
+      _M(_system.M.view()), _C(_system.C.view()), _Cs(_system.Cs.view()), _K(_system.K.view()),
+      _Ks(_system.Ks.view()), _Kss(_system.Kss.view()) {
+    if (harmonics > 0)
+        _supports = assembly::turning_supports(discretization, bearing_speed, _system.M.size());
+}
+
+int RotatingSpectrum::largest_term(const Eigen::VectorXcd &vector) const {
+    const Eigen::Index n = _system.M.size();
+    double most = vector.head(n).norm();
+    int term = 0;
+    for (int k = 1; k <= _harmonics; ++k) {
+        const Eigen::VectorXcd a = vector.segment((2 * k - 1) * n, n);
+        const Eigen::VectorXcd b = vector.segment(2 * k * n, n);
+        const double size = std::max((a - i_unit * b).norm(), (a + i_unit * b).norm()) / 2;
+        if (size * equal_share > most) {
+            most = size;
+            term = k;
+        }
+    }
+    return term;
+}
+
+linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, double shift) const {
+    linalg::QuadraticOptions options;
+    options.shift = shift;
+    options.fewest = 1;
+    if (speed != 0) {
+        const assembly::SystemAtSpeed hill =
+            assembly::hill_system(_system, *_supports, speed, _harmonics);
+        options.wanted = std::min(wanted, hill.M.size());
+        return linalg::solve_quadratic(hill.M, hill.D, hill.K, options);
+    }
+    // At rest nothing turns: constant coefficients.
+    options.wanted = std::min(wanted, _system.M.size());
+    linalg::QuadraticResult found = linalg::solve_quadratic(
+        _system.M, linalg::Matrix::sum(1, _system.C, 1, _supports->C.cosine),
+        linalg::Matrix::sum(1, _system.K, 1, _supports->K.cosine), options);
+    const Eigen::Index n = _system.M.size();
+    for (linalg::ComplexPair &pair : found.pairs) {
+        pair.vector.conservativeResize(n * (2 * _harmonics + 1));
+        pair.vector.tail(2 * _harmonics * n).setZero();
+    }
+    return found;
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
+                                                      Keep keep) const {
+    linalg::QuadraticOptions options;
+    options.shift = shift;
+    options.fewest = 1;
+    linalg::QuadraticResult found;
+    if (_harmonics == 0) {
+        options.wanted = std::min(wanted, _system.M.size());
+        found = linalg::solve_quadratic(_M, _C + speed * _Cs,
+                                        _K + speed * _Ks + speed * speed * _Kss, options);
+    } else {
+        found =
+            solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
+    }
+    Eigenvalues out;
+    out.complete_radius = std::max(0.0, found.complete_radius - shift);
+    const int last = keep == Keep::best ? 0 : std::max(1, _harmonics - 1);
+    for (linalg::ComplexPair &pair : found.pairs) {
+        if (_harmonics > 0 && largest_term(pair.vector) > last)
+            continue;
+        if (keep == Keep::best)
+            pair.vector.conservativeResize(_system.M.size());
+        out.pairs.push_back(std::move(pair));
+    }
+    std::sort(out.pairs.begin(), out.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+    return out;
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
+                                                      Keep keep) const {
+    // The shift is no eigenvalue, and of the size of what is looked for.
+    const double shift = 0.31 * std::max(std::abs(speed), support_scale(_discretization));
+    const int terms = keep == Keep::best ? 1 : 2 * _harmonics + 1;
+    const int all = _system.M.size() * terms;
+    double reached = 0;
+    for (int wanted = std::min(all, std::max(least, _usual));;
+         wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
+        Eigenvalues out = solve(speed, wanted, shift, keep);
+        // No more can be resolved beside those found: enough where they reach as far as asked.
+        const bool last = out.complete_radius <= reached;
+        reached = std::max(reached, out.complete_radius);
+        if (last && reached < radius)
+            throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
+        const bool enough = static_cast<int>(out.pairs.size()) >= least;
+        if ((enough && out.complete_radius >= radius) || wanted == all || last ||
+            std::isinf(out.complete_radius)) {
+            _usual = wanted;
+            return out;
+        }
+    }
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
+                                                            int least) const {
+    return up_to(speed, radius, least, Keep::best);
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
+                                                       int least) const {
+    return up_to(speed, radius, least, Keep::accurate);
+}
+
+WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) {
+    // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
+    const Eigen::Index n = pair.vector.size() / 2;
+    const Eigen::VectorXcd X = pair.vector(Eigen::seqN(0, n, 2));
+    const Eigen::VectorXcd Y = pair.vector(Eigen::seqN(1, n, 2));
+    const Eigen::VectorXcd p = (X + i_unit * Y) / 2;
+    const Eigen::VectorXcd r = (X.conjugate() + i_unit * Y.conjugate()) / 2;
+    const double nu = pair.value.imag();
+    WhirlMode mode;
+    mode.frequency_rotating = nu;
+    mode.shape.resize(2 * n);
+    double turn = 0; // rad/s, of the dominant whirl, positive with the spin
+    if (speed == 0) {
+        turn = nu; // both whirls have this frequency: the whole motion
+        mode.shape = pair.vector;
+    } else {
+        const bool first = p.squaredNorm() >= r.squaredNorm();
+        turn = speed + (first ? nu : -nu);
+        // w exp(i turn t) = x + i y with x = Re(w exp(i turn t)), y = Im: for a turn against the
+        // positive sense x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
+        const Eigen::VectorXcd w = first ? p : r;
+        const Eigen::VectorXcd x = turn >= 0 ? w : Eigen::VectorXcd(w.conjugate());
+        mode.shape(Eigen::seqN(0, n, 2)) = x;
+        mode.shape(Eigen::seqN(1, n, 2)) =
+            turn >= 0 ? Eigen::VectorXcd(-i_unit * x) : Eigen::VectorXcd(i_unit * x);
+        mode.whirl = turn * speed >= 0 ? Whirl::forward : Whirl::backward;
+        mode.forward_fraction = mode.whirl == Whirl::forward ? 1 : 0;
+    }
+    mode.eigenvalue = {pair.value.real(), std::abs(turn)};
+    const double size = std::max(std::abs(mode.eigenvalue), 1e-300);
+    mode.residual = pair.residual * std::abs(pair.value) / size;
+    mode.rounding = pair.rounding * std::abs(pair.value) / size;
+    return mode;
+}
+
+RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const {
+    double radius = std::abs(speed);
+    for (int attempt = 0;; ++attempt) {
+        const Eigenvalues found = eigenvalues(speed, radius, wanted);
+        Modes out;
+        out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
+        std::vector<WhirlMode> real; // two of these make up one motion
+        for (const linalg::ComplexPair &pair : found.pairs) {
+            WhirlMode mode = in_fixed_frame(pair, speed);
+            if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue))
+                out.overdamped.push_back(mode.eigenvalue.real());
+            else if (pair.value.imag() == 0)
+                real.push_back(std::move(mode));
+            else
+                out.modes.push_back(std::move(mode));
+        }
+        std::sort(real.begin(), real.end(), [](const WhirlMode &a, const WhirlMode &b) {
+            return a.eigenvalue.real() > b.eigenvalue.real();
+        });
+        // Of the two real ones that a complex pair turns into, the one that grows more stands for
+        // both, so that a mode stays one mode through a band of instability.
+        real.resize((real.size() + 1) / 2);
+        out.modes.insert(out.modes.end(), real.begin(), real.end());
+        std::vector<double> lowest;
+        for (const WhirlMode &mode : out.modes)
+            lowest.push_back(std::abs(mode.eigenvalue));
+        std::sort(lowest.begin(), lowest.end());
+        const bool enough = static_cast<int>(lowest.size()) >= wanted &&
+                            lowest[static_cast<std::size_t>(wanted) - 1] <= out.complete_radius;
+        if (enough || std::isinf(found.complete_radius) || attempt == 12)
+            return out;
+        radius = static_cast<int>(lowest.size()) >= wanted
+                     ? 1.001 * (lowest[static_cast<std::size_t>(wanted) - 1] + std::abs(speed))
+                     : 1.5 * std::max(radius, found.complete_radius);
+    }
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "analyses/whirl_mode.h"
+#include "assembly/rotating_system.h"
+#include "linalg/eigenpair.h"
+#include "linalg/quadratic_eigen.h"
+
+#include <optional>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// Eigenvalues and whirl modes of a rotor in axes that turn with it: forms rotating and hill.
+class RotatingSpectrum {
+  public:
+    /// Bearings as at `bearing_speed` (rad/s).
+    /// @param balancers  at their balanced positions
+    /// @param harmonics  of the Hill series; 0 where the bearings are the same from every direction
+    RotatingSpectrum(const assembly::Discretization &discretization, double bearing_speed,
+                     const std::vector<elements::BalancerElement> &balancers, int harmonics);
+
+    /// Eigenvalues in rotating axes, Im >= 0; shape over the unknowns of the rotating system.
+    struct Eigenvalues {
+        std::vector<linalg::ComplexPair> pairs; ///< by modulus, ascending
+        double complete_radius = 0;             ///< all of smaller modulus are in `pairs`
+    };
+    /// All of modulus up to `radius` (1/s), and at least `least`, or all there are.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Eigenvalues eigenvalues(double speed, double radius, int least) const;
+
+    /// Hill's series, every motion found at all its places 2 i speed apart that the cut leaves
+    /// accurate: motions that resonate meet at one of them, which need not be that of the largest
+    /// constant part. Vectors over all terms of the series. All places within `radius` of 0, and at
+    /// least `least`, or all there are.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Eigenvalues copies(double speed, double radius, int least) const;
+
+    struct Modes {
+        /// Eigenvalue and shape of the dominant harmonic as seen from the fixed frame, where the
+        /// motion is Re(shape exp(eigenvalue t)) over real unknowns (x, y).
+        std::vector<WhirlMode> modes;
+        std::vector<double> overdamped; ///< real parts of motions that do not whirl, 1/s
+        double complete_radius = 0;     ///< all modes of smaller frequency are known
+    };
+    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Modes modes(double speed, int wanted) const;
+
+    [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
+    [[nodiscard]] int harmonics() const { return _harmonics; }
+
+  private:
+    const assembly::Discretization &_discretization;
+    int _harmonics;
+    assembly::RotatingSystem _system;
+    std::optional<assembly::TurningSupports> _supports;
+    Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
+    mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
+
+    /// Copies of a motion that count.
+    enum class Keep {
+        best,    ///< the one whose constant part is largest
+        accurate ///< those whose largest term has neighbours on both sides in the series
+    };
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
+    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
+    [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
+    [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
+};
+
+/// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
+/// Im + speed and Im - speed backwards, the one with the larger deflections.
+[[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed);
+
+} // namespace whirl::analyses

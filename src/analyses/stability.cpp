@@ -1,0 +1,253 @@
+#include "analyses/stability.h"
+
+#include "analyses/balanced_position.h"
+#include "analyses/permissible.h"
+#include "analyses/progress.h"
+#include "analyses/speeds.h"
+#include "analyses/stability_map.h"
+#include "analyses/stability_model.h"
+#include "linalg/check.h"
+#include "linalg/session.h"
+#include "model/errors.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Motions at the speeds of a grid, kept: they are asked for by several parts of the analysis.
+class KeptMotions {
+  public:
+    KeptMotions(const MotionSolver &solver, const std::vector<double> &grid) : _solver(solver) {
+        for (const double speed : grid)
+            _kept.try_emplace(speed);
+    }
+    std::vector<Motion> operator()(double speed) {
+        const auto found = _kept.find(speed);
+        if (found == _kept.end())
+            return _solver.at(speed);
+        if (found->second.empty()) {
+            found->second = _solver.at(speed);
+            report_progress(
+                std::min(0.9, static_cast<double>(++_done) / static_cast<double>(_kept.size())));
+        }
+        return found->second;
+    }
+
+  private:
+    const MotionSolver &_solver;
+    std::map<double, std::vector<Motion>> _kept;
+    int _done = 0;
+};
+
+/// Neighbours among sorted lists of one length each: least and largest of the first values, of the
+/// second ones, ...; lists may differ in length where a speed leaves the range.
+std::vector<SpeedInterval> intervals_of(const std::vector<std::vector<double>> &lists) {
+    std::size_t longest = 0;
+    for (const auto &list : lists)
+        longest = std::max(longest, list.size());
+    std::vector<SpeedInterval> out;
+    for (std::size_t i = 0; i < longest; ++i) {
+        SpeedInterval interval{std::numeric_limits<double>::infinity(), 0};
+        for (const auto &list : lists)
+            if (i < list.size())
+                interval = {std::min(interval.first, list[i]), std::max(interval.second, list[i])};
+        out.push_back(interval);
+    }
+    return out;
+}
+
+/// What both lists of bands have in common.
+std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
+                                  const std::vector<SpeedInterval> &b) {
+    std::vector<SpeedInterval> out;
+    for (const SpeedInterval &x : a)
+        for (const SpeedInterval &y : b)
+            if (std::max(x.first, y.first) < std::min(x.second, y.second))
+                out.emplace_back(std::max(x.first, y.first), std::min(x.second, y.second));
+    return out;
+}
+
+/// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
+void sharpen(std::vector<SpeedInterval> &bands, const std::vector<StandingSpeed> &standing) {
+    for (SpeedInterval &band : bands)
+        for (double *end : {&band.first, &band.second})
+            for (const StandingSpeed &at : standing)
+                if (at.exact && std::abs(*end - at.speed) < 1e-7 * at.speed)
+                    *end = at.speed;
+}
+
+/// None where they cannot be resolved beside the other roots.
+std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
+                                            const Arrangement &arrangement, bool frozen, double top,
+                                            bool &failed) {
+    try {
+        return standing_speeds(d, arrangement, frozen, top);
+    } catch (const linalg::SolverError &) {
+        failed = true;
+        return {};
+    }
+}
+
+std::vector<double> speeds_of(const std::vector<StandingSpeed> &standing) {
+    std::vector<double> out;
+    for (const StandingSpeed &at : standing)
+        out.push_back(at.speed);
+    return out;
+}
+
+constexpr int sampled = 16;
+
+ArrangementFamily family_of(const model::Case &scene, const StabilityModel &model,
+                            const std::vector<Arrangement> &arrangements,
+                            const std::vector<double> &grid) {
+    ArrangementFamily out;
+    out.arrangements = static_cast<int>(arrangements.size());
+    std::vector<std::vector<double>> critical;
+    std::vector<std::vector<double>> additional;
+    std::vector<SpeedInterval> some;
+    for (std::size_t k = 0; k < arrangements.size(); ++k) {
+        const MotionSolver solver(scene.rotor, model.form, model.order, arrangements[k],
+                                  model.harmonics);
+        const auto bands =
+            unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
+        out.always_unstable = k == 0 ? bands : common(out.always_unstable, bands);
+        some.insert(some.end(), bands.begin(), bands.end());
+        if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
+            const double top = grid.back();
+            const auto &d = solver.discretization();
+            critical.push_back(
+                speeds_of(standing_or_none(d, arrangements[k], true, top, out.incomplete)));
+            additional.push_back(
+                speeds_of(standing_or_none(d, arrangements[k], false, top, out.incomplete)));
+        }
+        report_progress(0.9 * static_cast<double>(k + 1) /
+                        static_cast<double>(arrangements.size()));
+    }
+    out.unstable = joined(std::move(some));
+    out.critical_speeds = intervals_of(critical);
+    out.additional_speeds = intervals_of(additional);
+    for (const model::Balancer &balancer : scene.rotor.balancers) {
+        const auto interval = anisotropy_interval(balancer);
+        out.anisotropy.push_back(interval ? std::pair(interval->least, interval->largest)
+                                          : std::pair(0.0, 0.0));
+    }
+    return out;
+}
+
+/// Beyond two, each ball of a balancer adds a pair 0, -h that the motion of the rotor does not see.
+int neutral_pairs(const model::Rotor &rotor) {
+    int pairs = 0;
+    for (const model::Balancer &balancer : rotor.balancers)
+        if (balancer.kind == model::BalancerKind::ball)
+            pairs += std::max(0, balancer.n - 2);
+    return pairs;
+}
+
+/// The bands, critical and additional speeds and what depends on the arrangement of the balls.
+void search(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
+    const std::vector<double> grid = search_speeds(*scene.speeds);
+    const Arrangement arrangement = arrangement_at_balance(scene.rotor);
+    const MotionSolver solver(scene.rotor, model.form, model.order, arrangement, model.harmonics);
+    result.model.unknowns = solver.unknowns();
+    result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
+    KeptMotions kept(solver, grid);
+    const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    for (const double speed : result.speeds)
+        result.growth.push_back(growth_of(at(speed)));
+    if (grid.size() > 1)
+        result.unstable = unstable_bands(at, grid);
+    if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
+        const auto &d = solver.discretization();
+        const double top = grid.back();
+        bool failed = false;
+        const auto critical = standing_or_none(d, arrangement, true, top, failed);
+        result.critical_speeds = speeds_of(critical);
+        if (scene.rotor.balancers.empty()) {
+            sharpen(result.unstable, critical);
+        } else {
+            const auto additional = standing_or_none(d, arrangement, false, top, failed);
+            result.additional_speeds = speeds_of(additional);
+            sharpen(result.unstable, additional);
+        }
+        if (failed)
+            result.model.notes.emplace_back("critical or additional speeds could not be resolved "
+                                            "beside the other roots: they are not listed");
+    }
+    if (grid.size() > 1)
+        result.permissible = permissible_anisotropies(scene, model, arrangement, grid);
+    const std::vector<Arrangement> arrangements = sampled_arrangements(scene.rotor, sampled);
+    if (arrangements.size() > 1 && grid.size() > 1)
+        result.family = family_of(scene, model, arrangements, grid);
+}
+
+void add_notes(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
+    auto &notes = result.model.notes;
+    if (model.conservative)
+        notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
+                           "and bounds the motion at every speed");
+    if (result.speeds.size() == 1)
+        notes.emplace_back("one speed: only its growth; bands need a range of [speeds]");
+    if (model.form == Form::hill)
+        result.model.notes.push_back(
+            "critical speeds are not listed: with bearings that differ between their directions "
+            "nothing stands still in rotating axes");
+    if (in_rotating_axes(model.form) && !scene.rotor.damped() && !scene.rotor.balancers.empty())
+        notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "
+                           "and drives every motion slower than the rotor");
+    if (result.family && result.family->incomplete)
+        notes.emplace_back("for some arrangements critical or additional speeds could not be "
+                           "resolved: their intervals may be too narrow");
+    if (scene.rotor.imbalances.size() > 0 && !scene.rotor.balancers.empty())
+        notes.emplace_back("balls are placed against the imbalance of their own balancer; "
+                           "[[imbalance]] entries move them in `simulate` only");
+    if (result.neutral_pairs > 0)
+        notes.emplace_back("balls beyond two can move without changing the balance: that many "
+                           "neutral pairs 0, -h beside the eigenvalues computed");
+}
+
+} // namespace
+
+std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const model::Rotor &rotor,
+                                             const Arrangement &arrangement) {
+    model::Case varied = scene;
+    varied.rotor = rotor;
+    const std::vector<double> grid = search_speeds(required_speeds(varied));
+    const StabilityModel model = stability_model(varied);
+    if (model.conservative)
+        return {};
+    const MotionSolver solver(rotor, model.form, model.order, arrangement, model.harmonics);
+    return unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
+}
+
+StabilityResult stability(const model::Case &scene, const CaseWith &with) {
+    const auto start = std::chrono::steady_clock::now();
+    StabilityResult result;
+    result.speeds = required_speeds(scene).values();
+    const StabilityModel model = stability_model(scene);
+    result.model.formulation = model.formulation;
+    result.model.order = model.order;
+    result.harmonics = model.harmonics;
+    result.neutral_pairs = neutral_pairs(scene.rotor);
+    if (model.conservative) {
+        result.growth.assign(result.speeds.size(), 0.0);
+        const assembly::Discretization d(scene.rotor, model.order);
+        result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+        result.model.unknowns = 2 * d.planar_size();
+    } else {
+        search(scene, model, result);
+    }
+    if (scene.map)
+        result.map = stability_map(*scene.map, with);
+    add_notes(scene, model, result);
+    report_progress(1);
+    result.model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "analyses/arrangement.h"
+#include "analyses/stability_result.h"
+#include "analyses/unstable_bands.h"
+#include "model/case.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// The case with some of its entries overridden ("path=value").
+using CaseWith = std::function<model::Case(const std::vector<std::string> &overrides)>;
+
+/// Where motion is unstable: growth over the speeds of the case; all unstable bands in the range,
+/// ends refined (unstable_bands.h); critical and additional speeds; permissible anisotropies;
+/// intervals over the family of balanced positions; with [map] the growth over two entries.
+/// Maps are collective under mpirun and complete on process 0.
+/// @throws model::BadInput without [speeds] or a balanced position; model::AnalysisFailure where
+/// eigenvalues are not found or a Hill series does not settle.
+[[nodiscard]] StabilityResult stability(const model::Case &scene, const CaseWith &with);
+
+/// Only the unstable bands, for one arrangement of the balls; the same rules.
+[[nodiscard]] std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene,
+                                                           const model::Rotor &rotor,
+                                                           const Arrangement &arrangement);
+
+} // namespace whirl::analyses

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// Largest rotating inertial anisotropy of one element that leaves every speed of the range stable.
+struct PermissibleAnisotropy {
+    double z = 0; ///< m
+    std::string name;
+    std::optional<double> dI;          ///< kg m2; none: stable up to a singular mass matrix
+    std::optional<double> closed_form; ///< of the rigid rotor, where one applies, kg m2
+};
+
+/// What follows from the choice that n >= 3 balls have among their balanced positions.
+struct ArrangementFamily {
+    int arrangements = 0;    ///< sampled, the extreme ones among them
+    bool incomplete = false; ///< some critical or additional speeds could not be resolved
+    std::vector<std::pair<double, double>> unstable;          ///< with some arrangement, rad/s
+    std::vector<std::pair<double, double>> always_unstable;   ///< with every one
+    std::vector<std::pair<double, double>> critical_speeds;   ///< least and largest, rad/s
+    std::vector<std::pair<double, double>> additional_speeds; ///< least and largest, rad/s
+    /// Least and largest inertial anisotropy that each balancer adds, kg m2.
+    std::vector<std::pair<double, double>> anisotropy;
+};
+
+/// Growth over two entries of the case.
+struct StabilityMap {
+    model::MapAxis x, y;
+    std::vector<double> x_values, y_values;
+    std::vector<std::vector<double>> growth; ///< [y][x], 1/s
+};
+
+struct StabilityResult {
+    ModelSummary model;
+    std::vector<double> speeds;                      ///< rad/s
+    std::vector<double> growth;                      ///< largest real part at each, 1/s
+    std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
+    /// Forward critical speeds in the range, balls held in place, rad/s (rotating form).
+    std::vector<double> critical_speeds;
+    /// Speeds in the range at which a root is zero with the balls free: the rotor's critical
+    /// speeds when it is pinned at the balancers, rad/s.
+    std::vector<double> additional_speeds;
+    std::vector<PermissibleAnisotropy> permissible;
+    int neutral_pairs = 0; ///< pairs 0, -h of balls that move without changing the balance
+    int harmonics = 0;     ///< of the Hill series
+    std::optional<ArrangementFamily> family;
+    std::optional<StabilityMap> map;
+};
+
+} // namespace whirl::analyses

@@ -1,0 +1,97 @@
+#include "assembly/hill_system.h"
+
+namespace whirl::assembly {
+
+namespace {
+
+/// A component of the series: the constant one (harmonic 0), a cosine or a sine.
+struct Component {
+    int harmonic = 0;
+    bool sine = false;
+
+    [[nodiscard]] int block() const { return harmonic == 0 ? 0 : 2 * harmonic - (sine ? 0 : 1); }
+};
+
+class HillEntries {
+  public:
+    HillEntries(int size, int harmonics) : _size(size), _harmonics(harmonics) {}
+
+    void add(Component row, Component column, double factor, const linalg::Matrix &block) {
+        const bool vanishes = row.harmonic == 0 && row.sine;
+        if (factor == 0 || vanishes || row.harmonic > _harmonics)
+            return;
+        const linalg::SparseView view = block.view();
+        for (int i = 0; i < _size; ++i)
+            for (linalg::SparseView::InnerIterator it(view, i); it; ++it)
+                if (it.value() != 0)
+                    _entries.emplace_back(row.block() * _size + static_cast<int>(it.row()),
+                                          column.block() * _size + static_cast<int>(it.col()),
+                                          factor * it.value());
+    }
+
+    /// The pair (cosine, sine) of matrices times the component `source` of a series whose
+    /// amplitude is `factor` times the unknown `column`.
+    void add_product(const TurningSupports::Pair &pair, Component source, Component column,
+                     double factor) {
+        const int k = source.harmonic;
+        if (k == 0) {
+            add({1, false}, column, factor, pair.cosine);
+            add({1, true}, column, factor, pair.sine);
+            return;
+        }
+        // cos a cos b, cos a sin b, sin a cos b, sin a sin b as sums of angles.
+        add({k - 1, source.sine}, column, factor / 2, pair.cosine);
+        add({k + 1, source.sine}, column, factor / 2, pair.cosine);
+        add({k - 1, !source.sine}, column, source.sine ? factor / 2 : -factor / 2, pair.sine);
+        add({k + 1, !source.sine}, column, source.sine ? -factor / 2 : factor / 2, pair.sine);
+    }
+
+    [[nodiscard]] linalg::Matrix matrix() const {
+        return linalg::Matrix::from_entries(_size * (2 * _harmonics + 1), _entries);
+    }
+
+  private:
+    int _size;
+    int _harmonics;
+    std::vector<Eigen::Triplet<double>> _entries;
+};
+
+} // namespace
+
+SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &supports,
+                          double speed, int harmonics) {
+    const linalg::Matrix D = system.damping(speed);
+    const linalg::Matrix K = system.stiffness(speed);
+    const TurningSupports::Pair turning_K{
+        linalg::Matrix::sum(1, supports.K.cosine, speed, supports.Ks.cosine),
+        linalg::Matrix::sum(1, supports.K.sine, speed, supports.Ks.sine)};
+    const int n = K.size();
+    HillEntries into_M(n, harmonics);
+    HillEntries into_D(n, harmonics);
+    HillEntries into_K(n, harmonics);
+    for (int k = 0; k <= harmonics; ++k) {
+        const double w = 2 * k * speed;
+        for (const bool sine : {false, true}) {
+            if (k == 0 && sine)
+                continue;
+            const Component self{k, sine};
+            const Component other{k, !sine};
+            // The rate of a cosine l a + w b, of a sine l b - w a: seen from the unknown `self`,
+            // its own rate gets l and the other one -+ w.
+            const double across = sine ? w : -w;
+            into_M.add(self, self, 1, system.M);
+            into_D.add(self, self, 1, D);
+            into_K.add(self, self, 1, K);
+            into_K.add(self, self, -w * w, system.M);
+            into_D.add(other, self, 2 * across, system.M);
+            into_K.add(other, self, across, D);
+            into_K.add_product(turning_K, self, self, 1);
+            into_D.add_product(supports.C, self, self, 1);
+            if (k > 0)
+                into_K.add_product(supports.C, other, self, across);
+        }
+    }
+    return {into_M.matrix(), into_D.matrix(), into_K.matrix()};
+}
+
+} // namespace whirl::assembly

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "assembly/rotating_system.h"
+
+namespace whirl::assembly {
+
+/// M q'' + D q' + K q = 0 at one speed.
+struct SystemAtSpeed {
+    linalg::Matrix M, D, K;
+};
+
+/// Hill's infinite system, cut off: with turning supports the motions in rotating axes are
+///
+///     exp(l t) [q_0 + sum_k a_k cos(2 k speed t) + b_k sin(2 k speed t)],  k = 1 .. harmonics,
+///
+/// and (l^2 M + l D + K) (q_0, a_1, b_1, a_2, ...) = 0 with the real matrices returned, of size
+/// (2 harmonics + 1) times that of the system. Every motion comes 2 harmonics + 1 times, with l
+/// shifted by 2 i speed; the copy whose q_0 is largest suffers least from the cut.
+[[nodiscard]] SystemAtSpeed hill_system(const RotatingSystem &system,
+                                        const TurningSupports &supports, double speed,
+                                        int harmonics);
+
+} // namespace whirl::assembly

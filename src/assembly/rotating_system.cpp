@@ -1,0 +1,192 @@
+#include "assembly/rotating_system.h"
+
+#include <complex>
+
+namespace whirl::assembly {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i_unit(0, 1);
+
+/// Entries of a real matrix that stands for complex rows: row of u takes a u + b conj(u).
+class ComplexEntries {
+  public:
+    void add(int row, int column, Complex a, Complex b = 0) {
+        put(2 * row, 2 * column, a.real() + b.real());
+        put(2 * row, 2 * column + 1, b.imag() - a.imag());
+        put(2 * row + 1, 2 * column, a.imag() + b.imag());
+        put(2 * row + 1, 2 * column + 1, a.real() - b.real());
+    }
+    [[nodiscard]] linalg::Matrix matrix(int n) const {
+        return linalg::Matrix::from_entries(n, _entries);
+    }
+
+  private:
+    std::vector<Eigen::Triplet<double>> _entries;
+
+    void put(int row, int column, double value) {
+        if (value != 0)
+            _entries.emplace_back(row, column, value);
+    }
+};
+
+/// The six matrices of a rotating system while they are filled.
+struct RotatingEntries {
+    ComplexEntries M, C, Cs, K, Ks, Kss;
+
+    /// m times the acceleration seen from the fixed frame, u'' + 2 i speed u' - speed^2 u.
+    void inertia(int i, int j, double m) {
+        M.add(i, j, m);
+        Cs.add(i, j, 2.0 * i_unit * m);
+        Kss.add(i, j, -m);
+    }
+    /// -i speed g (u' + i speed u).
+    void gyroscopic(int i, int j, double g) {
+        Cs.add(i, j, -i_unit * g);
+        Kss.add(i, j, g);
+    }
+    /// a conj(u'' + speed^2 u).
+    void anisotropy(int i, int j, Complex a) {
+        M.add(i, j, 0, a);
+        Kss.add(i, j, 0, a);
+    }
+    /// d times the conjugate of the acceleration seen from the fixed frame.
+    void conjugate_inertia(int i, int j, Complex d) {
+        M.add(i, j, 0, d);
+        Cs.add(i, j, 0, -2.0 * i_unit * d);
+        Kss.add(i, j, 0, -d);
+    }
+    /// c (u' + i speed u).
+    void external_damping(int i, int j, Complex c) {
+        C.add(i, j, c);
+        Ks.add(i, j, i_unit * c);
+    }
+};
+
+template <class Visit>
+void for_each(std::span<const int> unknowns, const Eigen::MatrixXd &block, const Visit &visit) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        for (std::size_t j = 0; j < unknowns.size(); ++j)
+            visit(unknowns[i], unknowns[j],
+                  block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+}
+
+void add_rotating_parts(const Discretization &d, RotatingEntries &out) {
+    assemble_rotating_parts(d, [&](Term term, std::span<const int> unknowns,
+                                   const Eigen::MatrixXd &block) {
+        for_each(unknowns, block, [&](int i, int j, double v) {
+            if (term == Term::mass)
+                out.inertia(i, j, v);
+            else if (term == Term::gyroscopic)
+                out.gyroscopic(i, j, v);
+            else if (term == Term::stiffness)
+                out.K.add(i, j, v);
+            else if (term == Term::damping) // of the shaft: acts on what it sees turning with it
+                out.C.add(i, j, v);
+        });
+    });
+    assemble_asymmetry(d, [&](Term term, std::span<const int> unknowns,
+                              const Eigen::MatrixXd &block, Complex factor) {
+        for_each(unknowns, block, [&](int i, int j, double v) {
+            if (term == Term::mass)
+                out.anisotropy(i, j, v * factor);
+            else if (term == Term::stiffness)
+                out.K.add(i, j, 0, v * factor);
+            else if (term == Term::damping)
+                out.C.add(i, j, 0, v * factor);
+        });
+    });
+}
+
+/// A 2 x 2 block on (x, y) as r w + t conj(w): r is the same from every direction.
+struct Directions {
+    Complex round, turning;
+};
+Directions directions(const Eigen::Matrix2d &k) {
+    return {{(k(0, 0) + k(1, 1)) / 2, (k(1, 0) - k(0, 1)) / 2},
+            {(k(0, 0) - k(1, 1)) / 2, (k(1, 0) + k(0, 1)) / 2}};
+}
+
+void add_balancer(const Discretization &d, const elements::BalancerElement &b, int sigma,
+                  RotatingEntries &out) {
+    const Combination w = d.deflection_at(b.z);
+    const Combination phi = d.slope_at(b.z);
+    for (const auto &[i, vi] : w)
+        for (const auto &[j, vj] : w)
+            out.inertia(i, j, b.mass * vi * vj);
+    for (const auto &[i, vi] : phi)
+        for (const auto &[j, vj] : phi) {
+            out.inertia(i, j, b.diametral_inertia * vi * vj);
+            out.gyroscopic(i, j, b.polar_inertia * vi * vj);
+            out.anisotropy(i, j, b.anisotropy * vi * vj);
+        }
+    if (sigma < 0)
+        return;
+    const double m = b.moving_mass; // of the row of sigma too, so that M is nearly symmetric
+    for (const auto &[i, v] : w) {
+        out.inertia(i, sigma, m * v);
+        out.inertia(sigma, i, m * v / 2);
+        out.conjugate_inertia(sigma, i, -m * v / 2 * b.second_harmonic);
+    }
+    out.M.add(sigma, sigma, m);
+    out.C.add(sigma, sigma, m * b.damping);
+    out.Kss.add(sigma, sigma, m * b.restoring);
+}
+
+} // namespace
+
+linalg::Matrix RotatingSystem::damping(double speed) const {
+    return linalg::Matrix::sum(1, C, speed, Cs);
+}
+
+linalg::Matrix RotatingSystem::stiffness(double speed) const {
+    return linalg::Matrix::sum(1, linalg::Matrix::sum(1, K, speed, Ks), speed * speed, Kss);
+}
+
+RotatingSystem assemble_rotating(const Discretization &discretization, double bearing_speed,
+                                 const std::vector<elements::BalancerElement> &balancers,
+                                 bool frozen) {
+    RotatingEntries out;
+    add_rotating_parts(discretization, out);
+    assemble_supports(discretization, bearing_speed,
+                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                          const Complex round = directions(block).round;
+                          if (term == Term::mass)
+                              out.inertia(i, j, round.real());
+                          else if (term == Term::stiffness)
+                              out.K.add(i, j, round);
+                          else if (term == Term::damping)
+                              out.external_damping(i, j, round);
+                      });
+    int unknowns = discretization.planar_size();
+    for (const elements::BalancerElement &balancer : balancers)
+        add_balancer(discretization, balancer, frozen ? -1 : unknowns++, out);
+    const int n = 2 * unknowns;
+    return {out.M.matrix(n), out.C.matrix(n),  out.Cs.matrix(n),
+            out.K.matrix(n), out.Ks.matrix(n), out.Kss.matrix(n)};
+}
+
+TurningSupports turning_supports(const Discretization &discretization, double bearing_speed,
+                                 int unknowns) {
+    // t conj(u) exp(-2 i speed t) = t conj(u) cos - i t conj(u) sin.
+    ComplexEntries K_cos, K_sin, C_cos, C_sin, Ks_cos, Ks_sin;
+    assemble_supports(discretization, bearing_speed,
+                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                          const Complex t = directions(block).turning;
+                          if (term == Term::stiffness) {
+                              K_cos.add(i, j, 0, t);
+                              K_sin.add(i, j, 0, -i_unit * t);
+                          } else if (term == Term::damping) { // t conj(u' + i speed u)
+                              C_cos.add(i, j, 0, t);
+                              C_sin.add(i, j, 0, -i_unit * t);
+                              Ks_cos.add(i, j, 0, -i_unit * t);
+                              Ks_sin.add(i, j, 0, -t);
+                          }
+                      });
+    return {{C_cos.matrix(unknowns), C_sin.matrix(unknowns)},
+            {K_cos.matrix(unknowns), K_sin.matrix(unknowns)},
+            {Ks_cos.matrix(unknowns), Ks_sin.matrix(unknowns)}};
+}
+
+} // namespace whirl::assembly

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "assembly/system.h"
+#include "elements/balancer.h"
+#include "linalg/matrix.h"
+
+#include <vector>
+
+namespace whirl::assembly {
+
+/// In axes that turn with the rotor, q real in pairs (x, y), constant coefficients at each speed:
+///
+///     M q'' + (C + speed Cs) q' + (K + speed Ks + speed^2 Kss) q = 0
+///
+/// Unknowns: those of the discretization, then one pair sigma for each balancer (elements/
+/// balancer.h). A type of its own: it cannot be taken for a system in the fixed frame.
+template <> struct RealSystem<Frame::rotating> {
+    linalg::Matrix M;
+    linalg::Matrix C, Cs;
+    linalg::Matrix K, Ks, Kss;
+
+    [[nodiscard]] linalg::Matrix damping(double speed) const;
+    [[nodiscard]] linalg::Matrix stiffness(double speed) const;
+};
+using RotatingSystem = RealSystem<Frame::rotating>;
+
+/// What supports that are not the same from every direction add in rotating axes, where they turn
+/// backwards twice a revolution: each matrix is cosine * cos(2 speed t) + sine * sin(2 speed t).
+struct TurningSupports {
+    struct Pair {
+        linalg::Matrix cosine, sine;
+    };
+    Pair C, K, Ks; ///< C q' + (K + speed Ks) q
+};
+
+/// Bearings as at `bearing_speed` (rad/s); only the part of them that is the same from every
+/// direction, see turning_supports for the rest.
+/// @param balancers  elements at their balanced positions, any number; with `frozen` their masses
+///                   are held in place: no unknowns sigma
+[[nodiscard]] RotatingSystem
+assemble_rotating(const Discretization &discretization, double bearing_speed,
+                  const std::vector<elements::BalancerElement> &balancers, bool frozen = false);
+
+/// @param unknowns  real unknowns of the system it goes with
+[[nodiscard]] TurningSupports turning_supports(const Discretization &discretization,
+                                               double bearing_speed, int unknowns);
+
+} // namespace whirl::assembly

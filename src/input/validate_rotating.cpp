@@ -1,0 +1,168 @@
+#include "input/validate_rotating.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <complex>
+
+namespace whirl::input {
+namespace {
+
+/// Inertias are inputs with nine digits or more.
+constexpr double rounding = 1e-9;
+
+struct Inertias {
+    double Id = 0; ///< kg m2
+    double Ip = 0; ///< kg m2
+};
+
+double fourth_power(double d) { return d * d * d * d; }
+
+/// Integral of d^4 along a length over which d varies linearly from a to b.
+double fourth_power_integral(double length, double a, double b) {
+    return length / 5 *
+           (fourth_power(a) + a * a * a * b + a * a * b * b + a * b * b * b + fourth_power(b));
+}
+
+double shaft_polar_inertia(const model::Shaft &shaft) {
+    double Ip = 0;
+    for (const model::Segment &segment : shaft.segments)
+        Ip += segment.material.rho * 3.14159265358979323846 / 32 *
+              (fourth_power_integral(segment.length, segment.outer_start, segment.outer_end) -
+               fourth_power_integral(segment.length, segment.inner_start, segment.inner_end));
+    return Ip;
+}
+
+/// Polar inertia of the whole rotor with its balls and point masses.
+double polar_inertia(const model::Rotor &rotor) {
+    double Ip = shaft_polar_inertia(rotor.shaft);
+    for (const model::Disc &disc : rotor.discs)
+        Ip += disc.Ip;
+    for (const model::Balancer &balancer : rotor.balancers) {
+        const double R = balancer.kind == model::BalancerKind::ball ? balancer.radius
+                                                                    : balancer.pivot + balancer.arm;
+        Ip += balancer.n * balancer.mass * R * R;
+        Ip += balancer.imbalance * balancer.imbalance_radius.value_or(0);
+    }
+    return Ip;
+}
+
+/// What stands at one place of the shaft.
+struct Place {
+    double z = 0;
+    std::vector<std::size_t> anisotropies;
+    std::complex<double> a = 0; ///< sum of dI exp(2 i angle), kg m2
+    Inertias discs;
+    bool has_disc = false;
+};
+
+std::vector<Place> places_with_anisotropy(const model::Rotor &rotor) {
+    const double margin = rounding * rotor.shaft.length();
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {
+        const model::Anisotropy &anisotropy = rotor.anisotropies[i];
+        Place *place = nullptr;
+        for (Place &known : places)
+            if (std::abs(known.z - anisotropy.z) <= margin)
+                place = &known;
+        if (!place)
+            place = &places.emplace_back(Place{anisotropy.z, {}, 0, {}, false});
+        place->anisotropies.push_back(i);
+        place->a += anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
+    }
+    for (Place &place : places)
+        for (const model::Disc &disc : rotor.discs)
+            if (std::abs(place.z - disc.z) <= margin) {
+                place.discs.Id += disc.Id;
+                place.discs.Ip += disc.Ip;
+                place.has_disc = true;
+            }
+    return places;
+}
+
+/// "0.2 kg m2" or, of several at one place, "0.2 kg m2 (together with anisotropy[2])".
+std::string amount(const Place &place) {
+    std::string text = fmt::format("{} kg m2", std::abs(place.a));
+    if (place.anisotropies.size() > 1) {
+        text += " together with";
+        for (std::size_t i = 1; i < place.anisotropies.size(); ++i)
+            text += fmt::format("{} anisotropy[{}]", i > 1 ? "," : "", place.anisotropies[i]);
+    }
+    return text;
+}
+
+void check_place(const Place &place, double whole_Ip, const Node &root, Problems &problems) {
+    const double size = std::abs(place.a);
+    std::string limit;
+    if (!place.has_disc) {
+        if (2 * size > whole_Ip * (1 + rounding))
+            limit = fmt::format("half the polar inertia of the rotor (no disc stands at this "
+                                "place), {} kg m2",
+                                whole_Ip / 2);
+    } else if (2 * size > place.discs.Ip * (1 + rounding)) {
+        limit =
+            fmt::format("half the polar inertia of the disc there, {} kg m2", place.discs.Ip / 2);
+    } else if (size > place.discs.Id * (1 + rounding)) {
+        limit = fmt::format("the diametral inertia of the disc there, {} kg m2", place.discs.Id);
+    }
+    if (limit.empty())
+        return;
+    const std::string path = fmt::format("anisotropy[{}].dI", place.anisotropies.front());
+    problems.add(origin_of(root, path), path,
+                 fmt::format("expected at most {}, got {}", limit, amount(place)));
+}
+
+/// The case asks for one ball; a count that was refused also reads as 1.
+bool asks_for_one_ball(const model::Balancer &balancer, const std::string &path, const Node &root) {
+    const Node *entry = find_path(root, path);
+    return balancer.n == 1 && entry && entry->is_number() && entry->number == 1;
+}
+
+/// Sum of the ball angles' unit vectors over n, plus 1/E.
+std::complex<double> balance_defect(const model::Balancer &balancer, double inverse_capacity) {
+    std::complex<double> sum = 0;
+    for (const double angle : balancer.position)
+        sum += std::polar(1.0, angle);
+    return sum / static_cast<double>(balancer.position.size()) + inverse_capacity;
+}
+
+} // namespace
+
+void check_anisotropies(const model::Rotor &rotor, const Node &root, Problems &problems) {
+    const double Ip = polar_inertia(rotor);
+    for (const Place &place : places_with_anisotropy(rotor))
+        check_place(place, Ip, root, problems);
+}
+
+void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems &problems) {
+    constexpr double tolerance = 1e-6; // angles as printed with six or seven digits
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        const model::Balancer &balancer = rotor.balancers[i];
+        if (balancer.kind != model::BalancerKind::ball)
+            continue;
+        const double inverse =
+            balancer.imbalance / (balancer.n * balancer.mass * balancer.radius); // 1/E
+        const std::string count = fmt::format("balancer[{}].n", i);
+        if (asks_for_one_ball(balancer, count, root) && std::abs(inverse - 1) > rounding) {
+            problems.add(origin_of(root, count), count,
+                         fmt::format("expected 2 balls or more, or a capacity E = m R/(m0 R0) of "
+                                     "exactly 1 for one ball, got E = {}",
+                                     1 / inverse));
+            continue;
+        }
+        if (balancer.position.empty() || std::ssize(balancer.position) != balancer.n)
+            continue;
+        const std::complex<double> defect = balance_defect(balancer, inverse);
+        if (!(std::abs(defect) > tolerance))
+            continue;
+        const std::string path = fmt::format("balancer[{}].position", i);
+        const std::complex<double> mean = defect - inverse;
+        problems.add(origin_of(root, path), path,
+                     fmt::format("expected ball angles that balance the imbalance: mean of cosines "
+                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
+                                 "{:.8g}",
+                                 0 - inverse, mean.real(), mean.imag()));
+    }
+}
+
+} // namespace whirl::input

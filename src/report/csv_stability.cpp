@@ -1,0 +1,46 @@
+#include "report/csv.h"
+
+#include <fmt/format.h>
+
+namespace whirl::report {
+
+namespace {
+
+std::string band_rows(const char *kind, const std::vector<std::pair<double, double>> &bands) {
+    std::string csv;
+    for (const auto &[from, to] : bands)
+        csv += fmt::format("{},{},{},\n", kind, from, to);
+    return csv;
+}
+
+std::string map_rows(const analyses::StabilityMap &map) {
+    std::string csv;
+    for (std::size_t j = 0; j < map.growth.size(); ++j)
+        for (std::size_t i = 0; i < map.growth[j].size(); ++i)
+            csv +=
+                fmt::format("map,{},{},{}\n", map.x_values[i], map.y_values[j], map.growth[j][i]);
+    return csv;
+}
+
+} // namespace
+
+std::string to_csv(const analyses::StabilityResult &result) {
+    // Of a band from and to are its ends; of a map they are its two entries.
+    std::string csv = "kind,from,to,growth [1/s]\n";
+    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i)
+        csv += fmt::format("growth,{0},{0},{1}\n", result.speeds[i], result.growth[i]);
+    csv += band_rows("unstable", result.unstable);
+    for (const double speed : result.critical_speeds)
+        csv += fmt::format("critical speed,{0},{0},\n", speed);
+    for (const double speed : result.additional_speeds)
+        csv += fmt::format("additional speed,{0},{0},\n", speed);
+    if (result.family) {
+        csv += band_rows("unstable with some arrangement", result.family->unstable);
+        csv += band_rows("unstable with every arrangement", result.family->always_unstable);
+        csv += band_rows("critical speed over arrangements", result.family->critical_speeds);
+        csv += band_rows("additional speed over arrangements", result.family->additional_speeds);
+    }
+    return result.map ? csv + map_rows(*result.map) : csv;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analyses/balance_result.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::report {
+
+/// Headings and HTML below the pictures of the page of balance.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>>
+balance_sections(const analyses::BalanceResult &result);
+
+/// JavaScript that draws bands and eigenvalues with Plotly; see html_scripts.h.
+extern const char *const balance_script;
+
+} // namespace whirl::report

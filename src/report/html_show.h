@@ -1,0 +1,15 @@
+#pragma once
+
+#include "analyses/results.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::report {
+
+/// Headings and tables of the balancers and of the anisotropy, for the page of show.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>>
+show_sections(const analyses::ShowResult &result);
+
+} // namespace whirl::report

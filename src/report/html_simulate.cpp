@@ -1,0 +1,69 @@
+#include "report/html_simulate.h"
+
+#include "report/html.h"
+#include "report/html_scripts.h"
+#include "report/json_simulate.h"
+#include "report/plot_style.h"
+
+namespace whirl::report {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string degrees(const std::vector<double> &angles) {
+    std::string text;
+    for (const double angle : angles)
+        text += (text.empty() ? "" : ", ") + readable(angle * 180 / pi, 6);
+    return text;
+}
+
+std::string result_table(const analyses::SimulateResult &result) {
+    return html_table({"Quantity", "Value"},
+                      {{"Outcome", analyses::outcome_name(result.outcome)},
+                       {"Evidence", result.evidence},
+                       {"Amplitude left over that without balls",
+                        result.residual_ratio ? readable(*result.residual_ratio, 5) : "–"},
+                       {"Time", readable(result.time, 6) + " s, " +
+                                    readable(result.revolutions, 6) + " revolutions"},
+                       {"Speed at the end", readable(result.speed * rpm, 7) + " rpm"}});
+}
+
+std::string quality_table(const analyses::SimulateResult &result) {
+    const analyses::MotionAudit &a = result.audit;
+    return html_table(
+        {"Quantity", "Value"},
+        {{"Shapes of the shaft", std::to_string(result.shapes) + ", with the lowest " +
+                                     std::to_string(result.modes) + " modes"},
+         {"Relative error by it: steady response", readable(result.response_error, 2)},
+         {"Relative error by it: whirl speeds", readable(result.frequency_error, 2)},
+         {"Integrator", result.integrator},
+         {"Steps, evaluations",
+          std::to_string(result.steps) + ", " + std::to_string(result.rate_evaluations)},
+         {"Energy missing in the balance (J)",
+          readable(a.energy_error, 2) + " of " + readable(a.energy_scale, 4)},
+         {"Angular momentum missing (kg m²/s)",
+          readable(a.momentum_error, 2) + " of " + readable(a.momentum_scale, 4)}});
+}
+
+} // namespace
+
+std::string to_html(const model::Case &scene, const analyses::SimulateResult &result,
+                    const std::string &picture) {
+    PageContent parts{"simulate", "Motion in time",       plot_script("simulate"),
+                      picture,    to_json(scene, result), {}};
+    parts.sections.emplace_back("How it ended", result_table(result));
+    Rows rows;
+    for (const analyses::BalancerMotion &b : result.balancers)
+        rows.push_back({b.name, readable(b.z), b.kind, b.capacity ? readable(*b.capacity) : "–",
+                        degrees(b.angles), readable(b.amplitude * 1e6, 5),
+                        readable(b.reference * 1e6, 5)});
+    parts.sections.emplace_back(
+        "Balancers", html_table({"Name", "z (m)", "Kind", "Capacity E", "Final angles (deg)",
+                                 "Amplitude at the end (µm)", "without balls (µm)"},
+                                rows));
+    parts.sections.emplace_back("How good the numbers are", quality_table(result));
+    return page(scene, result.model, parts);
+}
+
+} // namespace whirl::report

@@ -1,0 +1,171 @@
+#include "report/json_balance.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace whirl::report {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json number(const std::optional<double> &value) { return value ? Json(*value) : Json(nullptr); }
+
+Json bands(const std::vector<analyses::SpeedBand> &list) {
+    Json out = Json::array();
+    for (const auto &band : list)
+        out.push_back({band.from, band.to});
+    return out;
+}
+
+Json bands(const std::optional<std::vector<analyses::SpeedBand>> &list) {
+    return list ? bands(*list) : Json(nullptr);
+}
+
+void add_bands(Json &json, const analyses::BalanceBands &of) {
+    json["bands"] = bands(of.bands);
+    json["rigid_bands"] = bands(of.rigid_bands);
+    json["pinned_critical_speeds"] = of.pinned;
+    json["ends"] = Json::array();
+    for (const auto &end : of.ends)
+        json["ends"].push_back({{"speed", end.speed},
+                                {"end", end.upper ? "upper" : "lower"},
+                                {"rigid", number(end.rigid)},
+                                {"relative_difference", number(end.relative_difference)},
+                                {"pinned", number(end.pinned)}});
+}
+
+Json balanced_position(const std::optional<analyses::BalancedPosition> &of) {
+    if (!of)
+        return nullptr;
+    return {{"bands", bands(of->bands)},
+            {"arrangements", of->arrangements},
+            {"with_every", bands(of->with_every)},
+            {"with_some", bands(of->with_some)}};
+}
+
+Json joint(const analyses::JointBalance &of) {
+    Json json = Json::object();
+    add_bands(json, of.bands);
+    json["rank"] = of.rank;
+    json["signature"] = Json::array();
+    for (const auto &point : of.signature) {
+        Json real = Json::array();
+        Json imag = Json::array();
+        for (const auto &s : point.worst) {
+            real.push_back(s.real());
+            imag.push_back(s.imag());
+        }
+        json["signature"].push_back({{"speed", point.speed},
+                                     {"eigenvalues", point.eigenvalues},
+                                     {"negative", point.negative},
+                                     {"relative", point.relative},
+                                     {"worst_real", real},
+                                     {"worst_imag", imag}});
+    }
+    return json;
+}
+
+Json rigid(const std::optional<analyses::RigidEquivalent> &of) {
+    if (!of)
+        return nullptr;
+    return {{"mass", of->mass},
+            {"center_of_mass", of->center},
+            {"Id", of->diametral},
+            {"Ip", of->polar},
+            {"k11", of->k11},
+            {"k14", of->k14},
+            {"k33", of->k33},
+            {"type", of->type},
+            {"critical_speeds", of->critical_speeds}};
+}
+
+Json best(const analyses::BestPlace &place) {
+    return {{"z", place.z}, {"share", place.share}, {"margin", place.margin}};
+}
+
+Json placement(const analyses::Placement &map) {
+    return {{"z", map.z},
+            {"speeds", map.speeds},
+            {"criterion", map.criterion},
+            {"share", map.share},
+            {"best", best(map.best)},
+            {"pairs",
+             {{"speed", map.pair_speed},
+              {"z", map.pair_z},
+              {"largest_eigenvalue", map.pair_value},
+              {"best", best(map.best_pair)}}}};
+}
+
+/// The motion of least deflection at each speed fills the lists; all are in `motions`.
+Json pendulum(const analyses::PendulumBalance &of) {
+    Json efficiency{
+        {"speeds", of.speeds},     {"exact", Json::array()},     {"approximate", Json::array()},
+        {"stable", Json::array()}, {"planar", Json::array()},    {"phi", Json::array()},
+        {"psi", Json::array()},    {"collision", Json::array()}, {"motions", Json::array()}};
+    for (std::size_t k = 0; k < of.speeds.size(); ++k) {
+        efficiency["approximate"].push_back(number(of.approximate[k]));
+        efficiency["planar"].push_back(number(of.planar[k]));
+        Json motions = Json::array();
+        for (const auto &state : of.states[k])
+            motions.push_back({{"ratio", state.ratio},
+                               {"phi", state.phi},
+                               {"psi", state.psi},
+                               {"growth", state.growth},
+                               {"stable", state.stable},
+                               {"collision", state.collision}});
+        const bool none = motions.empty();
+        for (const auto &[key, from] :
+             {std::pair("exact", "ratio"), std::pair("stable", "stable"), std::pair("phi", "phi"),
+              std::pair("psi", "psi"), std::pair("collision", "collision")})
+            efficiency[key].push_back(none ? Json(nullptr) : motions.front().at(from));
+        efficiency["motions"].push_back(motions);
+    }
+    return {{"name", of.name},
+            {"z", of.z},
+            {"rho", of.rho},
+            {"threshold", of.threshold},
+            {"limit", of.limit},
+            {"planar_equivalent",
+             {{"mass", of.mass},
+              {"omega_0", of.omega_0},
+              {"H", of.external_damping},
+              {"h", of.hinge_damping}}},
+            {"efficiency", efficiency}};
+}
+
+} // namespace
+
+Json balance_json(const analyses::BalanceResult &result) {
+    Json json = Json::object();
+    json["findings"] = result.findings;
+    json["speeds"] = result.speeds;
+    json["critical_speeds"] = result.critical_speeds;
+    json["sharp"] = result.sharp;
+    json["planes"] = Json::array();
+    for (const auto &plane : result.planes) {
+        Json entry{{"name", plane.name}, {"z", plane.z}};
+        add_bands(entry, plane.bands);
+        entry["criterion"] = plane.criterion;
+        json["planes"].push_back(entry);
+    }
+    json["joint"] = joint(result.joint);
+    json["rigid"] = rigid(result.rigid);
+    json["simulated"] = Json::array();
+    for (const auto &run : result.simulated)
+        json["simulated"].push_back({{"speed", run.speed},
+                                     {"outcome", run.outcome},
+                                     {"residual_ratio", number(run.residual_ratio)}});
+    json["balanced_position"] = balanced_position(result.balanced_position);
+    if (result.placement)
+        json["placement"] = placement(*result.placement);
+    json["pendulum"] = Json::array();
+    for (const auto &balancer : result.pendulum)
+        json["pendulum"].push_back(pendulum(balancer));
+    return json;
+}
+
+} // namespace whirl::report

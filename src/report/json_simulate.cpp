@@ -1,0 +1,112 @@
+#include "report/json_simulate.h"
+
+#include "report/json.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace whirl::report {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json number(const std::optional<double> &value) {
+    // The library writes NaN and infinity as null.
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json balancer(const analyses::BalancerMotion &b) {
+    return {{"z", b.z},
+            {"name", b.name},
+            {"kind", b.kind},
+            {"E", number(b.capacity)},
+            {"angles", b.angles},
+            {"rates", b.rates},
+            {"swing", b.swing},
+            {"amplitude", b.amplitude},
+            {"amplitude_without_balls", b.reference}};
+}
+
+Json integration(const analyses::SimulateResult &result) {
+    return {{"method", result.integrator},
+            {"steps", result.steps},
+            {"rate_evaluations", result.rate_evaluations}};
+}
+
+Json reduction(const analyses::SimulateResult &result) {
+    return {{"modes", result.modes},
+            {"shapes", result.shapes},
+            {"response_error", result.response_error},
+            {"frequency_error", result.frequency_error}};
+}
+
+Json audit(const analyses::MotionAudit &audit) {
+    return {{"energy_error", audit.energy_error},
+            {"energy_scale", audit.energy_scale},
+            {"momentum_error", audit.momentum_error},
+            {"momentum_scale", audit.momentum_scale}};
+}
+
+} // namespace
+
+std::string to_json(const model::Case &scene, const analyses::SimulateResult &result) {
+    const analyses::ModelSummary &model = result.model;
+    Json json{
+        {"program", "whirl"},
+        {"version", program_version()},
+        {"format", 1},
+        {"command", "simulate"},
+        {"case", scene.name},
+        {"title", scene.title},
+        {"formulation", {{"frame", "fixed"}, {"unknowns", "real"}, {"why", model.formulation.why}}},
+        {"order", model.order},
+        {"elements", model.elements},
+        {"unknowns_count", model.unknowns},
+        {"seconds", model.seconds},
+        {"notes", model.notes}};
+    json["outcome"] = analyses::outcome_name(result.outcome);
+    json["evidence"] = result.evidence;
+    json["residual_ratio"] = number(result.residual_ratio);
+    json["time"] = result.time;
+    json["speed"] = result.speed;
+    json["revolutions"] = result.revolutions;
+    json["balls"] = Json::array(); // the final angles, a list for each balancer
+    json["balancers"] = Json::array();
+    for (const analyses::BalancerMotion &b : result.balancers) {
+        json["balls"].push_back(b.angles);
+        json["balancers"].push_back(balancer(b));
+    }
+    json["start_angles"] = result.start_angles;
+    json["reduction"] = reduction(result);
+    json["integration"] = integration(result);
+    json["audit"] = audit(result.audit);
+    json["series"] = {{"time", result.series.time},
+                      {"speed", result.series.speed},
+                      {"amplitude", result.series.amplitude},
+                      {"angles", result.series.angles}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string to_csv(const analyses::SimulateResult &result) {
+    const analyses::MotionSeries &series = result.series;
+    std::string csv = "time [s],speed [rad/s]";
+    for (std::size_t i = 0; i < series.amplitude.size(); ++i)
+        csv += fmt::format(",amplitude_{0} [m],x_{0} [m],y_{0} [m]", i);
+    for (std::size_t i = 0; i < series.angles.size(); ++i)
+        csv += fmt::format(",angle_{} [rad]", i);
+    csv += "\n";
+    for (std::size_t k = 0; k < series.time.size(); ++k) {
+        csv += fmt::format("{},{}", series.time[k], series.speed[k]);
+        for (std::size_t i = 0; i < series.amplitude.size(); ++i)
+            csv += fmt::format(",{},{},{}", series.amplitude[i][k], series.x[i][k], series.y[i][k]);
+        for (const std::vector<double> &angles : series.angles)
+            csv += fmt::format(",{}", angles[k]);
+        csv += "\n";
+    }
+    return csv;
+}
+
+} // namespace whirl::report

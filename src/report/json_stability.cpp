@@ -1,0 +1,46 @@
+#include "report/json.h"
+
+#include "report/json_parts.h"
+
+namespace whirl::report {
+
+namespace {
+
+Json family_json(const analyses::ArrangementFamily &family) {
+    return {{"arrangements", family.arrangements},
+            {"unstable", json_bands(family.unstable)},
+            {"always_unstable", json_bands(family.always_unstable)},
+            {"critical_speeds", json_bands(family.critical_speeds)},
+            {"additional_speeds", json_bands(family.additional_speeds)},
+            {"anisotropy", json_bands(family.anisotropy)}};
+}
+
+Json map_json(const analyses::StabilityMap &map) {
+    return {{"x", {{"path", map.x.path}, {"values", map.x_values}}},
+            {"y", {{"path", map.y.path}, {"values", map.y_values}}},
+            {"growth", map.growth}};
+}
+
+} // namespace
+
+std::string to_json(const model::Case &scene, const analyses::StabilityResult &result) {
+    Json json = json_envelope("stability", scene, result.model);
+    json["speeds"] = result.speeds;
+    json["growth"] = result.growth;
+    json["unstable"] = json_bands(result.unstable);
+    json["critical_speeds"] = result.critical_speeds;
+    json["additional_speeds"] = result.additional_speeds;
+    json["permissible"] = Json::array();
+    for (const auto &entry : result.permissible)
+        json["permissible"].push_back({{"z", entry.z},
+                                       {"name", entry.name},
+                                       {"dI", json_number(entry.dI)},
+                                       {"closed_form", json_number(entry.closed_form)}});
+    json["neutral_pairs"] = result.neutral_pairs;
+    json["harmonics"] = result.harmonics;
+    json["family"] = result.family ? family_json(*result.family) : Json(nullptr);
+    json["map"] = result.map ? map_json(*result.map) : Json(nullptr);
+    return json_text(json);
+}
+
+} // namespace whirl::report

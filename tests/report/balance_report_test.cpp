@@ -1,0 +1,133 @@
+// Report of the command balance.
+
+#include "report/csv.h"
+#include "report/html_pages.h"
+#include "report/json.h"
+#include "report/report.h"
+#include "sample_results.h"
+
+#include <nlohmann/json.hpp>
+#include <pugixml.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace whirl::report {
+
+namespace {
+
+/// Two planes at three speeds, with names that could break a script.
+analyses::BalanceResult sample_balance() {
+    analyses::BalanceResult result;
+    result.speeds = {0, 100, 200};
+    result.critical_speeds = {50};
+    for (const double z : {0.3, 1.2}) {
+        analyses::BalancePlane plane;
+        plane.name = wicked_title;
+        plane.z = z;
+        plane.bands.bands = {{50, 120}, {150, 200}};
+        plane.bands.rigid_bands = std::vector<analyses::SpeedBand>{{51, 125}};
+        plane.bands.pinned = {120};
+        plane.bands.ends = {{120, true, 125, -0.04, 120}, {150, false, {}, {}, {}}};
+        plane.criterion = {0, -0.1, std::numeric_limits<double>::infinity()};
+        result.planes.push_back(plane);
+    }
+    result.joint.rank = 2;
+    for (const double speed : result.speeds)
+        result.joint.signature.push_back({speed, {-0.2, 1e-6}, 1, 5e-6, {{1, 0}, {0.1, -0.2}}});
+    result.findings = {"a <finding>"};
+    return result;
+}
+
+analyses::BalanceResult full_balance() {
+    analyses::BalanceResult result = sample_balance();
+    analyses::Placement map;
+    map.z = map.pair_z = {0, 0.75, 1.5};
+    map.speeds = {0, 100, 200};
+    map.criterion = map.pair_value = {{0, 0.1, -0.1}, {1, -1, 1}, {-5, 1e9, -0.2}};
+    map.share = {0.1, 0.9, 0.2};
+    map.pair_speed = 200;
+    map.best = {{0.75}, 0.9, 0.5};
+    map.best_pair = {{0, 1.5}, 0.4, 0.1};
+    result.placement = map;
+    analyses::PendulumBalance pendulum;
+    pendulum.rho = 2;
+    pendulum.threshold = 0.7;
+    pendulum.limit = 1.0 / 3;
+    pendulum.omega_0 = 150;
+    pendulum.speeds = result.speeds;
+    pendulum.approximate = {1, std::numeric_limits<double>::infinity(), 0.4};
+    pendulum.planar = {std::nullopt, 2, 0.5};
+    pendulum.states = {{}, {{2, 0.1, 0.2, -1, true, false}, {3, 1, 1, 5, false, true}}, {}};
+    result.pendulum = {pendulum};
+    return result;
+}
+
+class BalanceReport : public ScratchFolder {};
+
+} // namespace
+
+TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
+    const auto json = nlohmann::json::parse(to_json(sample_case(), full_balance()));
+    EXPECT_EQ(json.at("command"), "balance");
+    EXPECT_EQ(json.at("planes").at(1).at("bands"),
+              (std::vector<std::vector<double>>{{50, 120}, {150, 200}}));
+    EXPECT_EQ(json.at("planes").at(0).at("rigid_bands").at(0).at(1), 125);
+    EXPECT_TRUE(json.at("planes").at(0).at("criterion").at(2).is_null()); // infinity
+    EXPECT_TRUE(json.at("joint").at("rigid_bands").is_null());
+    EXPECT_EQ(json.at("joint").at("signature").at(2).at("speed"), 200);
+    EXPECT_EQ(json.at("joint").at("signature").at(2).at("eigenvalues"),
+              (std::vector<double>{-0.2, 1e-6}));
+    EXPECT_TRUE(json.at("balanced_position").is_null());
+    EXPECT_EQ(json.at("placement").at("pairs").at("best").at("z"), (std::vector<double>{0, 1.5}));
+    const auto &pendulum = json.at("pendulum").at(0);
+    EXPECT_EQ(pendulum.at("threshold"), 0.7);
+    const auto &efficiency = pendulum.at("efficiency");
+    EXPECT_EQ(efficiency.at("exact"), nlohmann::json::parse("[null, 2.0, null]"));
+    EXPECT_EQ(efficiency.at("approximate"), nlohmann::json::parse("[1.0, null, 0.4]"));
+    EXPECT_EQ(efficiency.at("stable"), nlohmann::json::parse("[null, true, null]"));
+    EXPECT_FALSE(
+        nlohmann::json::parse(to_json(sample_case(), sample_balance())).contains("placement"));
+    analyses::BalanceResult stable = sample_balance();
+    stable.balanced_position =
+        analyses::BalancedPosition{std::vector<analyses::SpeedBand>{{60, 110}}, 1, {}, {}};
+    EXPECT_EQ(
+        nlohmann::json::parse(to_json(sample_case(), stable))["balanced_position"]["bands"][0][1],
+        110);
+}
+
+TEST_F(BalanceReport, EveryCsvRowHasAsManyCellsAsTheHeader) {
+    const std::string csv = to_csv(full_balance());
+    std::istringstream stream(csv);
+    int rows = 0;
+    for (std::string line; std::getline(stream, line); ++rows)
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), 7) << line;
+    // Header; per plane 2 bands and a rigid one; 3 x 2 eigenvalues; 2 x 3 criteria; 2 motions.
+    EXPECT_EQ(rows, 1 + 2 * 3 + 6 + 6 + 2);
+}
+
+TEST_F(BalanceReport, WritesAllPicturesAndAPage) {
+    const Files files = write_report(sample_case(), full_balance(), folder);
+    const std::string page = content_of(folder / "report.html");
+    EXPECT_NE(page.find("a &lt;finding&gt;"), std::string::npos);
+    if (!files.notes.empty())
+        GTEST_SKIP() << files.notes[0];
+    for (const char *name : {"balance", "placement", "pendulum"}) {
+        pugi::xml_document svg;
+        EXPECT_TRUE(svg.load_file((folder / (std::string(name) + ".svg")).c_str())) << name;
+        EXPECT_EQ(content_of(folder / (std::string(name) + ".png")).substr(1, 3), "PNG") << name;
+    }
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+}
+
+TEST_F(BalanceReport, EmptyAndSingleSpeedResultsStillMakeAReport) {
+    EXPECT_NO_THROW((void)write_report(model::Case{}, analyses::BalanceResult{}, folder / "a"));
+    analyses::BalanceResult one = sample_balance();
+    one.speeds.resize(1);
+    one.joint.signature.resize(1);
+    for (auto &plane : one.planes)
+        plane.bands = {};
+    EXPECT_NO_THROW((void)write_report(sample_case(), one, folder / "b"));
+}
+
+} // namespace whirl::report

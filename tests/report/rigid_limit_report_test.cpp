@@ -1,0 +1,85 @@
+#include "report/csv.h"
+#include "report/json.h"
+#include "report/report.h"
+#include "sample_results.h"
+
+#include <nlohmann/json.hpp>
+
+namespace whirl::report {
+
+namespace {
+
+/// A speed over stiffness, ending with the rigid model, and a mass over meshes.
+analyses::RigidLimitResult sample_rigid_limit() {
+    const double infinite = std::numeric_limits<double>::infinity();
+    analyses::RigidLimitResult result;
+    result.model.notes = {"a note"};
+    result.stiffness = 1e6;
+    result.bearing_stiffness = 2e6;
+    result.mesh_factor = 100;
+    result.sentence = "within 1 % <once>";
+    result.one_percent = analyses::RigidShaft{12, 1.2e7, 6, 0.01, "critical speed"};
+    analyses::RigidLimitRow speed;
+    speed.quantity = "additional speed, pinned at \"it's <one>\"";
+    speed.unit = "rad/s";
+    speed.closed_form = 100;
+    speed.factor = {1, 100, infinite};
+    speed.stiffness = {1e6, 1e8, infinite};
+    speed.fe = {std::nullopt, 99., 100.};
+    speed.relative_difference = {std::nullopt, 0.01, 0.};
+    speed.rounding = {std::nullopt, 1e-12, 1e-15};
+    speed.rate = -1;
+    analyses::RigidLimitRow mass;
+    mass.quantity = "mass";
+    mass.unit = "kg";
+    mass.closed_form = 3;
+    mass.speed = false;
+    mass.inertia = true;
+    mass.factor = {100, 100};
+    mass.elements = {2, 1};
+    mass.fe = {3., 3.};
+    mass.relative_difference = {0., 1e-16};
+    result.rows = {speed, mass};
+    return result;
+}
+
+} // namespace
+
+class RigidLimitReport : public ScratchFolder {};
+
+TEST_F(RigidLimitReport, RowsHaveStiffnessOrElements) {
+    const auto json = nlohmann::json::parse(to_json(sample_case(), sample_rigid_limit()));
+    EXPECT_EQ(json.at("command"), "rigid-limit");
+    EXPECT_EQ(json.at("one_percent_stiffness"), 1.2e7);
+    const auto &rows = json.at("rows");
+    EXPECT_EQ(rows.at(0).at("stiffness").dump(), "[1000000.0,100000000.0,null]");
+    EXPECT_FALSE(rows.at(0).contains("elements"));
+    EXPECT_EQ(rows.at(0).at("fe").dump(), "[null,99.0,100.0]");
+    EXPECT_EQ(rows.at(0).at("rate"), -1);
+    EXPECT_EQ(rows.at(1).at("elements").dump(), "[2,1]");
+    EXPECT_FALSE(rows.at(1).contains("stiffness"));
+    EXPECT_TRUE(rows.at(1).at("rate").is_null());
+}
+
+TEST_F(RigidLimitReport, CsvQuotesNamesAndLeavesMissingCellsEmpty) {
+    const std::string csv = to_csv(sample_rigid_limit());
+    EXPECT_NE(csv.find("\"additional speed, pinned at \"\"it's <one>\"\"\""), std::string::npos);
+    EXPECT_NE(csv.find(",1,1000000,100,,,-1\n"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find("inf"), std::string::npos) << csv;
+}
+
+TEST_F(RigidLimitReport, WritesPicturesDataAndPage) {
+    const Files files = write_report(sample_case(), sample_rigid_limit(), folder);
+    for (const auto &path : files.paths)
+        EXPECT_GT(std::filesystem::file_size(path), 50u) << path;
+    const std::string page = content_of(folder / "report.html");
+    EXPECT_NE(page.find("within 1 % &lt;once&gt;"), std::string::npos);
+    EXPECT_EQ(page.find("<one>"), std::string::npos);
+    if (files.notes.empty()) { // drawn: the page shows the picture
+        EXPECT_NE(page.find("<svg", page.find("Flexible model and rigid closed forms</h2>")),
+                  std::string::npos);
+    }
+    EXPECT_NO_THROW(write_report(model::Case{}, analyses::RigidLimitResult{}, folder / "empty"));
+}
+
+} // namespace whirl::report

@@ -1,0 +1,227 @@
+// Rotor and bearings both unsymmetric: Hill's series in rotating axes against Floquet multipliers
+// of the fixed frame, and against published windows of stability.
+
+#include "analyses/motions.h"
+#include "analyses/stability.h"
+#include "analyses/stability_model.h"
+#include "model/errors.h"
+#include "support/periodic_system.h"
+#include "support/rotating_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using namespace whirl;
+using Values = std::vector<std::complex<double>>;
+
+model::Bearing damped_bearing(double z, double kxx, double kyy, double share) {
+    model::Bearing out = tests::bearing(z, kxx, kyy);
+    out.rows[0].c = share * out.rows[0].k;
+    return out;
+}
+
+/// Rigid rotor with unequal diametral inertias, bearings that differ in x and y and are not placed
+/// alike; the tilt has two resonances far apart.
+model::Rotor rigid_rotor() {
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(1);
+    rotor.discs = {tests::disc(0.5, 30, 1.2, 0.5)};
+    rotor.anisotropies = {{"", 0.5, 0.15, 0.4}};
+    rotor.bearings = {damped_bearing(0.05, 1e6, 3e5, 2e-5), damped_bearing(1, 8e5, 4e5, 2e-5)};
+    return rotor;
+}
+
+/// The same with cross coupling and damping that is not proportional.
+model::Rotor coupled_rotor() {
+    model::Rotor rotor = rigid_rotor();
+    rotor.bearings[0].rows[0].k(0, 1) = 1e5;
+    rotor.bearings[0].rows[0].k(1, 0) = 5e4;
+    rotor.bearings[1].rows[0].c(0, 1) = 15;
+    rotor.bearings[1].rows[0].kt(0, 0) = 3e3;
+    return rotor;
+}
+
+bool within(const std::vector<analyses::SpeedInterval> &bands, double speed, double margin) {
+    return std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
+        return speed > band.first - margin && speed < band.second + margin;
+    });
+}
+
+constexpr int steps = 120;
+
+struct Scene {
+    std::string name;
+    model::Rotor rotor;
+};
+
+void PrintTo(const Scene &scene, std::ostream *out) { *out << scene.name; }
+
+class Hill : public testing::TestWithParam<Scene> {
+  protected:
+    model::Rotor rotor = GetParam().rotor;
+    model::Case scene = tests::scene_of(rotor, 100, 450, 71);
+    assembly::Discretization d{rotor, rotor.shaft.order};
+    analyses::StabilityModel model = analyses::stability_model(scene);
+
+    [[nodiscard]] tests::PeriodicSystem periodic(double speed) const { return {d, speed, {}}; }
+};
+
+TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
+    ASSERT_EQ(model.form, analyses::Form::hill);
+    EXPECT_GE(model.harmonics, 1);
+    const analyses::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    for (const double speed : {140.0, 260.0, 420.0}) {
+        Values low;
+        for (const analyses::Motion &motion : solver.at(speed))
+            if (std::abs(motion.value) <= speed)
+                low.push_back(motion.value);
+        ASSERT_GE(low.size(), 2U);
+        const tests::PeriodicSystem system = periodic(speed);
+        // The series settles to 1e-8 of the speed, so exp(2 pi l / speed) to 2 pi 1e-8.
+        EXPECT_LT(tests::largest_distance(tests::exponentials(low, system.period()),
+                                          system.multipliers(steps)),
+                  1e-7)
+            << speed;
+    }
+}
+
+TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
+    const analyses::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    const auto bands = analyses::unstable_bands_of(scene, rotor, {});
+    EXPECT_GE(bands.size(), 1U);
+    for (double speed = 101.3; speed < 450; speed += 5) {
+        const double growth = periodic(speed).growth(steps);
+        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), growth, 1e-7 * speed) << speed;
+        if (!within(bands, speed, 1e-3)) {
+            EXPECT_LT(growth, 1e-6) << speed;
+        }
+    }
+    for (const auto &[from, to] : bands) {
+        EXPECT_GT(periodic(0.5 * (from + to)).growth(steps), 0);
+        for (const double end : {from, to})
+            if (end > 100 && end < 450) {
+                EXPECT_NEAR(periodic(end).growth(steps), 0, 1e-5 * end);
+            }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rotors, Hill,
+                         testing::Values(Scene{"orthotropic", rigid_rotor()},
+                                         Scene{"coupled", coupled_rotor()}),
+                         [](const auto &instance) { return instance.param.name; });
+
+TEST(HillForm, EqualsTheRotatingFormOnEqualBearings) {
+    model::Rotor rotor = rigid_rotor();
+    rotor.bearings = {damped_bearing(0.05, 6e5, 6e5, 2e-5), damped_bearing(1, 8e5, 8e5, 2e-5)};
+    model::Case scene = tests::scene_of(rotor, 100, 450, 71);
+    const auto rotating = analyses::unstable_bands_of(scene, rotor, {});
+    scene.formulation = model::FormChoice::hill;
+    const auto hill = analyses::unstable_bands_of(scene, rotor, {});
+    ASSERT_EQ(rotating.size(), 1U);
+    ASSERT_EQ(hill.size(), 1U);
+    EXPECT_NEAR(hill[0].first, rotating[0].first, 1e-9 * rotating[0].first);
+    EXPECT_NEAR(hill[0].second, rotating[0].second, 1e-9 * rotating[0].second);
+}
+
+TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {
+    model::Rotor rotor = rigid_rotor();
+    for (model::Bearing &bearing : rotor.bearings)
+        bearing.rows[0].k(1, 1) /= 100;
+    const model::Case scene = tests::scene_of(rotor, 1, 12, 12);
+    try {
+        (void)analyses::stability(scene, [&](const auto &) { return scene; });
+        ADD_FAILURE() << "no exception";
+    } catch (const model::AnalysisFailure &failure) {
+        EXPECT_NE(std::string(failure.what()).find("does not settle"), std::string::npos);
+    }
+}
+
+/// Rigid rotor with two two-ball balancers (Rodrigues, Champneys, Friswell, Wilson): mass and
+/// radius 1, first cylindrical critical speed 1; z from the centre of mass.
+model::Rotor two_plane_rotor() {
+    constexpr double m = 1e-4;
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(6);
+    rotor.discs = {tests::disc(3, 1, 3.25, 0.5)};
+    rotor.bearings = {damped_bearing(0, 0.5, 2.5, 0.02), damped_bearing(6, 0.5, 2.5, 0.02)};
+    for (const double z : {1.0, 5.0}) {
+        model::Balancer balancer;
+        balancer.z = z;
+        balancer.n = 2;
+        balancer.mass = m;
+        balancer.radius = 1;
+        balancer.damping = 0.01 * m;
+        balancer.imbalance = 0.5e-4; // half of the rotor's eccentricity of 1e-4
+        rotor.balancers.push_back(balancer);
+    }
+    return rotor;
+}
+
+TEST(TwoPlaneBalancer, WindowsOfStabilityOnUnequalBearings) {
+    // Computed with an independent program by Floquet multipliers on a grid of 0.05 over 0.6 to 6,
+    // without the tilt inertia of the balls, which is of the order of their mass, 1e-4.
+    const model::Rotor rotor = two_plane_rotor();
+    const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
+    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const auto bands = analyses::unstable_bands_of(scene, rotor, balls);
+    std::vector<double> ends{0.6};
+    ASSERT_FALSE(bands.empty());
+    std::vector<std::pair<double, double>> stable;
+    double last = 0.6;
+    for (const auto &[from, to] : bands) {
+        if (from - last > 0.01)
+            stable.emplace_back(last, from);
+        last = to;
+    }
+    if (last < 6)
+        stable.emplace_back(last, 6);
+    ASSERT_EQ(stable.size(), 2U);
+    EXPECT_NEAR(stable[0].first, 2.50, 0.055);
+    EXPECT_NEAR(stable[0].second, 2.70, 0.055);
+    EXPECT_NEAR(stable[1].first, 4.55, 0.055);
+    EXPECT_EQ(stable[1].second, 6);
+}
+
+TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
+    const model::Rotor rotor = two_plane_rotor();
+    const assembly::Discretization d(rotor, 1);
+    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
+    const analyses::StabilityModel model = analyses::stability_model(scene);
+    const analyses::MotionSolver solver(rotor, model.form, 1, balls, model.harmonics);
+    for (const double speed : {0.9, 1.5, 2.3, 2.6, 3.4, 5.1}) {
+        const tests::PeriodicSystem system(d, speed, balls);
+        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), system.growth(80), 1e-7 * speed);
+    }
+}
+
+} // namespace
+#include <fmt/format.h>
+namespace {
+TEST(Scratch, Growth) {
+    const model::Rotor rotor = rigid_rotor();
+    const assembly::Discretization d(rotor, 4);
+    const model::Case scene = tests::scene_of(rotor, 100, 450, 71);
+    fmt::print("harmonics {}\n", analyses::stability_model(scene).harmonics);
+    for (const double speed : {101.3, 351.3, 260.0}) {
+        const tests::PeriodicSystem system(d, speed, {});
+        fmt::print("speed {} floquet {} {} {}\n", speed, system.growth(60), system.growth(120),
+                   system.growth(240));
+        for (auto mu : system.multipliers(120)) {
+            auto l = std::log(mu) / system.period();
+            fmt::print("   {:.8f} {:.8f}", l.real(), l.imag());
+        }
+        for (int N = 1; N <= 6; ++N) {
+            const analyses::MotionSolver solver(rotor, analyses::Form::hill, 4, {}, N);
+            fmt::print("\n N {}: ", N);
+            for (auto &m : solver.at(speed))
+                if (m.value.imag() >= 0)
+                    fmt::print(" ({:.8f} {:.8f})", m.value.real(), m.value.imag());
+        }
+        fmt::print("\n");
+    }
+}
+} // namespace

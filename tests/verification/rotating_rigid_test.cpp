@@ -1,0 +1,274 @@
+// Rigid scenes in rotating axes against closed forms: composite rotor with balls, anisotropic
+// rotor on symmetric supports.
+
+#include "analyses/arrangement.h"
+#include "analyses/critical.h"
+#include "analyses/rotating_spectrum.h"
+#include "analyses/stability.h"
+#include "closed_form/balanced_position.h"
+#include "support/dense_eigenvalues.h"
+#include "support/periodic_system.h"
+#include "support/rotating_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace whirl;
+using Values = std::vector<std::complex<double>>;
+
+analyses::StabilityResult stability_of(const model::Case &scene) {
+    return analyses::stability(scene, [&](const auto &) { return scene; });
+}
+
+std::vector<elements::BalancerElement> elements_of(const model::Rotor &rotor) {
+    return analyses::balancer_elements(rotor, analyses::arrangement_at_balance(rotor));
+}
+
+Values exact_eigenvalues(closed_form::FixedFrameRotor rotor, double speed) {
+    rotor.physical.spin_speed = speed;
+    return closed_form::eigenvalues(
+        closed_form::rotating_frame_matrices(closed_form::rotating_coefficients(rotor.physical)));
+}
+
+/// Every value of each list lies within a share of its modulus from one of the other list.
+void expect_same(const Values &found, const Values &expected, double tolerance) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (const auto value : expected)
+        EXPECT_LT(tests::largest_distance({value}, found), tolerance * std::abs(value)) << value;
+    for (const auto value : found)
+        EXPECT_LT(tests::largest_distance({value}, expected), tolerance * std::abs(value)) << value;
+}
+
+std::vector<tests::CompositeScene> composite_scenes() {
+    return {
+        tests::composite_scene({}, closed_form::symmetric_position(2, 1.6).value()),
+        tests::composite_scene({}, tests::unsymmetric_position(1.6)),
+        tests::composite_scene({}, closed_form::symmetric_position(4, 1.6).value()),
+    };
+}
+
+TEST(RigidRotating, SpectrumIsThatOfTheClosedForm) {
+    for (const tests::CompositeScene &scene : composite_scenes()) {
+        const assembly::Discretization d(scene.rotor, 1);
+        const analyses::RotatingSpectrum spectrum(d, 0, elements_of(scene.rotor), 0);
+        for (const double speed : {11.0, 37.0, 260.0}) {
+            const Values exact = exact_eigenvalues(scene.exact, speed);
+            expect_same(tests::dense_eigenvalues(spectrum.system(), speed), exact, 1e-9);
+            Values found; // by the program's own solver, conjugates added
+            for (const auto &pair : spectrum.eigenvalues(speed, 1e9, 1).pairs) {
+                found.push_back(pair.value);
+                if (pair.value.imag() != 0)
+                    found.push_back(std::conj(pair.value));
+            }
+            expect_same(found, exact, 1e-9);
+        }
+    }
+}
+
+TEST(RigidRotating, SpectrumIsThatOfTheDimensionlessClosedForm) {
+    const tests::CompositeScene scene =
+        tests::composite_scene({}, tests::unsymmetric_position(1.6));
+    const assembly::Discretization d(scene.rotor, 1);
+    const auto system = assembly::assemble_rotating(d, 0, elements_of(scene.rotor));
+    for (const double speed : {11.0, 37.0, 260.0}) {
+        auto physical = scene.exact.physical;
+        physical.spin_speed = speed;
+        const auto scaled = closed_form::to_dimensionless(physical);
+        Values found = tests::dense_eigenvalues(system, speed);
+        for (auto &value : found)
+            value /= scaled.scales.frequency;
+        expect_same(found,
+                    closed_form::eigenvalues(closed_form::rotating_frame_matrices(
+                        closed_form::rotating_coefficients(scaled.dimensionless))),
+                    1e-9);
+    }
+}
+
+// The rotor's own eccentricity has a moment but neither mass nor inertia.
+TEST(RigidRotating, OwnEccentricityAddsNoMass) {
+    tests::CompositeScene scene = tests::composite_scene({}, tests::unsymmetric_position(1.6));
+    scene.rotor.balancers[0].imbalance_radius.reset();
+    // The bare rotor of the scene keeps its place; only the common centre of mass moves.
+    const auto &balancer = scene.rotor.balancers[0];
+    const double arm = balancer.z - scene.rotor.discs[0].z;
+    const closed_form::BareRotor bare{57.83, 1.413, 0.889, arm};
+    const auto &balls = scene.exact.physical.balls;
+    const closed_form::PlaneImbalance imbalance{0.5, 0};
+    const auto D = closed_form::second_harmonic(balancer.position);
+    const auto body = closed_form::composite_rotor(bare, balls, imbalance, D);
+    const double centre = scene.rotor.discs[0].z - body.rotor_position;
+    const auto supports =
+        closed_form::reduced_supports({3e4, 40, scene.rotor.bearings[0].z - centre},
+                                      {5e4, 90, scene.rotor.bearings[1].z - centre});
+    const closed_form::FixedFrameRotor exact{
+        closed_form::physical_parameters(bare, balls, imbalance, D, supports, 1),
+        balancer.position};
+    const assembly::Discretization d(scene.rotor, 1);
+    const auto system = assembly::assemble_rotating(d, 0, elements_of(scene.rotor));
+    expect_same(tests::dense_eigenvalues(system, 37), exact_eigenvalues(exact, 37), 1e-9);
+}
+
+// Undamped bearings; E small enough that the tilt is long about both axes.
+TEST(RigidRotating, CriticalAndAdditionalSpeedsOfTwoBalls) {
+    tests::CompositeInput in;
+    in.left_c = in.right_c = 0;
+    const tests::CompositeScene scene =
+        tests::composite_scene(in, closed_form::symmetric_position(2, in.E).value());
+    const auto coefficients = closed_form::rotating_coefficients(scene.exact.physical);
+    const auto critical = closed_form::critical_speeds(coefficients);
+    const auto additional = closed_form::additional_speeds(coefficients);
+    ASSERT_GE(critical.size(), 3U);
+    ASSERT_EQ(additional.size(), 2U);
+    const model::Case at = tests::scene_of(scene.rotor, 0, 1.2 * critical.back(), 51);
+    const analyses::CriticalResult direct = analyses::critical_speeds(at);
+    const analyses::StabilityResult found = stability_of(at);
+    ASSERT_EQ(direct.critical_speeds.size(), critical.size());
+    ASSERT_EQ(found.critical_speeds.size(), critical.size());
+    for (std::size_t i = 0; i < critical.size(); ++i) {
+        EXPECT_NEAR(direct.critical_speeds[i].speed, critical[i], 1e-9 * critical[i]);
+        EXPECT_NEAR(found.critical_speeds[i], critical[i], 1e-9 * critical[i]);
+        EXPECT_EQ(direct.critical_speeds[i].whirl, analyses::Whirl::forward);
+    }
+    ASSERT_EQ(found.additional_speeds.size(), additional.size());
+    for (std::size_t i = 0; i < additional.size(); ++i)
+        EXPECT_NEAR(found.additional_speeds[i], additional[i], 1e-9 * additional[i]);
+}
+
+TEST(RigidRotating, TwoBallsOfCapacityTwoLeaveNoAnisotropy) {
+    const auto frozen_growth = [](double E) {
+        tests::CompositeInput in;
+        in.E = E;
+        in.imbalance_radius = in.radius; // R0 = R
+        in.left = -0.3;
+        in.right = 0.3;
+        in.right_k = in.left_k;
+        in.left_c = in.right_c = 2; // N s/m
+        const tests::CompositeScene scene =
+            tests::composite_scene(in, closed_form::symmetric_position(2, E).value());
+        const auto elements = elements_of(scene.rotor);
+        if (E == 2) {
+            EXPECT_LT(std::abs(elements[0].anisotropy), 1e-15 * elements[0].polar_inertia);
+        }
+        const assembly::Discretization d(scene.rotor, 1);
+        const auto frozen = assembly::assemble_rotating(d, 0, elements, true);
+        double growth = -1e300;
+        for (double speed = 20; speed < 300; speed += 0.5)
+            growth =
+                std::max(growth, tests::largest_real_part(tests::dense_eigenvalues(frozen, speed)));
+        return growth;
+    };
+    EXPECT_LT(frozen_growth(2), -1e-3); // damping alone
+    EXPECT_GT(frozen_growth(1.2), 0.1);
+}
+
+TEST(RigidRotating, FullRaceHasAZeroRoot) {
+    const auto least = [](double E, double speed) {
+        tests::CompositeInput in;
+        in.E = E;
+        const tests::CompositeScene scene =
+            tests::composite_scene(in, closed_form::symmetric_position(2, E).value());
+        const assembly::Discretization d(scene.rotor, 1);
+        const auto system = assembly::assemble_rotating(d, 0, elements_of(scene.rotor));
+        double out = 1e300;
+        for (const auto value : tests::dense_eigenvalues(system, speed))
+            out = std::min(out, std::abs(value));
+        return out;
+    };
+    for (const double speed : {20.0, 41.0, 130.0}) {
+        EXPECT_LT(least(1, speed), 1e-10 * speed);
+        EXPECT_GT(least(1.3, speed), 1e-5 * speed);
+    }
+}
+
+// ---- Anisotropic rotor, p = 1.25, h = 0.156, a = 0.1 of the source's figure.
+
+closed_form::AnisotropicRotor exact_tilt(double C, double h = 0.156) { return {C, 0.1, 1.25, h}; }
+
+TEST(AnisotropicRigidRotor, CriticalSpeedsWithoutDamping) {
+    const model::Case scene = tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0), 0, 6, 61);
+    std::vector<double> expected = closed_form::critical_speeds(exact_tilt(0.8, 0));
+    expected.insert(expected.begin(), 1.25 / std::sqrt(10.0)); // translation, sqrt(2k/m)
+    const auto direct = analyses::critical_speeds(scene).critical_speeds;
+    const analyses::StabilityResult found = stability_of(scene);
+    ASSERT_EQ(direct.size(), 3U);
+    ASSERT_EQ(found.critical_speeds.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(direct[i].speed, expected[i], 1e-9 * expected[i]);
+        EXPECT_NEAR(found.critical_speeds[i], expected[i], 1e-9 * expected[i]);
+    }
+    ASSERT_EQ(found.unstable.size(), 1U); // between the two of tilt
+    EXPECT_NEAR(found.unstable[0].first, expected[1], 1e-9 * expected[1]);
+    EXPECT_NEAR(found.unstable[0].second, expected[2], 1e-9 * expected[2]);
+}
+
+TEST(AnisotropicRigidRotor, UnstableBandWithDamping) {
+    const auto found =
+        stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), 0, 6, 61));
+    const auto band = closed_form::unstable_band(exact_tilt(0.8));
+    ASSERT_EQ(found.unstable.size(), 1U);
+    EXPECT_NEAR(found.unstable[0].first, band->from, 1e-9 * band->from);
+    EXPECT_NEAR(found.unstable[0].second, *band->to, 1e-9 * *band->to);
+    EXPECT_NEAR(found.unstable[0].first, 2.381264, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].second, 3.788366, 0.5e-6);
+}
+
+TEST(AnisotropicRigidRotor, NoUpperEndNearTheSphere) {
+    for (const double C : {0.95, 1.0, 1.05}) {
+        const auto found =
+            stability_of(tests::scene_of(tests::tilt_rotor(C, 0.1, 1.25, 0.156), 0, 40, 81));
+        const auto band = closed_form::unstable_band(exact_tilt(C));
+        ASSERT_EQ(found.unstable.size(), 1U) << C;
+        EXPECT_NEAR(found.unstable[0].first, band->from, 1e-9 * band->from) << C;
+        EXPECT_EQ(found.unstable[0].second, 40) << C;
+        EXPECT_FALSE(band->to);
+    }
+}
+
+TEST(AnisotropicRigidRotor, StableWhereTheFormulaSaysSo) {
+    const auto found =
+        stability_of(tests::scene_of(tests::tilt_rotor(1.15, 0.1, 1.25, 0.156), 0, 40, 81));
+    EXPECT_TRUE(found.unstable.empty());
+    for (const double growth : found.growth)
+        EXPECT_LT(growth, 0);
+}
+
+TEST(AnisotropicRigidRotor, PermissibleAnisotropy) {
+    struct Range {
+        double from, to;
+    };
+    for (const Range range : {Range{0.5, 6}, Range{0.5, 2}, Range{3.5, 6}, Range{2.8, 2.9}}) {
+        const auto found = stability_of(
+            tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), range.from, range.to, 23));
+        const double exact =
+            closed_form::permissible_anisotropy(exact_tilt(0.8), range.from, range.to).anisotropy;
+        ASSERT_EQ(found.permissible.size(), 1U);
+        ASSERT_TRUE(found.permissible[0].dI) << range.to;
+        EXPECT_NEAR(*found.permissible[0].dI, exact, 1e-8 * exact) << range.from << " " << range.to;
+        ASSERT_TRUE(found.permissible[0].closed_form);
+        EXPECT_NEAR(*found.permissible[0].closed_form, exact, 1e-12);
+    }
+    const auto whole =
+        stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), 0, 6, 61));
+    EXPECT_NEAR(*whole.permissible.at(0).dI, 0.055266, 0.5e-6);
+}
+
+// The largest anisotropy does not depend on the one in the case, nor on its direction.
+TEST(AnisotropicRigidRotor, PermissibleAnisotropyDoesNotDependOnTheCase) {
+    model::Rotor rotor = tests::tilt_rotor(0.8, 0.02, 1.25, 0.156);
+    rotor.anisotropies[0].angle = 0.7;
+    const auto found = stability_of(tests::scene_of(rotor, 0, 6, 61));
+    EXPECT_TRUE(found.unstable.empty());
+    EXPECT_NEAR(*found.permissible.at(0).dI, 0.055266, 0.5e-6);
+}
+
+TEST(AnisotropicRigidRotor, TurnsEitherWay) {
+    // The spin reversed: the same band at negative speeds.
+    const auto found =
+        stability_of(tests::scene_of(tests::tilt_rotor(0.8, 0.1, 1.25, 0.156), -6, -0.5, 61));
+    ASSERT_EQ(found.unstable.size(), 1U);
+    EXPECT_NEAR(found.unstable[0].first, -3.788366, 0.5e-6);
+    EXPECT_NEAR(found.unstable[0].second, -2.381264, 0.5e-6);
+}
+
+} // namespace
