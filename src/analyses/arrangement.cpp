@@ -14,6 +14,11 @@ bool has_balls(const model::Balancer &balancer) {
     return balancer.kind == model::BalancerKind::ball;
 }
 
+std::vector<double> in_the_rotor(const std::vector<double> &from_the_imbalance,
+                                 const model::Balancer &balancer) {
+    return turned(from_the_imbalance, balancer.imbalance_phase);
+}
+
 std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", index); }
 
 } // namespace
@@ -22,7 +27,8 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
     Arrangement out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(has_balls(rotor.balancers[i])
-                          ? ball_angles_at_balance(rotor.balancers[i], label_of(i))
+                          ? in_the_rotor(ball_angles_at_balance(rotor.balancers[i], label_of(i)),
+                                         rotor.balancers[i])
                           : std::vector<double>{});
     return out;
 }
@@ -53,7 +59,8 @@ std::vector<Arrangement> sampled_arrangements(const model::Rotor &rotor, int cou
     for (std::size_t k = 0; k < most; ++k) {
         Arrangement arrangement;
         for (std::size_t i = 0; i < choices.size(); ++i)
-            arrangement.push_back(choices[i][k * (2 * i + 1) % choices[i].size()]);
+            arrangement.push_back(
+                in_the_rotor(choices[i][k * (2 * i + 1) % choices[i].size()], rotor.balancers[i]));
         out.push_back(std::move(arrangement));
     }
     return out;

@@ -43,7 +43,7 @@ std::vector<model::Imbalance> drive_of(const model::Case &scene,
     std::vector<model::Imbalance> drive;
     for (const model::Balancer &balancer : scene.rotor.balancers)
         if (balancer.imbalance > 0)
-            drive.push_back({"", balancer.z, balancer.imbalance, 0});
+            drive.push_back({"", balancer.z, balancer.imbalance, balancer.imbalance_phase});
     if (drive.empty())
         drive = scene.rotor.imbalances;
     if (drive.empty()) {
@@ -127,6 +127,59 @@ void fill_planar(const PlanarEquivalent &planar, PendulumBalance &out) {
     }
 }
 
+/// Efficiency over the range of speeds of one rotor, at enough points for a curve.
+PendulumCurve efficiency_curve(const PendulumRotor &rotor, const model::PendulumDesign &design,
+                               double from, double to) {
+    constexpr int points = 240;
+    PendulumCurve curve;
+    curve.arm = design.arm;
+    curve.pivot = design.pivot;
+    curve.rho = rotor.effectiveness();
+    curve.external_damping = rotor.external_damping;
+    for (int i = 0; i <= points; ++i) {
+        const double ratio = from + (to - from) * i / points;
+        if (ratio <= 0)
+            continue;
+        curve.ratios.push_back(ratio);
+        curve.approximate.push_back(closed_form::approximate_efficiency(rotor, ratio));
+        const auto motions = closed_form::steady_motions(rotor, ratio);
+        curve.stable.push_back(!motions.empty() && motions.front().stable);
+        curve.exact.emplace_back();
+        if (!motions.empty())
+            curve.exact.back() = closed_form::exact_efficiency(rotor, motions.front(), ratio);
+    }
+    return curve;
+}
+
+/// The planar rotor with pendulums of another design, of the same masses, hinges and imbalance.
+PendulumRotor redesigned(PendulumRotor rotor, const model::Balancer &own,
+                         const model::PendulumDesign &design) {
+    const double arms = own.arm / design.arm;
+    rotor.pivot_ratio = design.pivot / design.arm;
+    rotor.imbalance *= arms;
+    rotor.hinge_damping *= arms * arms;
+    return rotor;
+}
+
+void compare_designs(const model::BalanceSettings &wanted, const model::Balancer &own,
+                     const PlanarEquivalent &planar, PendulumBalance &out) {
+    if (wanted.designs.empty() && wanted.external_damping.empty())
+        return;
+    std::vector<double> dampings = wanted.external_damping;
+    if (dampings.empty())
+        dampings.push_back(planar.rotor.external_damping);
+    const double from = out.speeds.front() / planar.omega_0;
+    const double to = out.speeds.back() / planar.omega_0;
+    PendulumRotor rotor = planar.rotor;
+    rotor.external_damping = dampings.front();
+    for (const model::PendulumDesign &design : wanted.designs)
+        out.designs.push_back(efficiency_curve(redesigned(rotor, own, design), design, from, to));
+    for (const double H : dampings) {
+        rotor.external_damping = H;
+        out.dampings.push_back(efficiency_curve(rotor, {own.arm, own.pivot}, from, to));
+    }
+}
+
 /// Steady motions at all speeds: up and down the speeds, each from those of its neighbour.
 std::vector<std::vector<PendulumSteadyMotion>> swept_motions(PendulumShaft &shaft,
                                                              const std::vector<double> &speeds) {
@@ -194,7 +247,9 @@ std::vector<PendulumBalance> pendulum_balance(const model::Case &scene, const Ba
         balance.name = pendulums[j].name;
         balance.z = pendulums[j].z;
         balance.speeds = shared.speeds;
-        fill_planar(planar_equivalent(shaft, j, shared.from), balance);
+        const PlanarEquivalent planar = planar_equivalent(shaft, j, shared.from);
+        fill_planar(planar, balance);
+        compare_designs(scene.balance, pendulums[j], planar, balance);
         out.push_back(balance);
     }
     fill_states(shaft, shared.speeds, out);

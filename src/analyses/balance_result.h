@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/pendulum_result.h"
 #include "analyses/results.h"
 
 #include <complex>
@@ -85,33 +86,6 @@ struct Placement {
     std::vector<std::vector<double>> pair_value; ///< [z1][z2] largest eigenvalue at pair_speed
     BestPlace best;
     BestPlace best_pair;
-};
-
-/// A steady motion with four-pendulum balancers, seen at one of them.
-struct PendulumState {
-    double ratio = 0;  ///< shaft deflection over that with the pendulums held
-    double phi = 0;    ///< rad
-    double psi = 0;    ///< rad
-    double growth = 0; ///< largest real part of small motions about it, 1/s
-    bool stable = false;
-    bool collision = false; ///< |phi| or |psi| reaches pi/4 here or at another balancer
-};
-
-struct PendulumBalance {
-    std::string name;
-    double z = 0;                              ///< m
-    double rho = 0;                            ///< R_m / R_a
-    double threshold = 0;                      ///< speed ratio above which n < 1
-    double limit = 0;                          ///< n of fast rotation
-    double mass = 0;                           ///< M_Sigma of the planar equivalent, kg
-    double omega_0 = 0;                        ///< its resonance, rad/s
-    double external_damping = 0;               ///< H
-    double hinge_damping = 0;                  ///< h
-    std::vector<double> speeds;                ///< rad/s
-    std::vector<double> approximate;           ///< planar, small angles
-    std::vector<std::optional<double>> planar; ///< planar, exact: least deflection
-    /// Every steady motion found on the flexible shaft, [speed], ascending by deflection.
-    std::vector<std::vector<PendulumState>> states;
 };
 
 /// How the motion in time ended at one speed.

@@ -156,12 +156,19 @@ std::vector<double> ball_angles_at_balance(const model::Balancer &balancer,
                                           "1 for a balanced position, got {:.10g}",
                                           label, E));
     if (!balancer.position.empty())
-        return balancer.position;
+        return turned(balancer.position, -balancer.imbalance_phase);
     if (balancer.n == 1)
         return {pi};
     if (std::isinf(E))
         return regular_polygon(balancer.n);
     return closed_form::symmetric_position(balancer.n, sound_capacity(balancer)).value();
+}
+
+std::vector<double> turned(std::vector<double> angles, double by) {
+    if (by != 0)
+        for (double &angle : angles)
+            angle += by;
+    return angles;
 }
 
 std::complex<double> second_harmonic_of(const std::vector<double> &angles) {

@@ -9,9 +9,10 @@
 
 namespace whirl::analyses {
 
-// Where the balls of a balancer stand when they balance its imbalance: angles in the rotor from the
-// imbalance with sum exp(i a_j) = -n/E (docs/theory.md, "Composite rotor"). Balls only: no position
-// of balls stands for the pendulums of a pendulum4.
+// Where the balls of a balancer stand when they balance its imbalance: angles from the imbalance
+// (angles in the rotor less imbalance_phase; class Arrangement holds those in the rotor) with sum
+// exp(i a_j) = -n/E (docs/theory.md, "Composite rotor"). Balls only: no position of balls stands
+// for the pendulums of a pendulum4.
 
 /// Capacity E = n m R/(m0 R0), infinite without an imbalance. For a pendulum4 the largest imbalance
 /// that one tied pair can take, 2 m arm, over the imbalance.
@@ -24,6 +25,9 @@ namespace whirl::analyses {
 /// @throws model::BadInput where there is none: E < 1, one ball with E != 1, a pendulum4.
 [[nodiscard]] std::vector<double> ball_angles_at_balance(const model::Balancer &balancer,
                                                          const std::string &label);
+
+/// Ball angles from the imbalance as angles in the rotor, with by = imbalance_phase.
+[[nodiscard]] std::vector<double> turned(std::vector<double> angles, double by);
 
 /// Second harmonic D = (1/n) sum exp(2 i a_j) of ball angles.
 [[nodiscard]] std::complex<double> second_harmonic_of(const std::vector<double> &angles);

@@ -38,7 +38,7 @@ double worst(const SimulateResult &result, std::vector<double> BalancerMotion::*
     return largest;
 }
 
-void fill_balancers(const model::Case &scene, const MotionScene &motion, SimulateResult &result) {
+void fill_balancers(const model::Case &scene, SimulateResult &result) {
     const MotionSeries &series = result.series;
     const std::size_t tenth = index_from(series, 0.9 * series.time.back());
     const double window = series.time.back() - series.time[tenth];
@@ -59,7 +59,6 @@ void fill_balancers(const model::Case &scene, const MotionScene &motion, Simulat
             out.swing.push_back(swing_from(own, tenth));
         }
     }
-    (void)motion;
 }
 
 } // namespace
@@ -77,8 +76,8 @@ std::string outcome_name(Outcome outcome) {
     }
 }
 
-void classify(const model::Case &scene, const MotionScene &motion, SimulateResult &result) {
-    fill_balancers(scene, motion, result);
+void classify(const model::Case &scene, SimulateResult &result) {
+    fill_balancers(scene, result);
     const MotionSeries &series = result.series;
     double amplitude = 0;
     double reference = 0;

@@ -11,6 +11,6 @@ namespace whirl::analyses {
 /// Over the last tenth of the time: a ball that drifts by more than half a turn lags; one that
 /// swings by more than 0.05 rad over the last fortieth whirls; else all stands still, balanced
 /// where less than a tenth of the unbalanced amplitude is left.
-void classify(const model::Case &scene, const MotionScene &motion, SimulateResult &result);
+void classify(const model::Case &scene, SimulateResult &result);
 
 } // namespace whirl::analyses

@@ -29,7 +29,7 @@ double imbalance_inertia(const model::Balancer &b) {
 
 /// The rotor with the constant inertia of all that is attached: balls and point masses as discs
 /// without polar inertia (their gyroscopic effect is in their own equations), pendulums as whole
-/// discs.
+/// discs. Anisotropies stay for the nodes where they are; they are masses of their own.
 model::Rotor rotor_with_masses(const model::Rotor &rotor) {
     model::Rotor with = rotor;
     with.balancers.clear();
@@ -61,7 +61,7 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
     for (const model::Balancer &b : rotor.balancers) {
         const double capacity =
             b.n * b.mass * (b.kind == model::BalancerKind::ball ? b.radius : b.arm);
-        bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, 0});
+        bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
         model::Disc disc; // keeps a node at the balancer
         disc.z = b.z;
         if (b.imbalance_radius && b.imbalance > 0) {
@@ -104,9 +104,9 @@ void refuse_what_is_missing(const model::Case &scene) {
         throw model::BadInput(fmt::format("{}: simulate: expected a table [simulate] with the "
                                           "time to simulate, got none",
                                           where(scene)));
-    if (!scene.rotor.anisotropies.empty())
-        throw model::AnalysisFailure("motion in time needs an axisymmetric rotor below its "
-                                     "balancers; this one has [[anisotropy]]");
+    if (scene.rotor.shaft.asymmetric())
+        throw model::AnalysisFailure("motion in time needs a shaft of equal bending stiffnesses; "
+                                     "this one has a segment with asymmetry");
     if (scene.simulate.torque)
         return;
     if (!scene.simulate.run_up.empty())
@@ -134,6 +134,32 @@ std::vector<double> usual_start(const model::Balancer &b) {
     return angles;
 }
 
+/// Index of the plane at z, made where there is none yet.
+int plane_at(double z, const assembly::Discretization &d, std::vector<double> &places,
+             MovingParts &parts) {
+    const auto same = std::find(places.begin(), places.end(), z);
+    const auto index = static_cast<int>(same - places.begin());
+    if (same == places.end()) {
+        places.push_back(z);
+        parts.planes.push_back(
+            {parts.rotor.row(d.deflection_at(z)), parts.rotor.row(d.slope_at(z))});
+    }
+    return index;
+}
+
+/// Inertia +dI against tilting along the axis of smaller inertia, -dI across it: what surplus
+/// masses on that axis, less those that would make it even, add.
+void add_anisotropy(const model::Anisotropy &anisotropy, int plane, MovingParts &parts) {
+    FixedMass mass;
+    mass.plane = plane;
+    mass.mass.tilt = anisotropy.dI;
+    mass.phase = anisotropy.angle;
+    parts.fixed.push_back(mass);
+    mass.mass.tilt = -anisotropy.dI;
+    mass.phase += pi / 2;
+    parts.fixed.push_back(mass);
+}
+
 void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
                 MotionScene &motion) {
     const double g = scene.simulate.gravity;
@@ -158,6 +184,7 @@ void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
         mass.plane = plane;
         const double inertia = imbalance_inertia(b);
         mass.mass = {b.imbalance, inertia, inertia, b.imbalance * g};
+        mass.phase = b.imbalance_phase;
         motion.parts.fixed.push_back(mass);
     }
 }
@@ -167,15 +194,11 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
     const auto &balancers = scene.rotor.balancers;
     std::vector<double> places;
     for (const model::Balancer &b : balancers) {
-        const auto same = std::find(places.begin(), places.end(), b.z);
-        motion.plane_of.push_back(static_cast<int>(same - places.begin()));
-        if (same == places.end()) {
-            places.push_back(b.z);
-            motion.parts.planes.push_back({motion.parts.rotor.row(d.deflection_at(b.z)),
-                                           motion.parts.rotor.row(d.slope_at(b.z))});
-        }
+        motion.plane_of.push_back(plane_at(b.z, d, places, motion.parts));
         add_masses(scene, b, motion.plane_of.back(), motion);
     }
+    for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
+        add_anisotropy(anisotropy, plane_at(anisotropy.z, d, places, motion.parts), motion.parts);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances) {
         FixedMass mass;
         mass.row = motion.parts.rotor.row(d.deflection_at(imbalance.z));
@@ -249,6 +272,7 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
 int element_order(const model::Case &scene) {
     model::Case bare = scene;
     bare.rotor.balancers.clear();
+    bare.rotor.anisotropies.clear();
     bare.formulation = model::FormChoice::automatic;
     return resolve_order(bare, choose_formulation(bare));
 }
@@ -278,6 +302,8 @@ MotionScene motion_scene(const model::Case &scene) {
         goal.places.push_back(b.z);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances)
         goal.places.push_back(imbalance.z);
+    for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
+        goal.tilted.push_back(anisotropy.z);
     std::sort(goal.places.begin(), goal.places.end());
     goal.places.erase(std::unique(goal.places.begin(), goal.places.end()), goal.places.end());
     motion.parts.rotor = reduce(d, goal);
@@ -288,7 +314,11 @@ MotionScene motion_scene(const model::Case &scene) {
 
 std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, double speed) {
     const assembly::Discretization d(rotor_without_balls(scene.rotor), order);
-    ForcedMotion forced(d, Form::general);
+    const bool asymmetric = !scene.rotor.anisotropies.empty();
+    if (asymmetric && !scene.rotor.bearings_isotropic())
+        throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
+                                     "has no single amplitude without balls to compare with");
+    ForcedMotion forced(d, asymmetric ? Form::rotating : Form::general);
     std::vector<double> amplitudes;
     try {
         forced.solve(speed);

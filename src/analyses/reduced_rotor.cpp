@@ -89,14 +89,14 @@ linalg::Matrix petsc_matrix(const Sparse &a) {
     return linalg::Matrix::from_entries(static_cast<int>(a.rows()), entries);
 }
 
-/// Deflections K - speed^2 (M - sense G) gives under unit forces at the places: synchronous whirl,
-/// forward (sense 1) or backward (-1); static where that matrix is singular.
-Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &d, const PlanarPair &pair,
-                                   double speed, double sense, const std::vector<double> &places) {
+/// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
+/// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
+Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double sense,
+                                   const std::vector<assembly::Combination> &loaded) {
     Eigen::MatrixXd forces =
-        Eigen::MatrixXd::Zero(d.planar_size(), static_cast<Eigen::Index>(places.size()));
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (const auto &[unknown, value] : d.deflection_at(places[i]))
+        Eigen::MatrixXd::Zero(pair.M.rows(), static_cast<Eigen::Index>(loaded.size()));
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        for (const auto &[unknown, value] : loaded[i])
             forces(unknown, static_cast<Eigen::Index>(i)) += value;
     Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
     A.makeCompressed();
@@ -110,20 +110,25 @@ Eigen::MatrixXd synchronous_shapes(const assembly::Discretization &d, const Plan
 }
 
 /// Shapes to choose from: the lowest modes at rest; the deflections under synchronous forces at
-/// the places, with which the undamped response there is exact; and those under forces at the
-/// bearings, which carry the effect of damping and of differences between x and y.
+/// the places (and moments), with which the undamped response there is exact; and those under
+/// forces at the bearings, which carry the effect of damping and of differences between x and y.
 class ShapeSource {
   public:
     ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
         : _pair(planar_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
         if (_small)
             return;
-        _at_places = synchronous_shapes(d, _pair, goal.speed, 1, goal.places);
-        std::vector<double> bearings;
+        std::vector<assembly::Combination> loaded;
+        for (const double z : goal.places)
+            loaded.push_back(d.deflection_at(z));
+        for (const double z : goal.tilted)
+            loaded.push_back(d.slope_at(z));
+        _at_places = synchronous_shapes(_pair, goal.speed, 1, loaded);
+        std::vector<assembly::Combination> bearings;
         for (const model::Bearing &bearing : d.rotor().bearings)
-            bearings.push_back(bearing.z);
-        const Eigen::MatrixXd forward = synchronous_shapes(d, _pair, goal.speed, 1, bearings);
-        const Eigen::MatrixXd backward = synchronous_shapes(d, _pair, goal.speed, -1, bearings);
+            bearings.push_back(d.deflection_at(bearing.z));
+        const Eigen::MatrixXd forward = synchronous_shapes(_pair, goal.speed, 1, bearings);
+        const Eigen::MatrixXd backward = synchronous_shapes(_pair, goal.speed, -1, bearings);
         const bool both = !d.rotor().bearings_isotropic();
         _at_bearings.resize(forward.rows(), (both ? 2 : 1) * forward.cols());
         _at_bearings.leftCols(forward.cols()) = forward;

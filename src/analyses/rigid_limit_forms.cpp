@@ -48,9 +48,8 @@ RigidInertia inertia_of_all(const model::Rotor &rotor) {
         sum += inertia_of(rotor.balancers[i]);
         const auto [A_m, A_m0] = added_inertias(rotor.balancers[i]);
         if (!arrangement[i].empty()) // pendulums at rest stand evenly
-            a += (A_m0 + A_m * second_harmonic_of(arrangement[i])) / 2.0;
-        else
-            a += A_m0 / 2;
+            a += A_m / 2 * second_harmonic_of(arrangement[i]);
+        a += std::polar(A_m0 / 2, 2 * rotor.balancers[i].imbalance_phase);
     }
     // What balls and imbalance leave of each other by rounding is no anisotropy.
     if (std::abs(a) < 1e-14 * sum.polar)

@@ -180,6 +180,7 @@ void add_position(BalancerNumbers &numbers, const model::Balancer &balancer, con
         numbers.D = second_harmonic_of(numbers.position);
         if (without_rounding(std::abs(numbers.D->imag()), 1) == 0)
             numbers.D = numbers.D->real();
+        numbers.position = turned(numbers.position, balancer.imbalance_phase);
     }
     const auto [A_m, A_m0] = added_inertias(balancer);
     numbers.dA = without_rounding(std::abs(A_m0 + A_m * *numbers.D) / 2, A_m0 + A_m);

@@ -272,14 +272,10 @@ void describe_model(const model::Case &scene, const MotionScene &motion, Simulat
                         rotor.modes, std::max(rotor.response_error, rotor.frequency_error)));
 }
 
-} // namespace
-
-SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
-    if (linalg::process_rank() != 0)
-        return {};
-    const auto start = std::chrono::steady_clock::now();
+/// One motion, told apart where it was interrupted by result.restart.
+SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
+                           const model::Restart *from) {
     SimulateResult result;
-    MotionScene motion = motion_scene(scene);
     describe_model(scene, motion, result);
     Run run(scene, motion);
     try {
@@ -295,8 +291,51 @@ SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
             unbalanced_amplitudes(scene, motion.order, result.speed);
         for (std::size_t i = 0; i < references.size(); ++i)
             result.balancers[i].reference = references[i];
-        classify(scene, motion, result);
+        classify(scene, result);
     }
+    return result;
+}
+
+OtherStart other_start(const SimulateResult &motion) {
+    OtherStart out{
+        motion.start_angles, motion.outcome, motion.evidence, motion.residual_ratio, {}, {}};
+    for (const BalancerMotion &b : motion.balancers)
+        out.angles.push_back(b.angles);
+    for (const std::vector<double> &plane : motion.series.amplitude) {
+        out.amplitude.resize(plane.size(), 0);
+        for (std::size_t k = 0; k < plane.size(); ++k)
+            out.amplitude[k] = std::max(out.amplitude[k], plane[k]);
+    }
+    return out;
+}
+
+/// The motions from simulate.other_starts; ends early where interrupted, and says so.
+void add_other_starts(const model::Case &scene, MotionScene &motion, SimulateResult &result) {
+    for (const auto &start : scene.simulate.other_starts) {
+        motion.start_angles.clear();
+        for (const std::vector<double> &angles : start)
+            motion.start_angles.insert(motion.start_angles.end(), angles.begin(), angles.end());
+        const SimulateResult other = motion_from(scene, motion, nullptr);
+        if (other.restart) {
+            result.model.notes.push_back(
+                fmt::format("interrupted: {} of {} other starts were followed to the end",
+                            result.other_starts.size(), scene.simulate.other_starts.size()));
+            return;
+        }
+        result.other_starts.push_back(other_start(other));
+    }
+}
+
+} // namespace
+
+SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
+    if (linalg::process_rank() != 0)
+        return {};
+    const auto start = std::chrono::steady_clock::now();
+    MotionScene motion = motion_scene(scene);
+    SimulateResult result = motion_from(scene, motion, from);
+    if (!result.restart)
+        add_other_starts(scene, motion, result);
     report_progress(1);
     result.model.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

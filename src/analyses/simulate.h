@@ -11,7 +11,8 @@ namespace whirl::analyses {
 /// shapes, whose error against the full model is part of the result.
 ///
 /// A run that is interrupted (analyses/interruption.h) ends early with `restart` set; given as
-/// `from` to a second call it goes on. Runs on process 0; the others return an empty result.
+/// `from` to a second call it goes on. Other starts of the case follow the first motion, each from
+/// its beginning. Runs on process 0; the others return an empty result.
 /// @throws model::BadInput where the case lacks something or asks for an absurd time span;
 ///         model::AnalysisFailure where the integration cannot go on.
 [[nodiscard]] SimulateResult simulate(const model::Case &scene,

@@ -50,6 +50,16 @@ struct MotionAudit {
     double momentum_scale = 0; ///< kg m2/s, largest of impulse and change of momentum
 };
 
+/// A motion from another start, told by its end.
+struct OtherStart {
+    std::vector<double> start_angles; ///< of all balls and pairs, rad
+    Outcome outcome = Outcome::whirling;
+    std::string evidence;
+    std::optional<double> residual_ratio;
+    std::vector<std::vector<double>> angles; ///< final ones of each balancer, rad
+    std::vector<double> amplitude;           ///< over the output times, largest of the planes, m
+};
+
 struct SimulateResult {
     ModelSummary model;
     Outcome outcome = Outcome::whirling;
@@ -61,6 +71,7 @@ struct SimulateResult {
     std::vector<BalancerMotion> balancers;
     MotionSeries series;
     std::vector<double> start_angles; ///< of all balls and pairs, rad
+    std::vector<OtherStart> other_starts;
 
     int modes = 0;              ///< lowest modes among the shapes
     int shapes = 0;             ///< planar shapes the shaft moves in

@@ -35,11 +35,11 @@ BalancerElement balancer_element(const model::Balancer &balancer,
         balls ? ball_element(balancer, second_harmonic) : pendulum_element(balancer);
     out.z = balancer.z;
     out.mass = out.moving_mass;
-    if (balancer.imbalance_radius) { // a point mass m0 at R0, angle 0
+    if (balancer.imbalance_radius) { // a point mass m0 at R0
         out.mass += balancer.imbalance / *balancer.imbalance_radius;
         const double inertia = balancer.imbalance * *balancer.imbalance_radius;
         out.polar_inertia += inertia;
-        out.anisotropy += 0.5 * inertia;
+        out.anisotropy += std::polar(0.5 * inertia, 2 * balancer.imbalance_phase);
     }
     if (!balancer.tilt_inertia) {
         out.polar_inertia = 0;

@@ -30,7 +30,8 @@ struct BalancerElement {
     double restoring = 0;                 ///< 0 for balls, a/l for pendulums
 };
 
-/// @param second_harmonic  D = (1/n) sum exp(2 i angle) of the balls; not read for pendulums
+/// @param second_harmonic  D = (1/n) sum exp(2 i angle) of the balls, angles in the rotor (not from
+///                         the imbalance); not read for pendulums
 [[nodiscard]] BalancerElement balancer_element(const model::Balancer &balancer,
                                                std::complex<double> second_harmonic);
 

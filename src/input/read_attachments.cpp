@@ -124,6 +124,7 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor) {
             read_pendulum(table, balancer);
         balancer.imbalance =
             table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
+        balancer.imbalance_phase = table.number_or("imbalance_phase", 0, Quantity::angle);
         balancer.imbalance_radius =
             table.optional_number("imbalance_radius", Quantity::length, Range::positive());
         balancer.tilt_inertia = table.flag_or("tilt_inertia", true);

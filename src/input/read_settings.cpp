@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace whirl::input {
 namespace {
 
@@ -38,18 +40,17 @@ std::vector<std::pair<double, double>> read_run_up(CheckedTable &table) {
 }
 
 /// Lists of angles, one for each balancer.
-std::vector<std::vector<double>> read_ball_angles(CheckedTable &table) {
-    const Node *list = table.find("ball_angles");
-    if (!list)
-        return {};
+std::vector<std::vector<double>> angles_of(const Node &list, const std::string &of,
+                                           ReadContext &context) {
     std::vector<std::vector<double>> angles;
-    ReadContext &context = table.context();
-    if (list->kind != Node::Kind::list)
-        table.fail("ball_angles",
-                   "expected a list of angles for each balancer, got " + shown(*list));
-    for (std::size_t i = 0; i < list->items.size() && list->kind == Node::Kind::list; ++i) {
-        const Node &item = list->items[i];
-        const std::string path = fmt::format("{}[{}]", table.path_of("ball_angles"), i);
+    if (list.kind != Node::Kind::list) {
+        context.problems.add(list.origin, of,
+                             "expected a list of angles for each balancer, got " + shown(list));
+        return angles;
+    }
+    for (std::size_t i = 0; i < list.items.size(); ++i) {
+        const Node &item = list.items[i];
+        const std::string path = fmt::format("{}[{}]", of, i);
         angles.emplace_back();
         if (item.kind != Node::Kind::list) {
             context.problems.add(item.origin, path,
@@ -61,6 +62,23 @@ std::vector<std::vector<double>> read_ball_angles(CheckedTable &table) {
                                                    Quantity::angle, Range::any()));
     }
     return angles;
+}
+
+void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
+    ReadContext &context = table.context();
+    if (const Node *angles = table.find("ball_angles"))
+        simulate.ball_angles = angles_of(*angles, table.path_of("ball_angles"), context);
+    const Node *others = table.find("other_starts");
+    if (!others)
+        return;
+    if (others->kind != Node::Kind::list) {
+        table.fail("other_starts",
+                   "expected a list of starts, each like ball_angles, got " + shown(*others));
+        return;
+    }
+    for (std::size_t i = 0; i < others->items.size(); ++i)
+        simulate.other_starts.push_back(angles_of(
+            others->items[i], fmt::format("{}[{}]", table.path_of("other_starts"), i), context));
 }
 
 /// Quantity of the entry that a map varies: "speed", or a number that the case file contains.
@@ -173,7 +191,7 @@ void read_simulate(CheckedTable &root, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
     simulate.time = table->number("time", Quantity::time, Range::positive());
     simulate.run_up = read_run_up(*table);
-    simulate.ball_angles = read_ball_angles(*table);
+    read_starts(*table, simulate);
     simulate.tolerance = table->number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
                                           Range::inside(0, 1));
     read_motor(*table, simulate);
@@ -185,10 +203,26 @@ void read_balance(CheckedTable &root, model::Case &scene) {
     auto table = root.table("balance");
     if (!table)
         return;
+    scene.balance.balanced_position = table->flag_or("balanced_position", true);
     scene.balance.simulated = table->whole_or("simulated", 0, 0, 1000);
     if (scene.balance.simulated > 0 && !root.has("simulate"))
         table->fail("simulated", "expected a section [simulate] that says how long the motions "
                                  "are, got none");
+    for (CheckedTable &design : table->tables("designs")) {
+        scene.balance.designs.push_back(
+            {design.number("arm", Quantity::length, Range::positive()),
+             design.number("pivot", Quantity::length, Range::positive())});
+        design.refuse_unknown();
+    }
+    if (table->has("external_damping"))
+        scene.balance.external_damping =
+            table->numbers("external_damping", Quantity::dimensionless, Range::not_negative());
+    const bool pendulums = std::any_of(
+        scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
+        [](const model::Balancer &b) { return b.kind == model::BalancerKind::pendulum4; });
+    for (const char *key : {"designs", "external_damping"})
+        if (table->has(key) && !pendulums)
+            table->fail(key, "expected only with a balancer of kind = \"pendulum4\", got none");
     table->refuse_unknown();
 }
 

@@ -51,10 +51,9 @@ void check_disc(const model::Disc &disc, const std::string &path, const Check &c
 }
 
 /// One list of angles for each balancer, one angle for each ball.
-void check_ball_angles(const model::Case &scene, const Check &check) {
-    const auto &angles = scene.simulate.ball_angles;
+void check_ball_angles(const model::Case &scene, const std::vector<std::vector<double>> &angles,
+                       const std::string &path, const Check &check) {
     const auto &balancers = scene.rotor.balancers;
-    const std::string path = "simulate.ball_angles";
     if (angles.empty())
         return;
     if (angles.size() != balancers.size()) {
@@ -121,7 +120,14 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
     check_anisotropies(rotor, root, problems);
     check_ball_positions(rotor, root, problems);
-    check_ball_angles(scene, check);
+    check_ball_angles(scene, scene.simulate.ball_angles, "simulate.ball_angles", check);
+    for (std::size_t i = 0; i < scene.simulate.other_starts.size(); ++i) {
+        const std::string path = fmt::format("simulate.other_starts[{}]", i);
+        if (scene.simulate.other_starts[i].empty() && !rotor.balancers.empty())
+            check.fail(path, fmt::format("expected {} lists, one for each balancer, got none",
+                                         rotor.balancers.size()));
+        check_ball_angles(scene, scene.simulate.other_starts[i], path, check);
+    }
 }
 
 } // namespace whirl::input

@@ -118,11 +118,11 @@ bool asks_for_one_ball(const model::Balancer &balancer, const std::string &path,
     return balancer.n == 1 && entry && entry->is_number() && entry->number == 1;
 }
 
-/// Sum of the ball angles' unit vectors over n, plus 1/E.
+/// Sum of the ball angles' unit vectors over n, plus 1/E; angles from the imbalance.
 std::complex<double> balance_defect(const model::Balancer &balancer, double inverse_capacity) {
     std::complex<double> sum = 0;
     for (const double angle : balancer.position)
-        sum += std::polar(1.0, angle);
+        sum += std::polar(1.0, angle - balancer.imbalance_phase);
     return sum / static_cast<double>(balancer.position.size()) + inverse_capacity;
 }
 
@@ -159,8 +159,8 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
         const std::complex<double> mean = defect - inverse;
         problems.add(origin_of(root, path), path,
                      fmt::format("expected ball angles that balance the imbalance: mean of cosines "
-                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
-                                 "{:.8g}",
+                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6 (from the "
+                                 "imbalance), got {:.8g} and {:.8g}",
                                  0 - inverse, mean.real(), mean.imag()));
     }
 }

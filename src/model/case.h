@@ -40,7 +40,9 @@ struct SimulateSettings {
     double time = 0;                               ///< s
     std::vector<std::pair<double, double>> run_up; ///< (time s, speed rad/s)
     std::vector<std::vector<double>> ball_angles;  ///< per balancer, rad
-    double tolerance = 1e-8;                       ///< relative, of the integrator
+    /// Further starts like ball_angles: each is a motion of its own.
+    std::vector<std::vector<std::vector<double>>> other_starts;
+    double tolerance = 1e-8;      ///< relative, of the integrator
     std::optional<double> torque; ///< N m, of a motor at rest: the spin speed becomes an unknown
     double torque_slope = 0;      ///< N m s: the motor's torque is torque - torque_slope * speed
     double inertia = 0;           ///< kg m2, polar, of what turns with the rotor and is not in it
@@ -51,9 +53,18 @@ struct SimulateSettings {
     std::filesystem::path restart;     ///< file of an interrupted run to go on from, or empty
 };
 
+/// A four-pendulum balancer in place of another one.
+struct PendulumDesign {
+    double arm = 0;   ///< m
+    double pivot = 0; ///< m
+};
+
 /// Entries of [balance].
 struct BalanceSettings {
+    bool balanced_position = true; ///< whether the real balancers' stability is looked at too
     int simulated = 0; ///< speeds of the range at which the motion in time is computed as well
+    std::vector<PendulumDesign> designs;  ///< whose efficiency is drawn beside the case's own
+    std::vector<double> external_damping; ///< H for which it is drawn; empty: that of the case
 };
 
 /// One axis of a map: a numeric entry of the case, or "speed".

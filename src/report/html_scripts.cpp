@@ -169,6 +169,8 @@ result.balancers.forEach((b, i) => {
     traces.push({x: [0, time[time.length - 1]], y: [1, 1].map(one => one * b.amplitude_without_balls * 1e6),
       name: "without balls", showlegend: i === 0, line: {color: colours[i % 8], dash: "dot", width: 1}, mode: "lines", hoverinfo: "y"});
 });
+result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplitude.slice(1).map(a => a * 1e6), mode: "lines",
+  name: `start ${i + 2}: ${s.outcome}`, line: {color: colours[(result.balancers.length + i) % 8], dash: "dash", width: 1.5}, hoverinfo: "x+y+name"}));
 let number = 0;
 result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
   const angles = result.series.angles[number], k = number++, y = [];

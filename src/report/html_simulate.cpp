@@ -29,6 +29,29 @@ std::string result_table(const analyses::SimulateResult &result) {
                        {"Speed at the end", readable(result.speed * rpm, 7) + " rpm"}});
 }
 
+/// The first motion and those from other starts, side by side.
+std::string starts_table(const analyses::SimulateResult &result) {
+    Rows rows;
+    const auto add = [&rows](const std::vector<double> &start, analyses::Outcome outcome,
+                             const std::optional<double> &ratio,
+                             const std::vector<std::vector<double>> &angles) {
+        std::string last;
+        for (const std::vector<double> &of : angles)
+            last += (last.empty() ? "" : "; ") + degrees(of);
+        rows.push_back({degrees(start), analyses::outcome_name(outcome),
+                        ratio ? readable(*ratio, 5) : "–", last});
+    };
+    std::vector<std::vector<double>> first;
+    for (const analyses::BalancerMotion &b : result.balancers)
+        first.push_back(b.angles);
+    add(result.start_angles, result.outcome, result.residual_ratio, first);
+    for (const analyses::OtherStart &start : result.other_starts)
+        add(start.start_angles, start.outcome, start.residual_ratio, start.angles);
+    return html_table(
+        {"Start (deg)", "Outcome", "Amplitude left over that without balls", "Final angles (deg)"},
+        rows);
+}
+
 std::string quality_table(const analyses::SimulateResult &result) {
     const analyses::MotionAudit &a = result.audit;
     return html_table(
@@ -62,6 +85,8 @@ std::string to_html(const model::Case &scene, const analyses::SimulateResult &re
         "Balancers", html_table({"Name", "z (m)", "Kind", "Capacity E", "Final angles (deg)",
                                  "Amplitude at the end (µm)", "without balls (µm)"},
                                 rows));
+    if (!result.other_starts.empty())
+        parts.sections.emplace_back("From other starts", starts_table(result));
     parts.sections.emplace_back("How good the numbers are", quality_table(result));
     return page(scene, result.model, parts);
 }

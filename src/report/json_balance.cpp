@@ -100,6 +100,24 @@ Json placement(const analyses::Placement &map) {
               {"best", best(map.best_pair)}}}};
 }
 
+Json curves(const std::vector<analyses::PendulumCurve> &list) {
+    Json out = Json::array();
+    for (const auto &curve : list) {
+        Json exact = Json::array();
+        for (const auto &value : curve.exact)
+            exact.push_back(number(value));
+        out.push_back({{"arm", curve.arm},
+                       {"pivot", curve.pivot},
+                       {"rho", curve.rho},
+                       {"H", curve.external_damping},
+                       {"speed_ratio", curve.ratios},
+                       {"approximate", curve.approximate},
+                       {"exact", exact},
+                       {"stable", curve.stable}});
+    }
+    return out;
+}
+
 /// The motion of least deflection at each speed fills the lists; all are in `motions`.
 Json pendulum(const analyses::PendulumBalance &of) {
     Json efficiency{
@@ -134,7 +152,9 @@ Json pendulum(const analyses::PendulumBalance &of) {
               {"omega_0", of.omega_0},
               {"H", of.external_damping},
               {"h", of.hinge_damping}}},
-            {"efficiency", efficiency}};
+            {"efficiency", efficiency},
+            {"designs", curves(of.designs)},
+            {"dampings", curves(of.dampings)}};
 }
 
 } // namespace

@@ -50,6 +50,18 @@ Json audit(const analyses::MotionAudit &audit) {
             {"momentum_scale", audit.momentum_scale}};
 }
 
+Json other_starts(const std::vector<analyses::OtherStart> &list) {
+    Json out = Json::array();
+    for (const analyses::OtherStart &start : list)
+        out.push_back({{"start_angles", start.start_angles},
+                       {"outcome", analyses::outcome_name(start.outcome)},
+                       {"evidence", start.evidence},
+                       {"residual_ratio", number(start.residual_ratio)},
+                       {"balls", start.angles},
+                       {"amplitude", start.amplitude}});
+    return out;
+}
+
 } // namespace
 
 std::string to_json(const model::Case &scene, const analyses::SimulateResult &result) {
@@ -80,6 +92,7 @@ std::string to_json(const model::Case &scene, const analyses::SimulateResult &re
         json["balancers"].push_back(balancer(b));
     }
     json["start_angles"] = result.start_angles;
+    json["other_starts"] = other_starts(result.other_starts);
     json["reduction"] = reduction(result);
     json["integration"] = integration(result);
     json["audit"] = audit(result.audit);

@@ -21,4 +21,9 @@ namespace whirl::report {
 [[nodiscard]] Figure pendulum_figure(const model::Case &scene,
                                      const analyses::PendulumBalance &balancer);
 
+/// Efficiency of the planar rotor over the speed ratio: designs of the balancer side by side, and
+/// its own design at several external dampings; exact by stability, and for small angles.
+[[nodiscard]] Figure pendulum_designs_figure(const model::Case &scene,
+                                             const analyses::PendulumBalance &balancer);
+
 } // namespace whirl::report

@@ -35,6 +35,15 @@ std::vector<Curve> amplitude_curves(const SimulateResult &result) {
             points.push_back({time[k], result.series.amplitude[i][k] * 1e6});
         curves.push_back({balancer_name(result.balancers[i]), {points}});
     }
+    for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
+        const std::vector<double> &amplitude = result.other_starts[i].amplitude;
+        std::vector<PlotPoint> points;
+        for (std::size_t k = 1; k < std::min(time.size(), amplitude.size()); ++k)
+            points.push_back({time[k], amplitude[k] * 1e6});
+        curves.push_back({fmt::format("start {}: {}", i + 2,
+                                      analyses::outcome_name(result.other_starts[i].outcome)),
+                          {points}});
+    }
     for (const analyses::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
             curves.push_back(
@@ -147,7 +156,7 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
                     figure.height) +
         fmt::format("set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [0:{}]\n", result.time) +
         logarithmic_axis(amplitude) + panel(75, 400) + axes("Amplitude (µm)", false) +
-        draw("a", amplitude, result.balancers.size()) +
+        draw("a", amplitude, result.balancers.size() + result.other_starts.size()) +
         "unset label\nunset logscale y\nset format y '%g'\n" +
         (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
         panel(430, 715) +

@@ -196,6 +196,10 @@ Files write_report(const model::Case &scene, const analyses::BalanceResult &resu
     for (std::size_t i = 0; i < result.pendulum.size(); ++i)
         more.emplace_back("pendulum" + (i == 0 ? "" : "_" + std::to_string(i + 1)),
                           pendulum_figure(scene, result.pendulum[i]));
+    for (std::size_t i = 0; i < result.pendulum.size(); ++i)
+        if (!result.pendulum[i].dampings.empty())
+            more.emplace_back("pendulum_designs" + (i == 0 ? "" : "_" + std::to_string(i + 1)),
+                              pendulum_designs_figure(scene, result.pendulum[i]));
     return write("balance", scene, result, balance_figure(scene, result), folder, "", more);
 }
 
