@@ -200,7 +200,7 @@ BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
         result.balanced_position = balanced_position(scene, result.model.notes);
         if (s.has_range())
             result.simulated = simulated_speeds(scene, result.model.notes);
-        result.findings = balance_findings(result, *scene.speeds, scene.rotor.damped());
+        result.findings = balance_findings(result, scene);
         report_progress(1);
         result.model.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

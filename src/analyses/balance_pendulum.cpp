@@ -44,8 +44,7 @@ std::vector<model::Imbalance> drive_of(const model::Case &scene,
     for (const model::Balancer &balancer : scene.rotor.balancers)
         if (balancer.imbalance > 0)
             drive.push_back({"", balancer.z, balancer.imbalance, balancer.imbalance_phase});
-    if (drive.empty())
-        drive = scene.rotor.imbalances;
+    drive.insert(drive.end(), scene.rotor.imbalances.begin(), scene.rotor.imbalances.end());
     if (drive.empty()) {
         notes.emplace_back("pendulums without an imbalance to balance (balancer.imbalance or "
                            "[[imbalance]]): their efficiency is that of small angles");
@@ -196,9 +195,9 @@ std::vector<std::vector<PendulumSteadyMotion>> swept_motions(PendulumShaft &shaf
     return all;
 }
 
-void fill_states(PendulumShaft &shaft, const std::vector<double> &speeds,
+void fill_states(PendulumShaft &shaft, double bearing_speed, const std::vector<double> &speeds,
                  std::vector<PendulumBalance> &out) {
-    const PendulumStability stability(shaft);
+    const PendulumStability stability(shaft, bearing_speed);
     const auto all = swept_motions(shaft, speeds);
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         report_progress(0.9 + 0.1 * static_cast<double>(k) / static_cast<double>(speeds.size()));
@@ -252,7 +251,7 @@ std::vector<PendulumBalance> pendulum_balance(const model::Case &scene, const Ba
         compare_designs(scene.balance, pendulums[j], planar, balance);
         out.push_back(balance);
     }
-    fill_states(shaft, shared.speeds, out);
+    fill_states(shaft, shared.from, shared.speeds, out);
     return out;
 }
 

@@ -64,9 +64,10 @@ class PendulumShaft {
 /// and the static deflections under forces at the balancers and bearings, two unknowns a balancer.
 class PendulumStability {
   public:
-    /// @param modes  at rest, that the rotor keeps
+    /// @param bearing_speed  at which the bearings are read, rad/s
+    /// @param modes          at rest, that the rotor keeps
     /// @throws linalg::SolverError where the supports leave the rotor free
-    PendulumStability(const PendulumShaft &shaft, int modes = 8);
+    PendulumStability(const PendulumShaft &shaft, double bearing_speed, int modes = 8);
     ~PendulumStability();
     PendulumStability(const PendulumStability &) = delete;
     PendulumStability &operator=(const PendulumStability &) = delete;

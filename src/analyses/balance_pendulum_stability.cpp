@@ -53,10 +53,10 @@ Eigen::MatrixXd with_bearings(const assembly::Discretization &d, Eigen::MatrixXd
     return forces;
 }
 
-Sparse support_damping(const assembly::Discretization &d) {
+Sparse support_damping(const assembly::Discretization &d, double speed) {
     std::vector<Eigen::Triplet<double>> entries;
     assembly::assemble_supports(
-        d, 0, [&entries](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
+        d, speed, [&entries](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
             if (term == assembly::Term::damping)
                 entries.emplace_back(i, j, block(0, 0));
         });
@@ -99,7 +99,7 @@ struct PendulumStability::Data {
     double stiffest = 0;             ///< highest frequency kept, rad/s
 };
 
-PendulumStability::PendulumStability(const PendulumShaft &shaft, int modes)
+PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_speed, int modes)
     : _data(std::make_unique<Data>()) {
     Data &data = *_data;
     const assembly::Discretization &d = shaft.rotor();
@@ -110,13 +110,13 @@ PendulumStability::PendulumStability(const PendulumShaft &shaft, int modes)
         for (const auto &[unknown, value] :
              d.deflection_at(data.pendulums[static_cast<std::size_t>(j)].z))
             forces(unknown, j) += value;
-    const assembly::PlanarSystem system = assembly::assemble_planar(d, 0);
+    const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
     const Eigen::MatrixXd V = basis_of(system, with_bearings(d, forces), modes);
     const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd { return V.transpose() * (A * V); };
     data.M = kept(system.M.view());
     data.G = kept(system.G.view());
     data.K = kept(system.K.view());
-    data.Ce = kept(support_damping(d));
+    data.Ce = kept(support_damping(d, bearing_speed));
     data.Ci = kept(shaft_damping(d));
     data.places = forces.transpose() * V;
     data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());

@@ -93,6 +93,7 @@ struct SimulatedSpeed {
     double speed = 0;                     ///< rad/s
     std::string outcome;                  ///< "balanced", "offset", "lagging" or "whirling"
     std::optional<double> residual_ratio; ///< as simulate gives it
+    std::optional<double> growth; ///< 1/s, largest of the balanced position with the real balancers
 };
 
 /// Where every motion about the balanced position with the real balancers dies out.

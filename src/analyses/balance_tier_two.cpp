@@ -65,7 +65,8 @@ BalancedPosition stable_speeds(const model::Case &scene) {
 
 std::optional<BalancedPosition> balanced_position(const model::Case &scene,
                                                   std::vector<std::string> &notes) {
-    if (!scene.balance.balanced_position || scene.rotor.balancers.empty() || !scene.speeds || scene.speeds->count < 2)
+    if (!scene.balance.balanced_position || scene.rotor.balancers.empty() || !scene.speeds ||
+        scene.speeds->count < 2)
         return std::nullopt;
     model::Case real = scene;
     real.formulation = model::FormChoice::automatic; // a form forced for the criterion

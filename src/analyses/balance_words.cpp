@@ -73,14 +73,15 @@ void plane_ends(const BalanceResult &result, std::vector<std::string> &out) {
 }
 
 /// More planes than rigid motions: the form of a flexible rotor is indefinite by a little.
-void excess_planes(const BalanceResult &result, std::vector<std::string> &out) {
+void excess_planes(const BalanceResult &result, bool rigid, std::vector<std::string> &out) {
     const auto count = static_cast<int>(result.planes.size());
     if (count < 3 || result.joint.signature.empty())
         return;
     if (result.joint.rank < count) {
-        out.push_back(fmt::format("{} planes of a rigid rotor make {} independent imbalances: the "
-                                  "form is judged on those, the other eigenvalues are zero.",
-                                  count, result.joint.rank));
+        out.push_back(fmt::format("{} planes {} make {} independent imbalances: the form is judged "
+                                  "on those, the other eigenvalues are zero.",
+                                  count, rigid ? "of a rigid rotor" : "of which some coincide",
+                                  result.joint.rank));
         return;
     }
     double least = 1;
@@ -148,6 +149,15 @@ void real_balancers(const BalanceResult &result, bool damped, std::vector<std::s
         return;
     }
     const double both = common_width(criterion, real);
+    if (real.empty()) {
+        out.push_back(std::string("With the real balancers the balanced position is stable nowhere "
+                                  "in this range") +
+                      (criterion.empty() ? ", as the criterion says."
+                                         : ", where the criterion, for balancers without mass, "
+                                           "holds: lighter balls or more damping in the bearings "
+                                           "bring the two together."));
+        return;
+    }
     std::string text = fmt::format(
         "With the real balancers the balanced position is stable over {:.4g} rad/s of the range, "
         "the criterion holds over {:.4g}, both over {:.4g}.",
@@ -167,8 +177,22 @@ void real_balancers(const BalanceResult &result, bool damped, std::vector<std::s
     out.push_back(text);
 }
 
+/// Why a motion in time ended otherwise than the eigenvalues of the balanced position promise.
+std::string reason(const SimulatedSpeed &run, double time) {
+    if (!run.growth)
+        return run.outcome;
+    constexpr double slow = 5; // e-fold changes that a motion needs to get somewhere
+    std::string text = fmt::format("{}, growth {:+.2g} 1/s", run.outcome, *run.growth);
+    if (std::abs(*run.growth) * time < slow)
+        text += fmt::format(": too slow to be seen in {:.3g} s", time);
+    else
+        text += run.outcome == "balanced" ? ": another motion near the balanced one"
+                                          : ": this start leads to a motion beside it";
+    return text;
+}
+
 /// Motions in time against what the eigenvalues of the balanced position promise.
-void motions_in_time(const BalanceResult &result, std::vector<std::string> &out) {
+void motions_in_time(const BalanceResult &result, double time, std::vector<std::string> &out) {
     if (result.simulated.empty() || !result.balanced_position)
         return;
     int agree = 0;
@@ -181,14 +205,11 @@ void motions_in_time(const BalanceResult &result, std::vector<std::string> &out)
             ++agree;
         else
             other += fmt::format("{}{:.6g} rad/s ({})", other.empty() ? "" : ", ", run.speed,
-                                 run.outcome);
+                                 reason(run, time));
     }
     std::string text = fmt::format("Of {} motions in time {} end as the eigenvalues promise",
                                    result.simulated.size(), agree);
-    out.push_back(other.empty() ? text + "."
-                                : text + "; otherwise at " + other +
-                                      ": not settled in the time given, or a motion beside the "
-                                      "balanced one that this start leads to.");
+    out.push_back(other.empty() ? text + "." : text + "; otherwise at " + other + ".");
 }
 
 /// n < 1 is not enough: where the motion of least deflection is unstable.
@@ -221,17 +242,16 @@ void pendulums(const BalanceResult &result, std::vector<std::string> &out) {
 
 } // namespace
 
-std::vector<std::string> balance_findings(const BalanceResult &result,
-                                          const model::SpeedRange &speeds, bool damped) {
+std::vector<std::string> balance_findings(const BalanceResult &result, const model::Case &scene) {
     std::vector<std::string> out;
-    if (speeds.to <= speeds.from)
+    if (scene.speeds->to <= scene.speeds->from || scene.speeds->count < 2)
         return out;
     joint_ends(result, out);
     without_bands(result, out);
-    excess_planes(result, out);
+    excess_planes(result, scene.rotor.shaft.rigid, out);
     plane_ends(result, out);
-    real_balancers(result, damped, out);
-    motions_in_time(result, out);
+    real_balancers(result, scene.rotor.damped(), out);
+    motions_in_time(result, scene.simulate.time, out);
     pendulums(result, out);
     return out;
 }

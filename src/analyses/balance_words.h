@@ -8,11 +8,9 @@
 
 namespace whirl::analyses {
 
-/// Sentences that say what the bands mean and where flexible and rigid rotor differ, and why.
-///
-/// @param speeds  range of the bands
-/// @param damped  the rotor on its bearings has damping
-[[nodiscard]] std::vector<std::string>
-balance_findings(const BalanceResult &result, const model::SpeedRange &speeds, bool damped);
+/// Sentences that say what the bands mean and where flexible and rigid rotor, and the three tiers,
+/// differ, and why. None for one speed alone.
+[[nodiscard]] std::vector<std::string> balance_findings(const BalanceResult &result,
+                                                        const model::Case &scene);
 
 } // namespace whirl::analyses

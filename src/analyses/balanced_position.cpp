@@ -176,6 +176,8 @@ std::complex<double> second_harmonic_of(const std::vector<double> &angles) {
 }
 
 AddedInertias added_inertias(const model::Balancer &balancer) {
+    if (!balancer.tilt_inertia)
+        return {};
     const double R = balancer.kind == model::BalancerKind::ball ? balancer.radius
                                                                 : balancer.pivot + balancer.arm;
     return {balancer.n * balancer.mass * R * R,

@@ -33,7 +33,7 @@ namespace whirl::analyses {
 [[nodiscard]] std::complex<double> second_harmonic_of(const std::vector<double> &angles);
 
 /// Moments of inertia A_m = n m R^2 and A_m0 = m0 R0^2 (0 without imbalance_radius), kg m2.
-/// For a pendulum4 R is the pendulums' radius at rest, pivot + arm.
+/// For a pendulum4 R is the pendulums' radius at rest, pivot + arm. Zero with tilt_inertia = false.
 struct AddedInertias {
     double balls = 0;
     double imbalance = 0;

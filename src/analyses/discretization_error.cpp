@@ -14,7 +14,8 @@ std::unique_ptr<SpectrumSolver> finer_solver(const model::Rotor &rotor, Form for
                                              int refinement) {
     const bool classical = order == 1;
     return std::make_unique<SpectrumSolver>(rotor, form, classical ? 1 : order + 1,
-                                            classical ? 2 * refinement : refinement);
+                                            classical ? 2 * refinement : refinement,
+                                            SpectrumSolver::hill_harmonics + 2);
 }
 
 std::vector<double> discretization_errors(const Spectrum &coarse, const Spectrum &fine, int order) {

@@ -44,13 +44,16 @@ LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver, 
     LineErrors errors(lines.size());
     for (auto &list : errors)
         list.resize(spectra.size());
-    if (rotor.shaft.rigid) {
+    const bool series = solver.form() == Form::hill; // cut off: an error of its own
+    if (rotor.shaft.rigid && !series) {
         for (auto &list : errors)
             std::fill(list.begin(), list.end(), 0.0);
         return errors;
     }
     const auto finer = finer_solver(rotor, solver.form(), order);
-    const std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
+    std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
+    if (series && spectra.size() > 1)
+        probes.insert(1); // slow, but not at rest: needs most harmonics
     for (const std::size_t k : probes) {
         const Spectrum fine =
             finer->at(spectra[k].speed, static_cast<int>(spectra[k].modes.size()));

@@ -1,5 +1,8 @@
 #include "analyses/motion_outcome.h"
 
+#include "analyses/balance_rigid.h"
+#include "analyses/balanced_position.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,6 +41,16 @@ double worst(const SimulateResult &result, std::vector<double> BalancerMotion::*
     return largest;
 }
 
+/// Of the imbalances on a rotor without supports, m.
+double free_amplitude(const model::Rotor &rotor) {
+    double moment = 0;
+    for (const model::Balancer &b : rotor.balancers)
+        moment += b.imbalance;
+    for (const model::Imbalance &imbalance : rotor.imbalances)
+        moment += std::abs(imbalance.mr);
+    return moment / rotor_mass(rotor);
+}
+
 void fill_balancers(const model::Case &scene, SimulateResult &result) {
     const MotionSeries &series = result.series;
     const std::size_t tenth = index_from(series, 0.9 * series.time.back());
@@ -51,7 +64,7 @@ void fill_balancers(const model::Case &scene, SimulateResult &result) {
         const bool ball = b.kind == model::BalancerKind::ball;
         out.kind = ball ? "ball" : "pendulum4";
         if (ball && b.imbalance > 0)
-            out.capacity = b.n * b.mass * b.radius / b.imbalance;
+            out.capacity = capacity(b);
         for (int j = 0; j < (ball ? b.n : 2); ++j, ++angle) {
             const std::vector<double> &own = series.angles[angle];
             out.angles.push_back(std::remainder(own.back(), 2 * pi));
@@ -85,7 +98,8 @@ void classify(const model::Case &scene, SimulateResult &result) {
         amplitude = std::max(amplitude, b.amplitude);
         reference = std::max(reference, b.reference);
     }
-    const double ratio = reference > 0 ? amplitude / reference : HUGE_VAL;
+    const double scale = reference > 0 ? reference : free_amplitude(scene.rotor);
+    const double ratio = scale > 0 ? amplitude / scale : HUGE_VAL;
     if (has_imbalance(scene.rotor) && reference > 0)
         result.residual_ratio = ratio;
     const std::size_t tenth = index_from(series, 0.9 * series.time.back());

@@ -54,7 +54,8 @@ void MotionRecorder::save(model::Restart &restart) const {
 
 void MotionRecorder::resume(const model::Restart &restart, MotionSeries series) {
     _largest = restart.largest;
-    _last = restart.last;
+    if (restart.time >= _last_from) // else gathered towards an earlier end
+        _last = restart.last;
     _series = std::move(series);
 }
 

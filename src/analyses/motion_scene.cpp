@@ -1,5 +1,6 @@
 #include "analyses/motion_scene.h"
 
+#include "analyses/balanced_position.h"
 #include "analyses/discretization_error.h"
 #include "analyses/forced_motion.h"
 #include "analyses/orbits.h"
@@ -22,9 +23,9 @@ constexpr double most_revolutions = 1e7;
 
 double ball_inertia(const model::Balancer &b) { return b.mass * b.radius * b.radius; }
 
-/// Inertia of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
+/// Inertia against tilting of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
 double imbalance_inertia(const model::Balancer &b) {
-    return b.imbalance_radius ? b.imbalance * *b.imbalance_radius : 0;
+    return b.imbalance_radius && b.tilt_inertia ? b.imbalance * *b.imbalance_radius : 0;
 }
 
 /// The rotor with the constant inertia of all that is attached: balls and point masses as discs
@@ -53,7 +54,8 @@ model::Rotor rotor_with_masses(const model::Rotor &rotor) {
     return with;
 }
 
-/// The rotor as it turns without balls, its imbalances as [[imbalance]].
+/// The rotor as it turns without balls, its imbalances as [[imbalance]]. A point mass makes it
+/// asymmetric; on bearings that differ between x and y its mean inertia has to do.
 model::Rotor rotor_without_balls(const model::Rotor &rotor) {
     model::Rotor bare = rotor;
     bare.balancers.clear();
@@ -68,6 +70,8 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
             disc.mass = b.imbalance / *b.imbalance_radius;
             disc.Id = imbalance_inertia(b) / 2;
             disc.Ip = imbalance_inertia(b);
+            if (disc.Id > 0 && rotor.bearings_isotropic())
+                bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
         }
         bare.discs.push_back(disc);
     }
@@ -249,10 +253,10 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
         const std::string name =
             b.name.empty() ? fmt::format("the balancer at z = {} m", b.z) : b.name;
         const bool ball = b.kind == model::BalancerKind::ball;
-        if (ball && b.imbalance > 0 && b.n * b.mass * b.radius < b.imbalance)
+        if (ball && capacity(b) < 1)
             motion.notes.push_back(
                 fmt::format("{} cannot balance its imbalance: capacity E = {:.4g} is below 1", name,
-                            b.n * b.mass * b.radius / b.imbalance));
+                            capacity(b)));
         if (b.damping == 0)
             motion.notes.push_back(
                 fmt::format("{} has no damping: its {} cannot come to rest in the rotor", name,
@@ -314,7 +318,7 @@ MotionScene motion_scene(const model::Case &scene) {
 
 std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, double speed) {
     const assembly::Discretization d(rotor_without_balls(scene.rotor), order);
-    const bool asymmetric = !scene.rotor.anisotropies.empty();
+    const bool asymmetric = !d.rotor().anisotropies.empty();
     if (asymmetric && !scene.rotor.bearings_isotropic())
         throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
                                      "has no single amplitude without balls to compare with");

@@ -164,13 +164,11 @@ const assembly::Discretization &MotionSolver::discretization() const { return _d
 
 double growth_of(const std::vector<Motion> &motions) {
     double growth = -std::numeric_limits<double>::infinity();
-    double noise = 0;
-    for (const Motion &motion : motions)
-        if (motion.value.real() > growth) {
-            growth = motion.value.real();
-            noise = motion.noise;
-        }
-    return std::abs(growth) <= noise ? 0 : growth;
+    for (const Motion &motion : motions) { // a blurred zero must not hide one that grows
+        const double real = motion.value.real();
+        growth = std::max(growth, std::abs(real) <= motion.noise ? 0 : real);
+    }
+    return growth;
 }
 
 } // namespace whirl::analyses

@@ -2,6 +2,7 @@
 
 #include "analyses/rigid_limit_anisotropy.h"
 #include "assembly/rotating_system.h"
+#include "linalg/check.h"
 
 #include <Eigen/SparseLU>
 
@@ -62,7 +63,11 @@ class Varied {
                                              _model.order);
             return standing_speeds(d, _arrangement, true, top).size();
         };
-        return count(dI) > count(0);
+        try {
+            return count(dI) > count(0);
+        } catch (const linalg::SolverError &) { // not to be told: the search below decides
+            return false;
+        }
     }
 
     /// The dI between 0 and an unstable one at which this speed is just stable.
@@ -88,7 +93,8 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
     constexpr int most_steps = 40;
     double dI = largest;
     bool limited = false;
-    if (undamped && varied.splits_critical_speeds(1e-3 * largest, speeds.back()))
+    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
         return 0;
     for (int step = 0; step < most_steps; ++step) {
         const MotionSolver solver = varied.solver(dI);

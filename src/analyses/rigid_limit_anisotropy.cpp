@@ -1,6 +1,7 @@
 #include "analyses/rigid_limit_anisotropy.h"
 
 #include "analyses/rigid_projection.h"
+#include "analyses/speeds.h"
 #include "closed_form/anisotropic_rotor.h"
 
 #include <cmath>
@@ -24,7 +25,8 @@ std::optional<double> rigid_permissible_anisotropy(const model::Rotor &rotor, do
     tilt.polar_inertia = body->C / body->A;
     tilt.frequency = std::sqrt(body->k33 / body->A);
     tilt.damping = body->h33 / body->A;
-    return body->A * closed_form::permissible_anisotropy(tilt, from, to).anisotropy;
+    const auto [least, largest] = range_of_moduli(from, to);
+    return body->A * closed_form::permissible_anisotropy(tilt, least, largest).anisotropy;
 }
 
 } // namespace whirl::analyses

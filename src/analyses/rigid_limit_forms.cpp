@@ -5,6 +5,7 @@
 #include "analyses/rigid_limit_anisotropy.h"
 #include "analyses/rigid_projection.h"
 #include "analyses/show_inertia.h"
+#include "analyses/speeds.h"
 #include "closed_form/composite_rotor_equations.h"
 #include "closed_form/rigid_rotor_criterion.h"
 #include "elements/quadrature.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace whirl::analyses {
 
@@ -190,8 +192,7 @@ void add_permissible(RigidForms &forms, const model::Case &scene) {
     target.quantity = "permissible anisotropy";
     target.unit = "kg m2";
     target.closed_form = *dI;
-    target.from = std::max(0.0, scene.speeds->from);
-    target.to = scene.speeds->to;
+    std::tie(target.from, target.to) = range_of_moduli(scene.speeds->from, scene.speeds->to);
     forms.targets.push_back(target);
 }
 

@@ -230,8 +230,9 @@ std::optional<std::complex<double>> anisotropy_of(const model::Rotor &rotor,
     for (std::size_t i = 0; i < balancers.size(); ++i) {
         if (!balancers[i].D)
             return std::nullopt;
-        const auto [A_m, A_m0] = added_inertias(rotor.balancers[i]);
-        a += (A_m0 + A_m * *balancers[i].D) / 2.0;
+        const model::Balancer &balancer = rotor.balancers[i];
+        const auto [A_m, A_m0] = added_inertias(balancer); // D is measured from the imbalance
+        a += (A_m0 + A_m * *balancers[i].D) / 2.0 * std::polar(1.0, 2 * balancer.imbalance_phase);
     }
     return a;
 }

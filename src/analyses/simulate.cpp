@@ -286,13 +286,18 @@ SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
                                      error.what());
     }
     run.fill(result);
-    if (!result.restart) {
+    if (result.restart)
+        return result;
+    try {
         const std::vector<double> references =
             unbalanced_amplitudes(scene, motion.order, result.speed);
         for (std::size_t i = 0; i < references.size(); ++i)
             result.balancers[i].reference = references[i];
-        classify(scene, result);
+    } catch (const model::AnalysisFailure &none) { // the motion is worth having all the same
+        result.model.notes.push_back(
+            fmt::format("{}; balanced is judged by the amplitude of a free rotor", none.what()));
     }
+    classify(scene, result);
     return result;
 }
 

@@ -26,9 +26,6 @@ Eigen::MatrixXcd complex_product(const Eigen::SparseMatrix<double> &S, const Eig
     return out;
 }
 
-/// Harmonics of the Hill series for whirl modes; `stability` chooses its own number.
-constexpr int hill_harmonics = 4;
-
 /// Scales both so that each left column has length 1 in the energy product.
 template <class Dense> void normalise(Dense &left, Dense &right) {
     for (Eigen::Index i = 0; i < left.cols(); ++i) {
@@ -52,11 +49,11 @@ struct SpectrumSolver::Data {
     std::unique_ptr<RotatingSpectrum> rotating;
     Eigen::SparseMatrix<double> K, M; // of the energy product
 
-    Data(const model::Rotor &rotor, Form which, int order, int refinement)
+    Data(const model::Rotor &rotor, Form which, int order, int refinement, int harmonics)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
           stations(Stations::for_orbits(d)) {
         if (in_rotating_axes(form)) {
-            prepare_rotating(rotor);
+            prepare_rotating(rotor, which == Form::hill ? harmonics : 0);
             return;
         }
         if (form == Form::general) {
@@ -80,9 +77,8 @@ struct SpectrumSolver::Data {
     /// Modes in rotating axes are handed on as seen from the fixed frame; the energy product is
     /// that of mass and stiffness there, with a share of the mass as stiffness for motions (of
     /// balls, or free ones) that have no elastic energy.
-    void prepare_rotating(const model::Rotor &rotor) {
+    void prepare_rotating(const model::Rotor &rotor, int harmonics) {
         balancers = balancer_elements(rotor, arrangement_at_balance(rotor));
-        const int harmonics = form == Form::hill ? hill_harmonics : 0;
         rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, harmonics);
         const Eigen::SparseMatrix<double> full = rotating->system().K.view();
         const Eigen::SparseMatrix<double> mass = rotating->system().M.view();
@@ -92,8 +88,9 @@ struct SpectrumSolver::Data {
     }
 };
 
-SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, Form form, int order, int refinement)
-    : _data(std::make_unique<Data>(rotor, form, order, refinement)) {}
+SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, Form form, int order, int refinement,
+                               int harmonics)
+    : _data(std::make_unique<Data>(rotor, form, order, refinement, harmonics)) {}
 
 SpectrumSolver::~SpectrumSolver() = default;
 

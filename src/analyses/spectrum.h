@@ -39,7 +39,9 @@ class SpectrumSolver {
   public:
     /// @param order       of the shaft elements
     /// @param refinement  every element is split into that many
-    SpectrumSolver(const model::Rotor &rotor, Form form, int order, int refinement = 1);
+    /// @param harmonics   of the Hill series (form hill)
+    SpectrumSolver(const model::Rotor &rotor, Form form, int order, int refinement = 1,
+                   int harmonics = hill_harmonics);
     ~SpectrumSolver();
     SpectrumSolver(const SpectrumSolver &) = delete;
     SpectrumSolver &operator=(const SpectrumSolver &) = delete;
@@ -61,6 +63,9 @@ class SpectrumSolver {
     [[nodiscard]] Form form() const;
     /// Unknowns of the eigenproblem.
     [[nodiscard]] int unknowns() const;
+
+    /// Harmonics of the Hill series for whirl modes; `stability` chooses its own number.
+    static constexpr int hill_harmonics = 4;
 
   private:
     struct Data;

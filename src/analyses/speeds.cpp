@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 
@@ -52,6 +54,13 @@ const model::SpeedRange &required_speeds(const model::Case &scene) {
             fmt::format("{}: speeds: expected a table [speeds] with from, to and count, got none",
                         scene.file.string()));
     return *scene.speeds;
+}
+
+std::pair<double, double> range_of_moduli(double from, double to) {
+    const double a = std::abs(from);
+    const double b = std::abs(to);
+    const bool through_rest = (from < 0) != (to < 0);
+    return {through_rest ? 0 : std::min(a, b), std::max(a, b)};
 }
 
 std::vector<std::vector<double>>

@@ -77,20 +77,21 @@ void sharpen(std::vector<SpeedInterval> &bands, const std::vector<StandingSpeed>
     for (SpeedInterval &band : bands)
         for (double *end : {&band.first, &band.second})
             for (const StandingSpeed &at : standing)
-                if (at.exact && std::abs(*end - at.speed) < 1e-7 * at.speed)
+                if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
                     *end = at.speed;
 }
 
-/// None where they cannot be resolved beside the other roots.
-std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
-                                            const Arrangement &arrangement, bool frozen, double top,
-                                            bool &failed) {
-    try {
-        return standing_speeds(d, arrangement, frozen, top);
-    } catch (const linalg::SolverError &) {
-        failed = true;
-        return {};
-    }
+/// Those inside the range; spinning the other way, the rotor has the same ones with a minus.
+std::vector<StandingSpeed> inside(const std::vector<StandingSpeed> &standing, double from,
+                                  double to) {
+    std::vector<StandingSpeed> out;
+    for (const double sense : {-1.0, 1.0})
+        for (const StandingSpeed &at : standing)
+            if (sense * at.speed >= from && sense * at.speed <= to)
+                out.push_back({sense * at.speed, at.exact});
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    return out;
 }
 
 std::vector<double> speeds_of(const std::vector<StandingSpeed> &standing) {
@@ -98,6 +99,19 @@ std::vector<double> speeds_of(const std::vector<StandingSpeed> &standing) {
     for (const StandingSpeed &at : standing)
         out.push_back(at.speed);
     return out;
+}
+
+/// Those of the range of the grid; none where they cannot be resolved beside the other roots.
+std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
+                                            const Arrangement &arrangement, bool frozen,
+                                            const std::vector<double> &grid, bool &failed) {
+    const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
+    try {
+        return inside(standing_speeds(d, arrangement, frozen, top), grid.front(), grid.back());
+    } catch (const linalg::SolverError &) {
+        failed = true;
+        return {};
+    }
 }
 
 constexpr int sampled = 16;
@@ -118,12 +132,11 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
         out.always_unstable = k == 0 ? bands : common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
-            const double top = grid.back();
             const auto &d = solver.discretization();
             critical.push_back(
-                speeds_of(standing_or_none(d, arrangements[k], true, top, out.incomplete)));
+                speeds_of(standing_or_none(d, arrangements[k], true, grid, out.incomplete)));
             additional.push_back(
-                speeds_of(standing_or_none(d, arrangements[k], false, top, out.incomplete)));
+                speeds_of(standing_or_none(d, arrangements[k], false, grid, out.incomplete)));
         }
         report_progress(0.9 * static_cast<double>(k + 1) /
                         static_cast<double>(arrangements.size()));
@@ -133,8 +146,9 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
     out.additional_speeds = intervals_of(additional);
     for (const model::Balancer &balancer : scene.rotor.balancers) {
         const auto interval = anisotropy_interval(balancer);
+        constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result
         out.anisotropy.push_back(interval ? std::pair(interval->least, interval->largest)
-                                          : std::pair(0.0, 0.0));
+                                          : std::pair(unknown, unknown));
     }
     return out;
 }
@@ -163,14 +177,13 @@ void search(const model::Case &scene, const StabilityModel &model, StabilityResu
         result.unstable = unstable_bands(at, grid);
     if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
         const auto &d = solver.discretization();
-        const double top = grid.back();
         bool failed = false;
-        const auto critical = standing_or_none(d, arrangement, true, top, failed);
+        const auto critical = standing_or_none(d, arrangement, true, grid, failed);
         result.critical_speeds = speeds_of(critical);
         if (scene.rotor.balancers.empty()) {
             sharpen(result.unstable, critical);
         } else {
-            const auto additional = standing_or_none(d, arrangement, false, top, failed);
+            const auto additional = standing_or_none(d, arrangement, false, grid, failed);
             result.additional_speeds = speeds_of(additional);
             sharpen(result.unstable, additional);
         }
@@ -217,7 +230,7 @@ std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const mod
     model::Case varied = scene;
     varied.rotor = rotor;
     const std::vector<double> grid = search_speeds(required_speeds(varied));
-    const StabilityModel model = stability_model(varied);
+    const StabilityModel model = stability_model(varied, grid);
     if (model.conservative)
         return {};
     const MotionSolver solver(rotor, model.form, model.order, arrangement, model.harmonics);
@@ -228,7 +241,7 @@ StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     const auto start = std::chrono::steady_clock::now();
     StabilityResult result;
     result.speeds = required_speeds(scene).values();
-    const StabilityModel model = stability_model(scene);
+    const StabilityModel model = stability_model(scene, search_speeds(*scene.speeds));
     result.model.formulation = model.formulation;
     result.model.order = model.order;
     result.harmonics = model.harmonics;

@@ -3,10 +3,13 @@
 #include "analyses/progress.h"
 #include "analyses/speeds.h"
 #include "analyses/stability_model.h"
+#include "model/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 
 namespace whirl::analyses {
 
@@ -23,9 +26,8 @@ std::string entry(const model::MapAxis &axis, double value) {
 bool is_speed(const model::MapAxis &axis) { return axis.path == "speed"; }
 
 /// Growth of one case at each of some speeds.
-std::vector<double> growth_at(model::Case scene, const std::vector<double> &speeds) {
-    scene.speeds = model::SpeedRange{speeds.front(), speeds.back(), 2};
-    const StabilityModel model = stability_model(scene);
+std::vector<double> growth_at(const model::Case &scene, const std::vector<double> &speeds) {
+    const StabilityModel model = stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
     const MotionSolver solver(scene.rotor, model.form, model.order,
@@ -36,15 +38,28 @@ std::vector<double> growth_at(model::Case scene, const std::vector<double> &spee
     return out;
 }
 
-std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWith &with) {
-    if (is_speed(map.x))
-        return growth_at(with({entry(map.y, y)}), values_of(map.x));
-    std::vector<double> row;
-    for (const double x : values_of(map.x)) {
-        const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
-        const std::vector<double> growth = growth_at(scene, required_speeds(scene).values());
-        row.push_back(*std::max_element(growth.begin(), growth.end()));
+/// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1.
+std::vector<double> where_possible(std::size_t count,
+                                   const std::function<std::vector<double>()> &growth) {
+    try {
+        return growth();
+    } catch (const model::BadInput &) {
+        return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
     }
+}
+
+std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWith &with) {
+    const std::vector<double> x_values = values_of(map.x);
+    if (is_speed(map.x))
+        return where_possible(x_values.size(),
+                              [&] { return growth_at(with({entry(map.y, y)}), x_values); });
+    std::vector<double> row;
+    for (const double x : x_values)
+        row.push_back(where_possible(1, [&]() -> std::vector<double> {
+                          const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
+                          const auto growth = growth_at(scene, required_speeds(scene).values());
+                          return {*std::max_element(growth.begin(), growth.end())};
+                      }).front());
     return row;
 }
 

@@ -1,6 +1,7 @@
 #include "analyses/stability_model.h"
 
 #include "analyses/discretization_error.h"
+#include "analyses/hill_harmonics.h"
 #include "analyses/zero_modes.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
@@ -26,63 +27,9 @@ bool stiffness_positive(const model::Rotor &rotor, int order) {
     return factors.info() == Eigen::Success && factors.vectorD().minCoeff() > 0;
 }
 
-/// Largest distance, over the speed, of the motions of lowest modulus to the nearest of the others.
-double largest_change(const std::vector<Motion> &some, const std::vector<Motion> &others,
-                      double speed) {
-    double worst = 0;
-    int looked_at = 0;
-    for (const Motion &motion : some) {
-        if (std::abs(motion.value) > speed)
-            continue;
-        ++looked_at;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (const Motion &other : others)
-            nearest = std::min(nearest, std::abs(other.value - motion.value));
-        worst = std::max(worst, nearest / speed);
-    }
-    // Every motion has a copy below the speed, if the series reaches so far.
-    return looked_at > 0 ? worst : 1;
-}
-
-constexpr int most_harmonics = 8;
-constexpr double settled = 1e-8;
-
-/// The fewest harmonics beyond which nothing below the spin speed changes, at three speeds of the
-/// case.
-int settled_harmonics(const model::Case &scene, int order, const Arrangement &arrangement) {
-    // The slowest speed needs most of them.
-    std::vector<double> probes;
-    for (const double speed : scene.speeds->values())
-        if (speed != 0)
-            probes.push_back(std::abs(speed));
-    std::sort(probes.begin(), probes.end());
-    if (probes.size() > 3)
-        probes = {probes.front(), probes[probes.size() / 2], probes.back()};
-    double worst = 0;
-    std::vector<std::vector<Motion>> last;
-    for (int N = 1; N <= most_harmonics; ++N) {
-        const MotionSolver solver(scene.rotor, Form::hill, order, arrangement, N);
-        std::vector<std::vector<Motion>> now;
-        worst = 0;
-        for (std::size_t i = 0; i < probes.size(); ++i) {
-            now.push_back(solver.at(probes[i]));
-            worst =
-                std::max(worst, last.empty() ? 1.0 : largest_change(last[i], now[i], probes[i]));
-        }
-        if (worst < settled)
-            return N - 1;
-        last = std::move(now);
-    }
-    throw model::AnalysisFailure(fmt::format(
-        "the Hill series does not settle: with {} harmonics eigenvalues still change by {:.1e} of "
-        "the spin speed; the range of speeds may start too low (harmonics lie 2 x speed apart), or "
-        "the bearings differ too much between their directions",
-        most_harmonics, worst));
-}
-
 } // namespace
 
-StabilityModel stability_model(const model::Case &scene) {
+StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
     StabilityModel out;
     out.formulation = choose_formulation(scene);
     out.order = resolve_order(scene, out.formulation);
@@ -90,8 +37,8 @@ StabilityModel stability_model(const model::Case &scene) {
     if (in_rotating_axes(form)) {
         out.form = form;
         if (form == Form::hill)
-            out.harmonics =
-                settled_harmonics(scene, out.order, arrangement_at_balance(scene.rotor));
+            out.harmonics = settled_harmonics(scene.rotor, out.order,
+                                              arrangement_at_balance(scene.rotor), speeds);
     } else if (form != Form::general) {
         out.conservative = stiffness_positive(scene.rotor, out.order);
         if (!out.conservative)
@@ -148,6 +95,12 @@ std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discr
         }
         if (found.complete_radius < top && all > small && options.wanted < all)
             continue;
+        if (found.complete_radius < top - options.shift) {
+            if (++tries == 4)
+                throw linalg::SolverError("roots in the range are not resolved beside the others");
+            options.shift *= 0.63;
+            continue;
+        }
         for (const linalg::ComplexPair &pair : found.pairs) {
             const double speed = pair.value.real();
             const double across = std::abs(pair.value.imag());

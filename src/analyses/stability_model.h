@@ -17,8 +17,10 @@ struct StabilityModel {
     int harmonics = 0; ///< of the Hill series
 };
 
+/// @param speeds  at which motions will be looked at, rad/s
 /// @throws model::AnalysisFailure where the Hill series does not settle.
-[[nodiscard]] StabilityModel stability_model(const model::Case &scene);
+[[nodiscard]] StabilityModel stability_model(const model::Case &scene,
+                                             const std::vector<double> &speeds);
 
 /// The speeds at which a search for bands looks: those of the case, and more where they are few.
 [[nodiscard]] std::vector<double> search_speeds(const model::SpeedRange &range);

@@ -26,7 +26,7 @@ struct ArrangementFamily {
     std::vector<std::pair<double, double>> always_unstable;   ///< with every one
     std::vector<std::pair<double, double>> critical_speeds;   ///< least and largest, rad/s
     std::vector<std::pair<double, double>> additional_speeds; ///< least and largest, rad/s
-    /// Least and largest inertial anisotropy that each balancer adds, kg m2.
+    /// Least and largest inertial anisotropy that each balancer adds, kg m2; NaN: not searched.
     std::vector<std::pair<double, double>> anisotropy;
 };
 
@@ -34,7 +34,7 @@ struct ArrangementFamily {
 struct StabilityMap {
     model::MapAxis x, y;
     std::vector<double> x_values, y_values;
-    std::vector<std::vector<double>> growth; ///< [y][x], 1/s
+    std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
 };
 
 struct StabilityResult {

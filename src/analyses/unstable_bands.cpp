@@ -208,6 +208,42 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
     }
 }
 
+/// Between two unstable speeds at which different motions grow there can be a stable window: the
+/// speed of least growth, where that is none.
+std::optional<double> stable_between(const MotionsAt &at, double low, const std::vector<Motion> &a,
+                                     double high, const std::vector<Motion> &b) {
+    const auto most = [](const std::vector<Motion> &motions) {
+        return std::max_element(motions.begin(), motions.end(), GrowthAlong::by_growth);
+    };
+    constexpr double same_motion = 0.8;
+    if (std::abs(most(a)->state.dot(most(b)->state)) > same_motion)
+        return std::nullopt;
+    // Golden section: growth falls from one side and rises to the other.
+    const double ratio = (std::sqrt(5.0) - 1) / 2;
+    double c = high - ratio * (high - low);
+    double d = low + ratio * (high - low);
+    double at_c = growth_of(at(c));
+    double at_d = growth_of(at(d));
+    for (int step = 0; step < 20 && at_c > 0 && at_d > 0; ++step) {
+        if (at_c < at_d) {
+            high = d;
+            d = c;
+            at_d = at_c;
+            c = high - ratio * (high - low);
+            at_c = growth_of(at(c));
+        } else {
+            low = c;
+            c = d;
+            at_c = at_d;
+            d = low + ratio * (high - low);
+            at_d = growth_of(at(d));
+        }
+    }
+    if (at_c > 0 && at_d > 0)
+        return std::nullopt;
+    return at_c <= 0 ? c : d;
+}
+
 } // namespace
 
 std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
@@ -233,12 +269,15 @@ std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector
         const double interval = speeds[k] - speeds[k > 0 ? k - 1 : 0];
         if (known[speeds[k]])
             seeds.emplace_back(speeds[k], std::max(interval, speeds[1] - speeds[0]));
-        // Between two unstable speeds there is nothing more to find.
         const bool both = k > 0 && known[speeds[k]] && known[speeds[k - 1]];
-        if (k > 0 && !both)
+        if (both) {
+            if (const auto window = stable_between(at, speeds[k - 1], before, speeds[k], now))
+                known[*window] = false;
+        } else if (k > 0) {
             for (const Meeting &meeting : meetings(speeds[k - 1], before, speeds[k], now))
                 if (const auto speed = unstable_meeting(at, meeting))
                     seeds.emplace_back(*speed, 1e-3 * interval);
+        }
         before = std::move(now);
     }
     std::vector<SpeedInterval> bands;

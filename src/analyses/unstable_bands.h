@@ -20,7 +20,8 @@ using MotionsAt = std::function<std::vector<Motion>(double speed)>;
 /// states, and wherever two of them meet in frequency (or cannot be told apart) the mean s and
 /// the squared half difference q of their eigenvalues, which are smooth in the speed even where
 /// the eigenvalues s +- sqrt(q) are not, lead to the place where s + sqrt(q) grows most. A meeting
-/// opens a band where the two have opposite signature.
+/// opens a band where the two have opposite signature. A stable window between two unstable speeds
+/// is looked for where different motions grow at them.
 ///
 /// @param speeds  ascending, at least two
 [[nodiscard]] std::vector<SpeedInterval> unstable_bands(const MotionsAt &at,

@@ -41,11 +41,10 @@ std::string summary(const model::Case &scene, const analyses::SimulateResult &re
                    angles_text(b.angles)});
     text += "\n" + table.text();
     for (const analyses::OtherStart &start : result.other_starts)
-        text += fmt::format("from another start ({}): {}{}\n", angles_text(start.start_angles),
-                            analyses::outcome_name(start.outcome),
-                            start.residual_ratio
-                                ? fmt::format(", residual {:.4g}", *start.residual_ratio)
-                                : "");
+        text += fmt::format(
+            "from another start ({}): {}{}\n", angles_text(start.start_angles),
+            analyses::outcome_name(start.outcome),
+            start.residual_ratio ? fmt::format(", residual {:.4g}", *start.residual_ratio) : "");
     const analyses::MotionAudit &audit = result.audit;
     text += fmt::format("\nmodel: {} shapes of the shaft with its lowest {} modes (order {}, {} "
                         "elements); relative error by it {:.1e} in response, {:.1e} in whirl "

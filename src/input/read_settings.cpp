@@ -143,7 +143,7 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
     simulate.gravity = table.number_or("gravity", 0, Quantity::acceleration);
     simulate.output_points =
-        table.whole_or("output_points", simulate.output_points, 2, largest_count);
+        table.whole_or("output_points", simulate.output_points, 400, largest_count);
     simulate.modes = table.whole_or("modes", 0, 0, 10000);
     simulate.reduction_tolerance =
         table.number_or("reduction_tolerance", simulate.reduction_tolerance,

@@ -25,13 +25,13 @@ struct Balancer {
     std::string name;
     double z = 0; ///< m
     BalancerKind kind = BalancerKind::ball;
-    int n = 2;            ///< number of balls (ball)
-    double mass = 0;      ///< of one ball or pendulum, kg
-    double radius = 0;    ///< of the circle of ball centres, m (ball)
-    double arm = 0;       ///< m (pendulum4)
-    double pivot = 0;     ///< radius of the pivots, m (pendulum4)
-    double damping = 0;   ///< ball: N s/m along the race; pendulum4: N m s/rad at the hinge
-    double imbalance = 0; ///< m0 R0 that it is to balance, kg m
+    int n = 2;                  ///< number of balls (ball)
+    double mass = 0;            ///< of one ball or pendulum, kg
+    double radius = 0;          ///< of the circle of ball centres, m (ball)
+    double arm = 0;             ///< m (pendulum4)
+    double pivot = 0;           ///< radius of the pivots, m (pendulum4)
+    double damping = 0;         ///< ball: N s/m along the race; pendulum4: N m s/rad at the hinge
+    double imbalance = 0;       ///< m0 R0 that it is to balance, kg m
     double imbalance_phase = 0; ///< direction of that imbalance in the rotor, rad
     std::optional<double> imbalance_radius; ///< R0, m: the imbalance is a point mass that counts
     bool tilt_inertia = true; ///< false: balls and imbalance as if on the axis, for comparison with

@@ -178,7 +178,8 @@ Json balance_json(const analyses::BalanceResult &result) {
     for (const auto &run : result.simulated)
         json["simulated"].push_back({{"speed", run.speed},
                                      {"outcome", run.outcome},
-                                     {"residual_ratio", number(run.residual_ratio)}});
+                                     {"residual_ratio", number(run.residual_ratio)},
+                                     {"growth", number(run.growth)}});
     json["balanced_position"] = balanced_position(result.balanced_position);
     if (result.placement)
         json["placement"] = placement(*result.placement);

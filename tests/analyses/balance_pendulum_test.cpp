@@ -147,8 +147,8 @@ TEST(BalancePendulum, SteadyMotionIsTheResponseToTheForcesOfItsPendulums) {
 TEST(BalancePendulum, StabilityDoesNotDependOnHowManyModesAreKept) {
     const FlexibleScene scene;
     analyses::PendulumShaft shaft(scene.rotor, 4, scene.pendulums, scene.drive);
-    const analyses::PendulumStability few(shaft, 8);
-    const analyses::PendulumStability many(shaft, 16);
+    const analyses::PendulumStability few(shaft, 0, 8);
+    const analyses::PendulumStability many(shaft, 0, 16);
     int growing = 0;
     for (const double speed : {60.0, 250.0, 500.0})
         for (const auto &motion : shaft.motions(speed, {})) {

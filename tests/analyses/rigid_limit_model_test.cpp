@@ -78,8 +78,8 @@ TEST(RigidLimitModel, PermissibleAnisotropyIsThatOfTheStabilityAnalysis) {
     target.from = 0;
     target.to = 6;
     const auto found = model_values(scene.rotor, 2, {target});
-    const auto entries =
-        permissible_anisotropies(scene, stability_model(scene), {}, search_speeds(*scene.speeds));
+    const auto entries = permissible_anisotropies(
+        scene, stability_model(scene, scene.speeds->values()), {}, search_speeds(*scene.speeds));
     ASSERT_TRUE(found[0] && entries.at(0).dI);
     EXPECT_NEAR(found[0]->value, *entries[0].dI, 1e-7 * *entries[0].dI); // of the descent
 }

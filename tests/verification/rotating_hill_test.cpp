@@ -64,7 +64,7 @@ class Hill : public testing::TestWithParam<Scene> {
     model::Rotor rotor = GetParam().rotor;
     model::Case scene = tests::scene_of(rotor, 100, 450, 71);
     assembly::Discretization d{rotor, rotor.shaft.order};
-    analyses::StabilityModel model = analyses::stability_model(scene);
+    analyses::StabilityModel model = analyses::stability_model(scene, scene.speeds->values());
 
     [[nodiscard]] tests::PeriodicSystem periodic(double speed) const { return {d, speed, {}}; }
 };
@@ -190,7 +190,7 @@ TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
     const assembly::Discretization d(rotor, 1);
     const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
-    const analyses::StabilityModel model = analyses::stability_model(scene);
+    const analyses::StabilityModel model = analyses::stability_model(scene, scene.speeds->values());
     const analyses::MotionSolver solver(rotor, model.form, 1, balls, model.harmonics);
     for (const double speed : {0.9, 1.5, 2.3, 2.6, 3.4, 5.1}) {
         const tests::PeriodicSystem system(d, speed, balls);
@@ -205,7 +205,8 @@ TEST(Scratch, Growth) {
     const model::Rotor rotor = rigid_rotor();
     const assembly::Discretization d(rotor, 4);
     const model::Case scene = tests::scene_of(rotor, 100, 450, 71);
-    fmt::print("harmonics {}\n", analyses::stability_model(scene).harmonics);
+    fmt::print("harmonics {}\n",
+               analyses::stability_model(scene, scene.speeds->values()).harmonics);
     for (const double speed : {101.3, 351.3, 260.0}) {
         const tests::PeriodicSystem system(d, speed, {});
         fmt::print("speed {} floquet {} {} {}\n", speed, system.growth(60), system.growth(120),
