@@ -159,8 +159,8 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
         const std::complex<double> mean = defect - inverse;
         problems.add(origin_of(root, path), path,
                      fmt::format("expected ball angles that balance the imbalance: mean of cosines "
-                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6 (from the "
-                                 "imbalance), got {:.8g} and {:.8g}",
+                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
+                                 "{:.8g}",
                                  0 - inverse, mean.real(), mean.imag()));
     }
 }

@@ -8,6 +8,17 @@ const rows = result.planes.map((p, i) => ({name: `${p.name || "plane " + (i + 1)
 if (result.planes.length > 1) rows.push({name: "all planes together", of: result.joint});
 if (result.balanced_position) rows.push({name: "real balancers, stable", of: {stable: result.balanced_position.bands,
   some: result.balanced_position.arrangements > 1 ? result.balanced_position.with_some : []}});
+const ended = (kept, symbol, colour, name) => {
+  const runs = result.simulated.filter(run => (run.outcome === "balanced") === kept);
+  traces.push({x: runs.map(run => run.speed * rpm), y: runs.map(() => "motions in time"), mode: "markers", name, hoverinfo: "text",
+    marker: {symbol, color: colour, size: 10}, text: runs.map(run => `${short(run.speed * rpm, 7)} rpm: ${run.outcome}` +
+      (run.residual_ratio === null ? "" : `<br>left of the amplitude: ${short(run.residual_ratio, 3)}`) +
+      (run.growth === null ? "" : `<br>growth about balance: ${short(run.growth, 3)} 1/s`))});
+};
+if (result.simulated.length) {
+  ended(true, "circle", "#0072B2", "in time: ends balanced");
+  ended(false, "x", orange, "in time: does not");
+}
 const bars = (key, kind, colour) => {
   const trace = {type: "bar", orientation: "h", name: kind, base: [], x: [], y: [], text: [], hoverinfo: "text",
     textposition: "none", marker: {color: colour}};

@@ -44,7 +44,7 @@ std::vector<Row> rows_of(const BalanceResult &result) {
     if (result.planes.size() > 1)
         rows.push_back({"all planes together", &result.joint.bands, nullptr, nullptr});
     if (result.balanced_position)
-        rows.push_back({"real balancers, stable", nullptr, &*result.balanced_position, nullptr});
+        rows.push_back({"real balancers stable", nullptr, &*result.balanced_position, nullptr});
     if (!result.simulated.empty())
         rows.push_back({"motions in time", nullptr, nullptr, &result.simulated});
     return rows;
@@ -96,6 +96,30 @@ std::string outcome_marks(const std::vector<analyses::SimulatedSpeed> &runs, dou
     return out;
 }
 
+/// What the marks of the upper panel mean: those that are drawn.
+std::string bands_key(const BalanceResult &result) {
+    const auto box = [](const char *colour, const char *title) {
+        return fmt::format("NaN with boxes fs solid lc rgb '{}' title '{}'", colour, title);
+    };
+    std::string key = box(balanced_colour, "criterion") + ", " + box(rigid_colour, "rigid form");
+    if (result.balanced_position)
+        key += ", " + box(stable_colour, "real balancers");
+    if (!result.simulated.empty())
+        key += fmt::format(", NaN with points pt 7 ps 1.3 lc rgb '{}' title 'in time: balanced', "
+                           "NaN with points pt 2 ps 1.3 lc rgb '{}' title 'not'",
+                           stable_colour, unbalanced_colour);
+    if (!result.critical_speeds.empty())
+        key += ", NaN with lines dt (4,4) lc rgb '#777777' title 'critical speed'";
+    return key;
+}
+
+/// The word `nowhere` at the left of a row without a bar.
+std::string nowhere(double y) {
+    return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left textcolor "
+                       "'#777777' font ',9' front\n",
+                       y);
+}
+
 std::string bands_panel(const BalanceResult &result, const std::vector<Row> &rows, double width) {
     const auto count = static_cast<double>(rows.size());
     std::string script = critical_lines(result, count);
@@ -110,22 +134,21 @@ std::string bands_panel(const BalanceResult &result, const std::vector<Row> &row
         if (rows[i].position) {
             script += bars(rows[i].position->with_some, base + 0.42, base + 0.74, some_colour);
             script += bars(rows[i].position->bands, base + 0.42, base + 0.74, stable_colour);
+            if (rows[i].position->with_some.empty() && rows[i].position->bands.empty())
+                script += nowhere(base + 0.58);
             continue;
         }
         script += bars(rows[i].bands->bands, base + 0.42, base + 0.74, balanced_colour);
+        if (rows[i].bands->bands.empty())
+            script += nowhere(base + 0.58);
         if (rows[i].bands->rigid_bands)
             script += bars(*rows[i].bands->rigid_bands, base + 0.2, base + 0.36, rigid_colour);
         script += end_labels(*rows[i].bands, base + 0.86, width);
     }
-    script += fmt::format(
-        "set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
-        "set key at graph 1,1.02 right bottom horizontal samplen 1.5\n"
-        "plot NaN with boxes fs solid lc rgb '{2}' title 'balances', NaN with boxes fs solid lc "
-        "rgb "
-        "'{3}' title 'rigid closed form', NaN with lines dt (4,4) lc rgb '#777777' title "
-        "'critical speed'\n",
-        count, names, balanced_colour, rigid_colour);
-    return script;
+    return script + fmt::format("set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
+                                "set key at graph 1,1.02 right bottom horizontal samplen 1.5\n"
+                                "plot {2}\n",
+                                count, names, bands_key(result));
 }
 
 /// Linear near zero, logarithmic in modulus beyond `unit`.
@@ -220,9 +243,11 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
     const Range x = range_of(result.speeds);
     const double split = 1 - (100 + bands_height) * pixel;
     figure.script =
-        figure_head("Where auto-balancers work: " + title_of(scene),
-                    "bands of spin speed by the empirical criterion; numbers: ends in rpm",
-                    figure.height) +
+        figure_head(
+            "Where auto-balancers work: " + title_of(scene),
+            "the empirical criterion beside the rigid closed form, the real balancers at their "
+            "balanced position, and motions in time; numbers: ends in rpm",
+            figure.height) +
         fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
                     x.low * rpm, x.high * rpm) +
         panel_margins(0.19, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +

@@ -45,20 +45,20 @@ std::string panel(const std::string &name,
         data += block(of + "s", *curve, true) + block(of + "u", *curve, false) +
                 approximate_block(of + "a", *curve);
         plots += fmt::format("{0}${1}s with lines lw 2.4 lc rgb '{2}' title {3}, "
-                             "${1}u with lines lw 1.2 dt (2,3) lc rgb '{2}' notitle, "
-                             "${1}a with lines lw 1 dt (10,5) lc rgb '{2}' notitle",
+                             "${1}u with lines lw 1.8 dt (2,2) lc rgb '{2}' notitle, "
+                             "${1}a with lines lw 0.8 lc rgb '#8A8A8A' notitle",
                              i == 0 ? "plot " : ", ", of, series_style(i).colour, plot_text(title));
     }
     // The three ways of drawing, once.
     plots += ", NaN with lines lw 2.4 lc rgb '#555555' title 'exact, stable', NaN with lines lw "
-             "1.2 dt (2,3) lc rgb '#555555' title 'exact, unstable', NaN with lines lw 1 dt (10,5) "
-             "lc rgb '#555555' title 'small angles'\n";
+             "1.8 dt (2,2) lc rgb '#555555' title 'exact, unstable', NaN with lines lw 0.8 lc rgb "
+             "'#8A8A8A' title 'small angles'\n";
     return data + plots;
 }
 
 std::string design_title(const PendulumCurve &of) {
-    return fmt::format("l = {} m, a = {} m, ρ = {}", readable(of.arm, 3), readable(of.pivot, 3),
-                       readable(of.rho, 4));
+    return fmt::format("l {} m, a {} m, ρ {}", readable(of.arm, 3), readable(of.pivot, 3),
+                       readable(of.rho, 3));
 }
 
 } // namespace
@@ -78,7 +78,7 @@ Figure pendulum_designs_figure(const model::Case &scene,
     const double pixel = 1.0 / figure.height;
     const auto &shown = balancer.dampings.front();
     const auto place = [&](int top, int bottom) {
-        return panel_margins(0.075, 0.72, 1 - bottom * pixel, 1 - top * pixel);
+        return panel_margins(0.075, 0.70, 1 - bottom * pixel, 1 - top * pixel);
     };
     figure.script =
         figure_head("Efficiency of the pendulum balancer: " + title_of(scene),

@@ -199,30 +199,3 @@ TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
 }
 
 } // namespace
-#include <fmt/format.h>
-namespace {
-TEST(Scratch, Growth) {
-    const model::Rotor rotor = rigid_rotor();
-    const assembly::Discretization d(rotor, 4);
-    const model::Case scene = tests::scene_of(rotor, 100, 450, 71);
-    fmt::print("harmonics {}\n",
-               analyses::stability_model(scene, scene.speeds->values()).harmonics);
-    for (const double speed : {101.3, 351.3, 260.0}) {
-        const tests::PeriodicSystem system(d, speed, {});
-        fmt::print("speed {} floquet {} {} {}\n", speed, system.growth(60), system.growth(120),
-                   system.growth(240));
-        for (auto mu : system.multipliers(120)) {
-            auto l = std::log(mu) / system.period();
-            fmt::print("   {:.8f} {:.8f}", l.real(), l.imag());
-        }
-        for (int N = 1; N <= 6; ++N) {
-            const analyses::MotionSolver solver(rotor, analyses::Form::hill, 4, {}, N);
-            fmt::print("\n N {}: ", N);
-            for (auto &m : solver.at(speed))
-                if (m.value.imag() >= 0)
-                    fmt::print(" ({:.8f} {:.8f})", m.value.real(), m.value.imag());
-        }
-        fmt::print("\n");
-    }
-}
-} // namespace
