@@ -2,9 +2,11 @@
 
 #include "analyses/rotor_motion.h"
 
+#include "analyses/arrangement.h"
 #include "analyses/balancer_scenes.h"
 #include "analyses/interruption.h"
 #include "analyses/motion_scene.h"
+#include "analyses/motions.h"
 #include "analyses/progress.h"
 #include "analyses/simulate.h"
 #include "closed_form/balanced_position.h"
@@ -164,6 +166,31 @@ INSTANTIATE_TEST_SUITE_P(
                     Position{"eccentric", closed_form::symmetric_position(2, 1.6).value(), false}),
     [](const auto &test) { return test.param.name; });
 
+// Against the elements of the rotating frame: inertial anisotropies away from the balancer and in
+// its plane, and an imbalance at an angle of its own.
+TEST(SmallMotionsOfAnAsymmetricRotor, HaveTheEigenvaluesOfTheRotatingFrame) {
+    for (const double speed : {15.0, 41.0, 90.0}) {
+        model::Case scene =
+            composite(closed_form::symmetric_position(2, 1.6).value(), speed, true).scene;
+        model::Rotor &r = scene.rotor;
+        r.balancers.front().imbalance_phase = 0.7;
+        r.anisotropies = {{"", 0.4, 0.2, 1.1}, {"", 0.5, 0.1, -0.4}};
+        const Arrangement balanced = arrangement_at_balance(r);
+        scene.simulate.ball_angles = balanced;
+        const RotatingRates rates(scene);
+        const Eigen::VectorXd still = rates.at(Eigen::VectorXd::Zero(rates.size()));
+        EXPECT_LT(still.cwiseAbs().maxCoeff(), 1e-9 * speed * speed);
+        const Eigen::VectorXcd found = rates.jacobian().eigenvalues();
+        const Spectrum values(found.begin(), found.end());
+        const MotionSolver solver(r, Form::rotating, 1, balanced, 0);
+        const auto motions = solver.at(speed);
+        EXPECT_GE(motions.size(), 8U);
+        for (const Motion &motion : motions)
+            EXPECT_LT(distance_to(values, motion.value), 1e-6 * std::max(90.0, speed))
+                << motion.value << " at " << speed;
+    }
+}
+
 // --- Energy and angular momentum ---------------------------------------------------------------
 
 model::Case conservative(model::Case scene) {
@@ -218,6 +245,13 @@ model::Case coasting(model::Case scene) {
     return scene;
 }
 
+/// Of the discs' inertias much, differently directed.
+model::Case with_anisotropy(model::Case scene) {
+    scene.rotor.anisotropies = {{"", 0.3, 0.03, 0.4}, {"", 0.6, 0.002, -1.0}};
+    scene.rotor.balancers[1].imbalance_phase = 2;
+    return scene;
+}
+
 struct Audited {
     std::string name;
     model::Case scene;
@@ -251,6 +285,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Audited{"everything", with_everything()},
                     Audited{"everything_driven", driven(with_everything())},
                     Audited{"run_up_on_table", with_table()}, Audited{"stiff", nearly_clamped()},
+                    Audited{"anisotropic", with_anisotropy(with_everything())},
+                    Audited{"anisotropic_coasting",
+                            with_anisotropy(coasting(conservative(flexible_rotor(260))))},
+                    Audited{"anisotropic_driven", driven(with_anisotropy(with_everything()))},
                     Audited{"pendulums", heavy_pendulums(false)},
                     Audited{"pendulums_driven", heavy_pendulums(true)}),
     [](const auto &test) { return test.param.name; });

@@ -1,0 +1,129 @@
+// Bands, signed ranges of speed and maps of `stability`, apart from the physics behind them.
+
+#include "analyses/stability.h"
+
+#include "analyses/balancer_scenes.h"
+#include "analyses/rigid_rotors.h"
+#include "analyses/show.h"
+#include "model/errors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+
+namespace whirl::analyses {
+namespace {
+
+/// A motion that stands for itself alone among three.
+Motion motion(double growth, double frequency, int place, double noise = 1e-12) {
+    return {{growth, frequency}, Eigen::VectorXcd::Unit(3, place), noise, true};
+}
+
+// One motion grows below 1, another above 1.02: the window between them is far narrower than the
+// grid.
+TEST(UnstableBands, StableWindowBetweenTwoInstabilitiesIsFound) {
+    const MotionsAt at = [](double speed) {
+        return std::vector<Motion>{motion(1 - speed, 1, 0), motion(speed - 1.02, 2, 1),
+                                   motion(-1, 3, 2)};
+    };
+    const auto bands = unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
+    ASSERT_EQ(bands.size(), 2U);
+    EXPECT_EQ(bands[0].first, 0);
+    EXPECT_NEAR(bands[0].second, 1, 1e-10);
+    EXPECT_NEAR(bands[1].first, 1.02, 1e-10);
+    EXPECT_EQ(bands[1].second, 2.1);
+}
+
+// Two motions that grow and overlap leave no window.
+TEST(UnstableBands, OverlappingInstabilitiesAreOneBand) {
+    const MotionsAt at = [](double speed) {
+        return std::vector<Motion>{motion(1.03 - speed, 1, 0), motion(speed - 1, 2, 1)};
+    };
+    const auto bands = unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
+    ASSERT_EQ(bands.size(), 1U);
+    EXPECT_EQ(bands[0], SpeedInterval(0, 2.1));
+}
+
+// A zero root blurred by rounding is no growth, and hides none.
+TEST(Growth, BlurredZeroDoesNotHideAMotionThatGrows) {
+    EXPECT_EQ(growth_of({motion(1e-3, 0, 0, 1e-2), motion(1e-4, 2, 1), motion(-1, 1, 2)}), 1e-4);
+    EXPECT_EQ(growth_of({motion(1e-3, 0, 0, 1e-2), motion(-1, 1, 2)}), 0);
+    EXPECT_EQ(growth_of({motion(-0.5, 0, 0), motion(-1, 1, 2)}), -0.5);
+}
+
+// The rotor that spins the other way is the mirror image. Numbers: closed form of S1's rotor.
+TEST(SignedSpeeds, NegativeRangeIsTheMirrorImage) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    scene.speeds = model::SpeedRange{-6, -1, 101};
+    const auto result = stability(scene, {});
+    ASSERT_EQ(result.unstable.size(), 1U);
+    EXPECT_NEAR(result.unstable[0].first, -3.788366, 1e-6);
+    EXPECT_NEAR(result.unstable[0].second, -2.381264, 1e-6);
+    // A root is zero at both ends; the mass has its critical speed sqrt(0.15625) below the range.
+    ASSERT_EQ(result.critical_speeds.size(), 2U);
+    EXPECT_NEAR(result.critical_speeds[0], -3.788366, 1e-6);
+    EXPECT_NEAR(result.critical_speeds[1], -2.381264, 1e-6);
+    ASSERT_EQ(result.permissible.size(), 1U);
+    EXPECT_NEAR(*result.permissible[0].dI, 0.055266, 1e-6);
+    EXPECT_NEAR(*result.permissible[0].closed_form, 0.055266, 1e-6);
+}
+
+// Only what lies in the range is listed.
+TEST(SignedSpeeds, CriticalSpeedsOutsideTheRangeAreNotListed) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    scene.speeds = model::SpeedRange{3, 6, 61};
+    const auto result = stability(scene, {});
+    ASSERT_EQ(result.critical_speeds.size(), 1U);
+    EXPECT_NEAR(result.critical_speeds[0], 3.788366, 1e-6);
+}
+
+// Where a map asks for what cannot be, that point alone is empty.
+TEST(StabilityMap, ImpossibleRotorsAreEmptyPoints) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    scene.speeds = model::SpeedRange{2, 4, 3};
+    scene.map = model::MapSettings{{"speed", 2, 4, 3}, {"anisotropy[0].dI", 0, 1, 3}};
+    const CaseWith with = [&](const std::vector<std::string> &entries) {
+        model::Case varied = scene;
+        varied.rotor.anisotropies[0].dI = std::stod(entries.at(0).substr(17));
+        if (varied.rotor.anisotropies[0].dI > 0.9) // Id = 1 is the limit: Ip/2 = 0.4 in the input
+            throw model::BadInput("no such rotor");
+        return varied;
+    };
+    const auto result = stability(scene, with);
+    ASSERT_TRUE(result.map);
+    EXPECT_LE(result.map->growth[0][1], 0); // without anisotropy
+    EXPECT_GT(result.map->growth[1][1], 0); // 0.5 at speed 3
+    for (const double growth : result.map->growth[2])
+        EXPECT_TRUE(std::isnan(growth));
+}
+
+// The anisotropy that `show` gives with two balancers whose imbalances point differently: sum of
+// dI exp(2 i angle) over ball and point masses, from their angles one by one.
+TEST(ImbalancePhase, ShowSumsTheMassesWhereTheyAre) {
+    model::Case scene = tests::balancer_case();
+    scene.rotor.balancers[0].imbalance_phase = 0.9;
+    scene.rotor.balancers.push_back(scene.rotor.balancers[0]);
+    scene.rotor.balancers[1].z = 0.3;
+    scene.rotor.balancers[1].imbalance_phase = -0.4;
+    scene.rotor.anisotropies = {{"", 0.4, 0.05, 0.3}};
+    std::complex<double> sum = std::polar(0.05, 0.6);
+    for (const model::Balancer &b : scene.rotor.balancers) {
+        const double opening = std::acos(-b.imbalance / (b.n * b.mass * b.radius));
+        for (const double angle : {b.imbalance_phase + opening, b.imbalance_phase - opening})
+            sum += std::polar(b.mass * b.radius * b.radius / 2, 2 * angle);
+        sum += std::polar(b.imbalance * *b.imbalance_radius / 2, 2 * b.imbalance_phase);
+    }
+    const auto result = show(scene);
+    ASSERT_TRUE(result.dI);
+    EXPECT_NEAR(*result.dI, std::abs(sum), 1e-12);
+    EXPECT_NEAR(std::remainder(*result.dI_angle - std::arg(sum) / 2, std::acos(-1.0)), 0, 1e-12);
+}
+
+} // namespace
+} // namespace whirl::analyses
