@@ -65,6 +65,8 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
     companion.topLeftCorner(n, n) = -A / s;
     companion.topRightCorner(n, n) = -B / (s * s);
     companion.bottomLeftCorner(n, n).setIdentity();
+    // Eigen's QR keeps small eigenvalues beside large ones (creeping motions between strong dampers)
+    // where LAPACK's dgeev, faster from a hundred unknowns on, loses them.
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion);
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense eigensolver did not converge");
