@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -112,6 +113,44 @@ TEST(Tiers, LighterBallsMeetTheCriterionInProportionToTheirMass) {
     for (std::size_t i = 1; i < differences.size(); ++i)
         EXPECT_NEAR(std::log2(differences[i - 1] / differences[i]), 1, 0.1);
     EXPECT_LT(differences.back(), 1); // rad/s, of some 470
+}
+
+/// A flexible two-disc rotor with two balls in a race beside each disc.
+model::Case two_planes(double ball_mass) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.2, 0.09, tests::steel());
+    scene.rotor.shaft.order = 3;
+    scene.rotor.discs = {tests::disc_at(0.3, 25, 0.15, 0.25), tests::disc_at(0.9, 20, 0.12, 0.2)};
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 2e6, 200),
+                            tests::isotropic_bearing(1.2, 2.5e6, 250)};
+    for (const double z : {0.25, 0.95})
+        scene.rotor.balancers.push_back(
+            tests::ball_balancer(z, 2, ball_mass, 0.12, 40 * ball_mass, 0.12 * ball_mass));
+    return scene;
+}
+
+// Two planes on a flexible rotor: the upper end of the joint band, which no rigid form has.
+TEST(Tiers, UpperEndOfAFlexibleRotorIsMetInProportionToTheBallMass) {
+    model::Case scene = two_planes(0.01);
+    scene.balance.balanced_position = false;
+    scene.speeds = model::SpeedRange{100, 4000, 200};
+    const auto joint = analyses::balance(scene).joint.bands;
+    ASSERT_FALSE(joint.ends.empty());
+    const auto upper = std::find_if(joint.ends.begin(), joint.ends.end(),
+                                    [](const analyses::BandEnd &end) { return end.upper; });
+    ASSERT_NE(upper, joint.ends.end());
+    std::vector<double> differences;
+    for (const double mass : {0.04, 0.02, 0.01}) {
+        model::Case real = two_planes(mass);
+        real.speeds = model::SpeedRange{0.95 * upper->speed, 1.02 * upper->speed, 31};
+        const auto stable = analyses::balance(real).balanced_position;
+        ASSERT_TRUE(stable);
+        ASSERT_EQ(stable->bands.size(), 1U) << mass;
+        differences.push_back(std::abs(stable->bands[0].to - upper->speed));
+    }
+    for (std::size_t i = 1; i < differences.size(); ++i)
+        EXPECT_NEAR(std::log2(differences[i - 1] / differences[i]), 1, 0.05);
+    EXPECT_LT(differences.back(), 1e-3 * upper->speed);
 }
 
 // Forty and more points: where the eigenvalues say stable, a start beside the balanced position
