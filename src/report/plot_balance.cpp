@@ -146,7 +146,7 @@ std::string bands_panel(const BalanceResult &result, const std::vector<Row> &row
         script += end_labels(*rows[i].bands, base + 0.86, width);
     }
     return script + fmt::format("set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
-                                "set key at graph 1,1.02 right bottom horizontal samplen 1.5\n"
+                                "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
                                 "plot {2}\n",
                                 count, names, bands_key(result));
 }
