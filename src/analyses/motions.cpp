@@ -7,6 +7,7 @@
 #include "linalg/quadratic_eigen.h"
 #include "model/errors.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +30,18 @@ constexpr double radius_over_speed = 1.05;
 constexpr double allowance = 100;
 constexpr double always = 1e-11;
 
+/// Bearings can feed energy into any motion, not only slow ones: cross-coupled stiffness that is
+/// not symmetric, or damping that is negative in some direction.
+bool bearings_drive(const model::Rotor &rotor) {
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const model::BearingCoefficients &at : bearing.rows) {
+            const Eigen::Matrix2d c = at.c + at.c.transpose();
+            if (at.k(0, 1) != at.k(1, 0) || c.trace() < 0 || c.determinant() < 0)
+                return true;
+        }
+    return false;
+}
+
 Eigen::VectorXd root_of_diagonal(const Matrix &matrix) {
     return Eigen::SparseMatrix<double>(matrix.view()).diagonal().cwiseAbs().cwiseSqrt();
 }
@@ -41,13 +54,15 @@ struct MotionSolver::Data {
     bool tables;
     std::vector<elements::BalancerElement> balancers;
     int harmonics;
+    int fewest; ///< motions looked at, however fast they are
     std::unique_ptr<RotatingSpectrum> rotating;
     assembly::FixedSystem fixed;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
     Data(const model::Rotor &rotor, Form which, int order, const Arrangement &arrangement, int N)
         : d(rotor, order), form(which), tables(rotor.bearings_depend_on_speed()),
-          balancers(balancer_elements(rotor, arrangement)), harmonics(form == Form::hill ? N : 0) {
+          balancers(balancer_elements(rotor, arrangement)), harmonics(form == Form::hill ? N : 0),
+          fewest(form != Form::hill && bearings_drive(rotor) ? least_driven : least) {
         if (in_rotating_axes(form)) {
             rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, harmonics);
             root_K = root_of_diagonal(rotating->system().K);
@@ -68,8 +83,8 @@ struct MotionSolver::Data {
     /// With Hill's series at all places 2 i speed apart: at one of them resonant motions meet.
     [[nodiscard]] std::vector<ComplexPair> pairs_of(const RotatingSpectrum &spectrum,
                                                     double speed) const {
-        return harmonics > 0 ? spectrum.copies(speed, radius(speed), least).pairs
-                             : spectrum.eigenvalues(speed, radius(speed), least).pairs;
+        return harmonics > 0 ? spectrum.copies(speed, radius(speed), fewest).pairs
+                             : spectrum.eigenvalues(speed, radius(speed), fewest).pairs;
     }
 
     [[nodiscard]] static double radius(double speed) { return radius_over_speed * std::abs(speed); }
@@ -86,7 +101,7 @@ struct MotionSolver::Data {
         options.zeros = zeros;
         options.shift = zeros > 0 ? 0.3 * elastic_scale(d) : 0;
         const double reach = radius(speed) + options.shift;
-        for (int wanted = least + zeros;; wanted += wanted / 2) {
+        for (int wanted = fewest + zeros;; wanted += wanted / 2) {
             options.wanted = std::min(wanted, s.M.size());
             const linalg::QuadraticResult found = linalg::solve_quadratic(s.M, D, K, options);
             if (found.complete_radius < reach && options.wanted < s.M.size())

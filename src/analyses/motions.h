@@ -45,6 +45,8 @@ class MotionSolver {
     [[nodiscard]] const assembly::Discretization &discretization() const;
 
     static constexpr int least = 8;
+    /// Where bearings can drive fast motions too (cross coupling, negative damping).
+    static constexpr int least_driven = 24;
 
   private:
     struct Data;

@@ -116,8 +116,10 @@ std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
 
 constexpr int sampled = 16;
 
+/// @param first  unstable bands of the first arrangement, known already
 ArrangementFamily family_of(const model::Case &scene, const StabilityModel &model,
                             const std::vector<Arrangement> &arrangements,
+                            const std::vector<SpeedInterval> &first,
                             const std::vector<double> &grid) {
     ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
@@ -128,7 +130,8 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
         const MotionSolver solver(scene.rotor, model.form, model.order, arrangements[k],
                                   model.harmonics);
         const auto bands =
-            unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
+            k == 0 ? first
+                   : unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
         out.always_unstable = k == 0 ? bands : common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
@@ -195,7 +198,7 @@ void search(const model::Case &scene, const StabilityModel &model, StabilityResu
         result.permissible = permissible_anisotropies(scene, model, arrangement, grid);
     const std::vector<Arrangement> arrangements = sampled_arrangements(scene.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
-        result.family = family_of(scene, model, arrangements, grid);
+        result.family = family_of(scene, model, arrangements, result.unstable, grid);
 }
 
 void add_notes(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {

@@ -27,6 +27,43 @@ bool stiffness_positive(const model::Rotor &rotor, int order) {
     return factors.info() == Eigen::Success && factors.vectorD().minCoeff() > 0;
 }
 
+/// det[K + W Ks + W^2 Kss] = 0.
+struct StandingSystem {
+    Eigen::SparseMatrix<double> K, Ks, Kss;
+};
+
+/// Rows of balls have speed^2 as a factor: without it they have no root at zero.
+StandingSystem standing_system(const assembly::Discretization &discretization,
+                               const Arrangement &arrangement, bool frozen) {
+    const assembly::RotatingSystem system = assembly::assemble_rotating(
+        discretization, 0, balancer_elements(discretization.rotor(), arrangement), frozen);
+    StandingSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
+    Eigen::VectorXd ball_rows = Eigen::VectorXd::Zero(out.K.rows());
+    ball_rows.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
+    out.K += Eigen::SparseMatrix<double>(ball_rows.asDiagonal() * out.Kss);
+    out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - ball_rows).asDiagonal() * out.Kss;
+    return out;
+}
+
+/// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
+std::vector<StandingSpeed> standing_roots(const std::vector<linalg::ComplexPair> &pairs,
+                                          double top) {
+    std::vector<StandingSpeed> out;
+    for (const linalg::ComplexPair &pair : pairs) {
+        const double speed = pair.value.real();
+        const double across = std::abs(pair.value.imag());
+        if (speed > 1e-6 * top && speed <= top && across < speed)
+            out.push_back({speed, across <= 1e-7 * speed});
+    }
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    const auto same = [](const auto &a, const auto &b) {
+        return b.speed - a.speed <= 1e-7 * b.speed;
+    };
+    out.erase(std::unique(out.begin(), out.end(), same), out.end());
+    return out;
+}
+
 } // namespace
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
@@ -61,23 +98,13 @@ std::vector<double> search_speeds(const model::SpeedRange &range) {
 std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discretization,
                                            const Arrangement &arrangement, bool frozen,
                                            double top) {
-    std::vector<StandingSpeed> out;
     if (top <= 0)
-        return out;
-    const assembly::RotatingSystem system = assembly::assemble_rotating(
-        discretization, 0, balancer_elements(discretization.rotor(), arrangement), frozen);
-    Eigen::SparseMatrix<double> K = system.K.view();
-    Eigen::SparseMatrix<double> Kss = system.Kss.view();
-    // Rows of balls have speed^2 as a factor: without it they have no root at zero.
-    Eigen::VectorXd ball_rows = Eigen::VectorXd::Zero(K.rows());
-    ball_rows.tail(K.rows() - 2 * discretization.planar_size()).setOnes();
-    K += Eigen::SparseMatrix<double>(ball_rows.asDiagonal() * Kss);
-    Kss = (Eigen::VectorXd::Ones(K.rows()) - ball_rows).asDiagonal() * Kss;
-    const Eigen::SparseMatrix<double> Ks = system.Ks.view();
+        return {};
+    const StandingSystem system = standing_system(discretization, arrangement, frozen);
     linalg::QuadraticOptions options;
     options.shift = 0.41 * top;
     options.fewest = 1;
-    const auto all = static_cast<int>(K.rows());
+    const auto all = static_cast<int>(system.K.rows());
     constexpr int small = 150;
     if (all <= small) // with all finite roots, of which there may be few
         options.method = linalg::QuadraticMethod::dense;
@@ -86,34 +113,17 @@ std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discr
         options.wanted = std::min(wanted, all);
         linalg::QuadraticResult found;
         try {
-            found = linalg::solve_quadratic(Kss, Ks, K, options);
+            found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+            if (found.complete_radius < top && all > small && options.wanted < all)
+                continue;
+            if (found.complete_radius < top - options.shift)
+                throw linalg::SolverError("roots in the range are not resolved beside the others");
+            return standing_roots(found.pairs, top);
         } catch (const linalg::SolverError &) {
             if (++tries == 4)
                 throw;
             options.shift *= 0.63; // an unlucky neighbour of a root, or not resolved from there
-            continue;
         }
-        if (found.complete_radius < top && all > small && options.wanted < all)
-            continue;
-        if (found.complete_radius < top - options.shift) {
-            if (++tries == 4)
-                throw linalg::SolverError("roots in the range are not resolved beside the others");
-            options.shift *= 0.63;
-            continue;
-        }
-        for (const linalg::ComplexPair &pair : found.pairs) {
-            const double speed = pair.value.real();
-            const double across = std::abs(pair.value.imag());
-            if (speed > 1e-6 * top && speed <= top && across < speed)
-                out.push_back({speed, across <= 1e-7 * speed});
-        }
-        std::sort(out.begin(), out.end(),
-                  [](const auto &a, const auto &b) { return a.speed < b.speed; });
-        const auto same = [](const auto &a, const auto &b) {
-            return b.speed - a.speed <= 1e-7 * b.speed;
-        };
-        out.erase(std::unique(out.begin(), out.end(), same), out.end());
-        return out;
     }
 }
 

@@ -6,13 +6,12 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace whirl::linalg {
 
-QuadraticProblem::QuadraticProblem(Sparse M, Sparse D, Sparse K, double shift)
-    : _M(std::move(M)), _D(std::move(D)), _K(std::move(K)), _absM(_M.cwiseAbs()),
-      _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()), _shift(shift) {
+QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
+    : _M(M), _D(D), _K(K), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
+      _shift(shift) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
     _lu.compute(Q);
     if (_lu.info() != Eigen::Success)
@@ -65,8 +64,8 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
     companion.topLeftCorner(n, n) = -A / s;
     companion.topRightCorner(n, n) = -B / (s * s);
     companion.bottomLeftCorner(n, n).setIdentity();
-    // Eigen's QR keeps small eigenvalues beside large ones (creeping motions between strong dampers)
-    // where LAPACK's dgeev, faster from a hundred unknowns on, loses them.
+    // Eigen's QR keeps small eigenvalues beside large ones (creeping motions between strong
+    // dampers) where LAPACK's dgeev, faster from a hundred unknowns on, loses them.
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion);
     if (solver.info() != Eigen::Success)
         throw SolverError("the dense eigensolver did not converge");

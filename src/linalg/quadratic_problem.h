@@ -12,8 +12,8 @@ namespace whirl::linalg {
 class QuadraticProblem {
   public:
     /// @throws SolverError where Q(shift) is singular.
-    QuadraticProblem(Eigen::SparseMatrix<double> M, Eigen::SparseMatrix<double> D,
-                     Eigen::SparseMatrix<double> K, double shift);
+    QuadraticProblem(const Eigen::SparseMatrix<double> &M, const Eigen::SparseMatrix<double> &D,
+                     const Eigen::SparseMatrix<double> &K, double shift);
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
 

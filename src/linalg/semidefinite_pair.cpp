@@ -4,11 +4,10 @@
 #include "linalg/symmetric_eigen.h"
 
 #include <cmath>
-#include <utility>
 
 namespace whirl::linalg {
 
-SemidefinitePair::SemidefinitePair(Sparse K, Sparse A) : _K(std::move(K)), _A(std::move(A)) {
+SemidefinitePair::SemidefinitePair(const Sparse &K, const Sparse &A) : _K(K), _A(A) {
     if (_K.rows() > 0)
         _factors.analyzePattern(_K.cwiseAbs() + _A.cwiseAbs());
 }

@@ -19,7 +19,7 @@ class SemidefinitePair {
   public:
     using Sparse = Eigen::SparseMatrix<double>;
 
-    SemidefinitePair(Sparse K, Sparse A);
+    SemidefinitePair(const Sparse &K, const Sparse &A);
 
     /// Negative eigenvalues of K - w^2 A.
     /// @throws SolverError where the factorisation breaks down.

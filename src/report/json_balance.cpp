@@ -1,5 +1,7 @@
 #include "report/json_balance.h"
 
+#include "report/json_parts.h"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -8,11 +10,7 @@
 
 namespace whirl::report {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
-
-Json number(const std::optional<double> &value) { return value ? Json(*value) : Json(nullptr); }
 
 Json bands(const std::vector<analyses::SpeedBand> &list) {
     Json out = Json::array();
@@ -33,9 +31,9 @@ void add_bands(Json &json, const analyses::BalanceBands &of) {
     for (const auto &end : of.ends)
         json["ends"].push_back({{"speed", end.speed},
                                 {"end", end.upper ? "upper" : "lower"},
-                                {"rigid", number(end.rigid)},
-                                {"relative_difference", number(end.relative_difference)},
-                                {"pinned", number(end.pinned)}});
+                                {"rigid", json_number(end.rigid)},
+                                {"relative_difference", json_number(end.relative_difference)},
+                                {"pinned", json_number(end.pinned)}});
 }
 
 Json balanced_position(const std::optional<analyses::BalancedPosition> &of) {
@@ -105,7 +103,7 @@ Json curves(const std::vector<analyses::PendulumCurve> &list) {
     for (const auto &curve : list) {
         Json exact = Json::array();
         for (const auto &value : curve.exact)
-            exact.push_back(number(value));
+            exact.push_back(json_number(value));
         out.push_back({{"arm", curve.arm},
                        {"pivot", curve.pivot},
                        {"rho", curve.rho},
@@ -125,8 +123,8 @@ Json pendulum(const analyses::PendulumBalance &of) {
         {"stable", Json::array()}, {"planar", Json::array()},    {"phi", Json::array()},
         {"psi", Json::array()},    {"collision", Json::array()}, {"motions", Json::array()}};
     for (std::size_t k = 0; k < of.speeds.size(); ++k) {
-        efficiency["approximate"].push_back(number(of.approximate[k]));
-        efficiency["planar"].push_back(number(of.planar[k]));
+        efficiency["approximate"].push_back(json_number(of.approximate[k]));
+        efficiency["planar"].push_back(json_number(of.planar[k]));
         Json motions = Json::array();
         for (const auto &state : of.states[k])
             motions.push_back({{"ratio", state.ratio},
@@ -178,8 +176,8 @@ Json balance_json(const analyses::BalanceResult &result) {
     for (const auto &run : result.simulated)
         json["simulated"].push_back({{"speed", run.speed},
                                      {"outcome", run.outcome},
-                                     {"residual_ratio", number(run.residual_ratio)},
-                                     {"growth", number(run.growth)}});
+                                     {"residual_ratio", json_number(run.residual_ratio)},
+                                     {"growth", json_number(run.growth)}});
     json["balanced_position"] = balanced_position(result.balanced_position);
     if (result.placement)
         json["placement"] = placement(*result.placement);

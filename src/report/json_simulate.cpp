@@ -1,6 +1,7 @@
 #include "report/json_simulate.h"
 
 #include "report/json.h"
+#include "report/json_parts.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,20 +10,13 @@
 
 namespace whirl::report {
 
-using Json = nlohmann::ordered_json;
-
 namespace {
-
-Json number(const std::optional<double> &value) {
-    // The library writes NaN and infinity as null.
-    return value ? Json(*value) : Json(nullptr);
-}
 
 Json balancer(const analyses::BalancerMotion &b) {
     return {{"z", b.z},
             {"name", b.name},
             {"kind", b.kind},
-            {"E", number(b.capacity)},
+            {"E", json_number(b.capacity)},
             {"angles", b.angles},
             {"rates", b.rates},
             {"swing", b.swing},
@@ -56,7 +50,7 @@ Json other_starts(const std::vector<analyses::OtherStart> &list) {
         out.push_back({{"start_angles", start.start_angles},
                        {"outcome", analyses::outcome_name(start.outcome)},
                        {"evidence", start.evidence},
-                       {"residual_ratio", number(start.residual_ratio)},
+                       {"residual_ratio", json_number(start.residual_ratio)},
                        {"balls", start.angles},
                        {"amplitude", start.amplitude}});
     return out;
@@ -65,23 +59,10 @@ Json other_starts(const std::vector<analyses::OtherStart> &list) {
 } // namespace
 
 std::string to_json(const model::Case &scene, const analyses::SimulateResult &result) {
-    const analyses::ModelSummary &model = result.model;
-    Json json{
-        {"program", "whirl"},
-        {"version", program_version()},
-        {"format", 1},
-        {"command", "simulate"},
-        {"case", scene.name},
-        {"title", scene.title},
-        {"formulation", {{"frame", "fixed"}, {"unknowns", "real"}, {"why", model.formulation.why}}},
-        {"order", model.order},
-        {"elements", model.elements},
-        {"unknowns_count", model.unknowns},
-        {"seconds", model.seconds},
-        {"notes", model.notes}};
+    Json json = json_envelope("simulate", scene, result.model);
     json["outcome"] = analyses::outcome_name(result.outcome);
     json["evidence"] = result.evidence;
-    json["residual_ratio"] = number(result.residual_ratio);
+    json["residual_ratio"] = json_number(result.residual_ratio);
     json["time"] = result.time;
     json["speed"] = result.speed;
     json["revolutions"] = result.revolutions;
@@ -100,7 +81,7 @@ std::string to_json(const model::Case &scene, const analyses::SimulateResult &re
                       {"speed", result.series.speed},
                       {"amplitude", result.series.amplitude},
                       {"angles", result.series.angles}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 std::string to_csv(const analyses::SimulateResult &result) {
