@@ -76,9 +76,13 @@ void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
                    "expected a list of starts, each like ball_angles, got " + shown(*others));
         return;
     }
-    for (std::size_t i = 0; i < others->items.size(); ++i)
-        simulate.other_starts.push_back(angles_of(
-            others->items[i], fmt::format("{}[{}]", table.path_of("other_starts"), i), context));
+    for (std::size_t i = 0; i < others->items.size(); ++i) {
+        const Node &item = others->items[i];
+        const auto start =
+            angles_of(item, fmt::format("{}[{}]", table.path_of("other_starts"), i), context);
+        if (item.kind == Node::Kind::list)
+            simulate.other_starts.push_back(start);
+    }
 }
 
 /// Quantity of the entry that a map varies: "speed", or a number that the case file contains.

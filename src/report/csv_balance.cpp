@@ -47,6 +47,12 @@ std::string to_csv(const analyses::BalanceResult &result) {
                                    state.stable ? "stable" : "unstable", i + 1,
                                    cell(result.pendulum[i].z), cell(result.pendulum[i].speeds[k]),
                                    cell(state.ratio));
+    if (result.balanced_position)
+        for (const auto &band : result.balanced_position->bands)
+            csv += fmt::format("balanced_position,,,,{},{},,\n", cell(band.from), cell(band.to));
+    for (const auto &run : result.simulated)
+        csv += fmt::format("simulated_{},,,{},,,,{}\n", run.outcome, cell(run.speed),
+                           cell(run.residual_ratio));
     return csv;
 }
 

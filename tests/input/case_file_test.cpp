@@ -296,6 +296,11 @@ TEST(RotatingParts, OnTheLimitsAreAccepted) {
     (void)load_text(sound_case + balls + "position = [2.094395, -2.094396]\nn = 2\n");
     (void)load_text(sound_case + balls + "n = 1\n");
     (void)load_text(sound_case + balls + "n = 2\n", {"balancer[0].imbalance=0.03"});
+    // The same two balls with the imbalance at 60 deg: angles in the rotor.
+    const model::Case turned =
+        load_text(sound_case + balls +
+                  "n = 2\nimbalance_phase = \"60 deg\"\nposition = [\"180 deg\", \"-60 deg\"]\n");
+    EXPECT_NEAR(turned.rotor.balancers.at(0).imbalance_phase, std::acos(0.5), 1e-15);
 }
 
 TEST(ShearModulus, BothKeysMayAgreeAndGCounts) {

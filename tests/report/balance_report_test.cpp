@@ -59,7 +59,20 @@ analyses::BalanceResult full_balance() {
     pendulum.approximate = {1, std::numeric_limits<double>::infinity(), 0.4};
     pendulum.planar = {std::nullopt, 2, 0.5};
     pendulum.states = {{}, {{2, 0.1, 0.2, -1, true, false}, {3, 1, 1, 5, false, true}}, {}};
+    for (const double H : {0.0, 0.3}) {
+        pendulum.dampings.push_back({0.18,
+                                     0.02,
+                                     2,
+                                     H,
+                                     {0.5, 1, 2},
+                                     {1.5, std::numeric_limits<double>::infinity(), 0.4},
+                                     {1.5, std::nullopt, 0.41},
+                                     {true, false, true}});
+        pendulum.designs.push_back(pendulum.dampings.back());
+    }
     result.pendulum = {pendulum};
+    result.balanced_position = analyses::BalancedPosition{{{60, 110}}, 3, {{70, 100}}, {{55, 120}}};
+    result.simulated = {{80, "balanced", 0.01, -0.5}, {160, "lagging", {}, {}}};
     return result;
 }
 
@@ -78,7 +91,13 @@ TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
     EXPECT_EQ(json.at("joint").at("signature").at(2).at("speed"), 200);
     EXPECT_EQ(json.at("joint").at("signature").at(2).at("eigenvalues"),
               (std::vector<double>{-0.2, 1e-6}));
-    EXPECT_TRUE(json.at("balanced_position").is_null());
+    EXPECT_TRUE(nlohmann::json::parse(to_json(sample_case(), sample_balance()))
+                    .at("balanced_position")
+                    .is_null());
+    EXPECT_EQ(json.at("simulated").at(0).at("growth"), -0.5);
+    EXPECT_TRUE(json.at("simulated").at(1).at("residual_ratio").is_null());
+    EXPECT_EQ(json.at("pendulum").at(0).at("designs").at(1).at("exact"),
+              nlohmann::json::parse("[1.5, null, 0.41]"));
     EXPECT_EQ(json.at("placement").at("pairs").at("best").at("z"), (std::vector<double>{0, 1.5}));
     const auto &pendulum = json.at("pendulum").at(0);
     EXPECT_EQ(pendulum.at("threshold"), 0.7);
@@ -102,8 +121,9 @@ TEST_F(BalanceReport, EveryCsvRowHasAsManyCellsAsTheHeader) {
     int rows = 0;
     for (std::string line; std::getline(stream, line); ++rows)
         EXPECT_EQ(std::count(line.begin(), line.end(), ','), 7) << line;
-    // Header; per plane 2 bands and a rigid one; 3 x 2 eigenvalues; 2 x 3 criteria; 2 motions.
-    EXPECT_EQ(rows, 1 + 2 * 3 + 6 + 6 + 2);
+    // Header; per plane 2 bands and a rigid one; 3 x 2 eigenvalues; 2 x 3 criteria; 2 motions with
+    // pendulums; a band of the balanced position; 2 motions in time.
+    EXPECT_EQ(rows, 1 + 2 * 3 + 6 + 6 + 2 + 1 + 2);
 }
 
 TEST_F(BalanceReport, WritesAllPicturesAndAPage) {
@@ -112,7 +132,7 @@ TEST_F(BalanceReport, WritesAllPicturesAndAPage) {
     EXPECT_NE(page.find("a &lt;finding&gt;"), std::string::npos);
     if (!files.notes.empty())
         GTEST_SKIP() << files.notes[0];
-    for (const char *name : {"balance", "placement", "pendulum"}) {
+    for (const char *name : {"balance", "placement", "pendulum", "pendulum_designs"}) {
         pugi::xml_document svg;
         EXPECT_TRUE(svg.load_file((folder / (std::string(name) + ".svg")).c_str())) << name;
         EXPECT_EQ(content_of(folder / (std::string(name) + ".png")).substr(1, 3), "PNG") << name;
