@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -26,6 +27,7 @@ class PositionGrowth {
         real.formulation = model::FormChoice::automatic;
         try {
             const StabilityModel model = stability_model(real, search_speeds(*scene.speeds));
+            _from = model.from;
             _solver = std::make_unique<MotionSolver>(scene.rotor, model.form, model.order,
                                                      arrangement_at_balance(scene.rotor),
                                                      model.harmonics);
@@ -36,7 +38,9 @@ class PositionGrowth {
 
     [[nodiscard]] std::optional<double> at(double speed) const {
         try {
-            return _solver ? std::optional(growth_of(_solver->at(speed))) : std::nullopt;
+            if (!_solver || std::abs(speed) < _from)
+                return std::nullopt;
+            return growth_of(_solver->at(speed));
         } catch (const model::AnalysisFailure &) {
             return std::nullopt;
         }
@@ -44,6 +48,7 @@ class PositionGrowth {
 
   private:
     std::unique_ptr<MotionSolver> _solver;
+    double _from = 0; ///< rad/s
 };
 
 } // namespace

@@ -149,9 +149,10 @@ void real_balancers(const BalanceResult &result, bool damped, std::vector<std::s
         return;
     }
     if (result.pendulum.size() == result.planes.size()) { // they reduce, and balance nothing
-        out.push_back(fmt::format("With the pendulums free and outwards, small motions die out over "
-                                  "{:.4g} rad/s of the range.",
-                                  width_of(real)));
+        out.push_back(
+            fmt::format("With the pendulums free and outwards, small motions die out over "
+                        "{:.4g} rad/s of the range.",
+                        width_of(real)));
         return;
     }
     const double both = common_width(criterion, real);

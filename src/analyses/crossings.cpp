@@ -59,12 +59,57 @@ double bracketed_root(Function &&f, double a, double fa, double b, double fb) {
     return b;
 }
 
+/// Where a frequency that equals the multiple at `locked` (an asymmetric rotor holds it there over
+/// a band of speeds) leaves it on the way to `free`.
+double end_of_lock(Gap &&gap, double locked, double free) {
+    for (int step = 0; step < 60 && std::abs(free - locked) > 1e-11 * std::abs(free); ++step) {
+        const double middle = (free + locked) / 2;
+        (gap(middle) == 0 ? locked : free) = middle;
+    }
+    return locked;
+}
+
 std::optional<double> frequency_at(const Line &line, const std::vector<Spectrum> &spectra,
                                    std::size_t k) {
     if (line.place[k] == Line::absent)
         return std::nullopt;
     const double f = spectra[k].modes[static_cast<std::size_t>(line.place[k])].eigenvalue.imag();
     return f > 0 ? std::optional(f) : std::nullopt;
+}
+
+/// Speeds at which one line crosses a multiple of the spin speed; of a band of speeds over which it
+/// stays there the two ends.
+std::vector<double> crossings_of(const SpectrumSolver &solver, const Line &line,
+                                 const std::vector<Spectrum> &spectra, double multiple) {
+    std::vector<double> out;
+    const auto gap_from = [&](std::size_t k) {
+        return Gap(solver, spectra[k], line.place[k], multiple);
+    };
+    std::optional<double> before; // gap at the speed before, where the line has one
+    for (std::size_t k = 0; k < spectra.size(); ++k) {
+        const double speed = spectra[k].speed;
+        const auto frequency = frequency_at(line, spectra, k);
+        if (!frequency) {
+            before.reset();
+            continue;
+        }
+        const double here = *frequency - multiple * speed;
+        if (!before) {
+            if (here == 0)
+                out.push_back(speed);
+        } else if (*before == 0 && here != 0) {
+            const double end = end_of_lock(gap_from(k - 1), spectra[k - 1].speed, speed);
+            if (out.empty() || end - out.back() > 1e-9 * std::abs(end)) // no mere crossing
+                out.push_back(end);
+        } else if (*before != 0 && here == 0) {
+            out.push_back(end_of_lock(gap_from(k), speed, spectra[k - 1].speed));
+        } else if ((*before > 0) != (here > 0)) {
+            out.push_back(
+                bracketed_root(gap_from(k - 1), spectra[k - 1].speed, *before, speed, here));
+        }
+        before = here;
+    }
+    return out;
 }
 
 } // namespace
@@ -75,28 +120,9 @@ std::vector<Crossing> crossings(const SpectrumSolver &solver, const std::vector<
     std::vector<Crossing> out;
     for (const double multiple : multiples) {
         const std::size_t first = out.size();
-        for (std::size_t i = 0; i < lines.size(); ++i) {
-            for (std::size_t k = 0; k < spectra.size(); ++k) {
-                const auto here = frequency_at(lines[i], spectra, k);
-                if (!here)
-                    continue;
-                const double a = spectra[k].speed;
-                const double fa = *here - multiple * a;
-                if (fa == 0)
-                    out.push_back({multiple, a, *here, static_cast<int>(i)});
-                const auto next =
-                    k + 1 < spectra.size() ? frequency_at(lines[i], spectra, k + 1) : std::nullopt;
-                if (!next || fa == 0)
-                    continue;
-                const double b = spectra[k + 1].speed;
-                const double fb = *next - multiple * b;
-                if (fb == 0 || (fa > 0) == (fb > 0))
-                    continue;
-                Gap gap(solver, spectra[k], lines[i].place[k], multiple);
-                const double speed = bracketed_root(gap, a, fa, b, fb);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            for (const double speed : crossings_of(solver, lines[i], spectra, multiple))
                 out.push_back({multiple, speed, multiple * speed, static_cast<int>(i)});
-            }
-        }
         std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
                   [](const Crossing &a, const Crossing &b) { return a.speed < b.speed; });
     }

@@ -30,6 +30,10 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
       _system(assembly::assemble_rotating(discretization, bearing_speed, balancers)),
       _M(_system.M.view()), _C(_system.C.view()), _Cs(_system.Cs.view()), _K(_system.K.view()),
       _Ks(_system.Ks.view()), _Kss(_system.Kss.view()) {
+    // |D| = 1: both balls on one diameter, whose motion along it moves nothing: roots 0 and -h.
+    for (const elements::BalancerElement &balancer : balancers)
+        if (balancer.restoring == 0 && std::abs(std::abs(balancer.second_harmonic) - 1) < 1e-12)
+            _zeros += balancer.damping > 0 ? 1 : 2;
     if (harmonics > 0)
         _supports = assembly::turning_supports(discretization, bearing_speed, _system.M.size());
 }
@@ -81,6 +85,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     linalg::QuadraticResult found;
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
+        options.zeros = _zeros;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
     } else {
@@ -99,6 +104,10 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+    if (_harmonics == 0) // known to be zero, they come blurred
+        for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
+            if (std::abs(out.pairs[i].value) < 1e-5 * shift)
+                out.pairs[i].value = 0;
     return out;
 }
 
@@ -171,41 +180,54 @@ WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) {
     return mode;
 }
 
+RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) {
+    Modes out;
+    out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
+    std::vector<WhirlMode> real; // two of these make up one motion
+    for (const linalg::ComplexPair &pair : found.pairs) {
+        WhirlMode mode = in_fixed_frame(pair, speed);
+        if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue))
+            out.overdamped.push_back(mode.eigenvalue.real());
+        else if (pair.value.imag() == 0)
+            real.push_back(std::move(mode));
+        else
+            out.modes.push_back(std::move(mode));
+    }
+    std::sort(real.begin(), real.end(), [](const WhirlMode &a, const WhirlMode &b) {
+        return a.eigenvalue.real() > b.eigenvalue.real();
+    });
+    // Of the two real ones that a complex pair turns into, the one that grows more stands for
+    // both, so that a mode stays one mode through a band of instability.
+    real.resize((real.size() + 1) / 2);
+    out.modes.insert(out.modes.end(), real.begin(), real.end());
+    return out;
+}
+
 RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const {
     double radius = std::abs(speed);
-    for (int attempt = 0;; ++attempt) {
-        const Eigenvalues found = eigenvalues(speed, radius, wanted);
-        Modes out;
-        out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
-        std::vector<WhirlMode> real; // two of these make up one motion
-        for (const linalg::ComplexPair &pair : found.pairs) {
-            WhirlMode mode = in_fixed_frame(pair, speed);
-            if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue))
-                out.overdamped.push_back(mode.eigenvalue.real());
-            else if (pair.value.imag() == 0)
-                real.push_back(std::move(mode));
-            else
-                out.modes.push_back(std::move(mode));
+    Modes out;
+    for (int attempt = 0; attempt <= 12; ++attempt) {
+        Eigenvalues found;
+        try {
+            found = eigenvalues(speed, radius, wanted);
+        } catch (const linalg::SolverError &) {
+            if (out.modes.empty())
+                throw;
+            return out; // beside those found (a rotor of few masses) no more can be resolved
         }
-        std::sort(real.begin(), real.end(), [](const WhirlMode &a, const WhirlMode &b) {
-            return a.eigenvalue.real() > b.eigenvalue.real();
-        });
-        // Of the two real ones that a complex pair turns into, the one that grows more stands for
-        // both, so that a mode stays one mode through a band of instability.
-        real.resize((real.size() + 1) / 2);
-        out.modes.insert(out.modes.end(), real.begin(), real.end());
+        out = modes_of(found, speed);
         std::vector<double> lowest;
         for (const WhirlMode &mode : out.modes)
             lowest.push_back(std::abs(mode.eigenvalue));
         std::sort(lowest.begin(), lowest.end());
-        const bool enough = static_cast<int>(lowest.size()) >= wanted &&
-                            lowest[static_cast<std::size_t>(wanted) - 1] <= out.complete_radius;
-        if (enough || std::isinf(found.complete_radius) || attempt == 12)
-            return out;
-        radius = static_cast<int>(lowest.size()) >= wanted
-                     ? 1.001 * (lowest[static_cast<std::size_t>(wanted) - 1] + std::abs(speed))
-                     : 1.5 * std::max(radius, found.complete_radius);
+        const auto last = static_cast<std::size_t>(wanted) - 1;
+        const bool enough = lowest.size() > last && lowest[last] <= out.complete_radius;
+        if (enough || std::isinf(found.complete_radius))
+            break;
+        radius = lowest.size() > last ? 1.001 * (lowest[last] + std::abs(speed))
+                                      : 1.5 * std::max(radius, found.complete_radius);
     }
+    return out;
 }
 
 } // namespace whirl::analyses

@@ -55,6 +55,7 @@ class RotatingSpectrum {
     assembly::RotatingSystem _system;
     std::optional<assembly::TurningSupports> _supports;
     Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
+    int _zeros = 0; ///< eigenvalues that are zero: balls that can roll on without any effect
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
     /// Copies of a motion that count.
@@ -66,6 +67,7 @@ class RotatingSpectrum {
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
+    [[nodiscard]] static Modes modes_of(const Eigenvalues &found, double speed);
 };
 
 /// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at

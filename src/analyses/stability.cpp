@@ -10,6 +10,8 @@
 #include "linalg/session.h"
 #include "model/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -156,6 +158,18 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
     return out;
 }
 
+/// The longest run of speeds that a Hill series describes.
+std::vector<double> described(const std::vector<double> &speeds, const StabilityModel &model) {
+    std::vector<double> forward;
+    std::vector<double> backward;
+    for (const double speed : speeds)
+        if (std::abs(speed) >= model.from)
+            (speed < 0 ? backward : forward).push_back(speed);
+    if (model.from == 0) // rest is among them: one run
+        return speeds;
+    return forward.size() >= backward.size() ? forward : backward;
+}
+
 /// Beyond two, each ball of a balancer adds a pair 0, -h that the motion of the rotor does not see.
 int neutral_pairs(const model::Rotor &rotor) {
     int pairs = 0;
@@ -167,15 +181,16 @@ int neutral_pairs(const model::Rotor &rotor) {
 
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
-    const std::vector<double> grid = search_speeds(*scene.speeds);
+    const std::vector<double> grid = described(search_speeds(*scene.speeds), model);
     const Arrangement arrangement = arrangement_at_balance(scene.rotor);
     const MotionSolver solver(scene.rotor, model.form, model.order, arrangement, model.harmonics);
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     KeptMotions kept(solver, grid);
     const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const double speed : result.speeds)
-        result.growth.push_back(growth_of(at(speed)));
+        result.growth.push_back(std::abs(speed) >= model.from ? growth_of(at(speed)) : unknown);
     if (grid.size() > 1)
         result.unstable = unstable_bands(at, grid);
     if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
@@ -212,6 +227,11 @@ void add_notes(const model::Case &scene, const StabilityModel &model, StabilityR
         result.model.notes.push_back(
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
+    if (model.from > 0)
+        notes.push_back(
+            fmt::format("below {:.6g} rad/s the Hill series does not settle (its "
+                        "harmonics lie 2 x speed apart): nothing is said of these speeds",
+                        model.from));
     if (in_rotating_axes(model.form) && !scene.rotor.damped() && !scene.rotor.balancers.empty())
         notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "
                            "and drives every motion slower than the rotor");
@@ -237,7 +257,15 @@ std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const mod
     if (model.conservative)
         return {};
     const MotionSolver solver(rotor, model.form, model.order, arrangement, model.harmonics);
-    return unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
+    const std::vector<double> known = described(grid, model);
+    std::vector<SpeedInterval> bands;
+    if (known.size() > 1)
+        bands = unstable_bands([&solver](double speed) { return solver.at(speed); }, known);
+    if (known.empty() || known.front() > grid.front())
+        bands.emplace_back(grid.front(), known.empty() ? grid.back() : known.front());
+    if (!known.empty() && known.back() < grid.back())
+        bands.emplace_back(known.back(), grid.back());
+    return joined(std::move(bands));
 }
 
 StabilityResult stability(const model::Case &scene, const CaseWith &with) {

@@ -22,7 +22,8 @@ using CaseWith = std::function<model::Case(const std::vector<std::string> &overr
 /// eigenvalues are not found or a Hill series does not settle.
 [[nodiscard]] StabilityResult stability(const model::Case &scene, const CaseWith &with);
 
-/// Only the unstable bands, for one arrangement of the balls; the same rules.
+/// Only the unstable bands, for one arrangement of the balls; the same rules. Speeds that a Hill
+/// series does not describe count as unstable.
 [[nodiscard]] std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene,
                                                            const model::Rotor &rotor,
                                                            const Arrangement &arrangement);

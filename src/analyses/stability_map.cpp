@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -34,7 +35,8 @@ std::vector<double> growth_at(const model::Case &scene, const std::vector<double
                               arrangement_at_balance(scene.rotor), model.harmonics);
     std::vector<double> out;
     for (const double speed : speeds)
-        out.push_back(growth_of(solver.at(speed)));
+        out.push_back(std::abs(speed) >= model.from ? growth_of(solver.at(speed))
+                                                    : std::numeric_limits<double>::quiet_NaN());
     return out;
 }
 

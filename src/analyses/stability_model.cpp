@@ -73,9 +73,12 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     const Form form = out.formulation.form;
     if (in_rotating_axes(form)) {
         out.form = form;
-        if (form == Form::hill)
-            out.harmonics = settled_harmonics(scene.rotor, out.order,
-                                              arrangement_at_balance(scene.rotor), speeds);
+        if (form == Form::hill) {
+            const HillSeries series =
+                settled_series(scene.rotor, out.order, arrangement_at_balance(scene.rotor), speeds);
+            out.harmonics = series.harmonics;
+            out.from = series.from;
+        }
     } else if (form != Form::general) {
         out.conservative = stiffness_positive(scene.rotor, out.order);
         if (!out.conservative)

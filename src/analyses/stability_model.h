@@ -15,6 +15,7 @@ struct StabilityModel {
     bool conservative = false; ///< undamped, fixed frame, K > 0: nothing can grow
     int order = 1;
     int harmonics = 0; ///< of the Hill series
+    double from = 0;   ///< rad/s, least |speed| that the series describes
 };
 
 /// @param speeds  at which motions will be looked at, rad/s

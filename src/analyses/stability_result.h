@@ -39,8 +39,8 @@ struct StabilityMap {
 
 struct StabilityResult {
     ModelSummary model;
-    std::vector<double> speeds;                      ///< rad/s
-    std::vector<double> growth;                      ///< largest real part at each, 1/s
+    std::vector<double> speeds; ///< rad/s
+    std::vector<double> growth; ///< largest real part at each, 1/s; NaN: no answer
     std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
     /// Forward critical speeds in the range, balls held in place, rad/s (rotating form).
     std::vector<double> critical_speeds;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -170,17 +171,8 @@ double band_end(const MotionsAt &at, double stable, double unstable) {
     return (stable + unstable) / 2;
 }
 
-/// Near rest, growth can vanish like a power of the speed (balls at a heavy spot): it leaves the
-/// noise at a speed that means nothing, and instability reaches down to rest. Where two
-/// eigenvalues part the growth starts like a square root instead.
-bool vanishes_like_power(const MotionsAt &at, double end) {
-    const double once = growth_of(at(2 * end));
-    const double twice = growth_of(at(4 * end));
-    return once > 0 && twice > 3 * once;
-}
-
-/// Grid speeds, ascending, each known stable or not.
-using Known = std::map<double, bool>;
+/// Growth at speeds looked at, ascending: above zero unstable, below stable, zero not decided.
+using Known = std::map<double, double>;
 
 /// Walks from an unstable speed towards one border, with steps that grow, until it is stable.
 double end_towards(const MotionsAt &at, const Known &known, double unstable, double step,
@@ -198,7 +190,7 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
         if (sign < 0 && below != known.begin() && std::prev(below)->first >= probe)
             probe = std::prev(below)->first;
         const auto grid = known.find(probe);
-        const bool grows = grid != known.end() ? grid->second : growth_of(at(probe)) > 0;
+        const bool grows = (grid != known.end() ? grid->second : growth_of(at(probe))) > 0;
         if (!grows)
             return band_end(at, probe, unstable);
         if (probe == border)
@@ -244,6 +236,56 @@ std::optional<double> stable_between(const MotionsAt &at, double low, const std:
     return at_c <= 0 ? c : d;
 }
 
+/// Growth can sink below the noise like a power of the speed (balls at a heavy spot near rest): the
+/// place where that happens is no end. Beyond an end the largest real part is negative, or zero but
+/// for rounding; there it goes on with the same order of magnitude.
+///
+/// @param end     of a band
+/// @param inside  the band's other end
+/// @param beyond  the next band, or the border of the range
+bool lost_in_noise(const MotionsAt &at, double end, double inside, double beyond) {
+    const auto largest = [&at](double speed) { // whether or not rounding could make it of zero
+        double real = -std::numeric_limits<double>::infinity();
+        for (const Motion &motion : at(speed))
+            real = std::max(real, motion.value.real());
+        return real;
+    };
+    const double near = std::min(std::abs(inside - end) / 2, 1e-3 * std::abs(end));
+    const double growth = largest(end + std::copysign(near, inside - end));
+    const double away = std::min(std::abs(beyond - end) / 2, 0.3 * std::abs(end));
+    constexpr double same_order = 0.02; // a sixth power leaves 0.1
+    return largest(end + std::copysign(away, beyond - end)) > same_order * growth;
+}
+
+bool stable_speed_between(const Known &known, double low, double high) {
+    return std::any_of(known.upper_bound(low), known.lower_bound(high),
+                       [](const auto &speed) { return speed.second < 0; });
+}
+
+/// Carries instability on where it was lost in the noise: up to the next band, or the border of the
+/// range, unless a speed on the way is known to be stable.
+std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &known,
+                                             std::vector<SpeedInterval> bands) {
+    if (bands.empty())
+        return bands;
+    const double front = known.begin()->first;
+    const double back = known.rbegin()->first;
+    double &first = bands.front().first;
+    if (first > front && !stable_speed_between(known, front, first) && known.begin()->second >= 0 &&
+        lost_in_noise(at, first, bands.front().second, front))
+        first = front;
+    double &last = bands.back().second;
+    if (last < back && !stable_speed_between(known, last, back) && known.rbegin()->second >= 0 &&
+        lost_in_noise(at, last, bands.back().first, back))
+        last = back;
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i)
+        if (!stable_speed_between(known, bands[i].second, bands[i + 1].first) &&
+            (lost_in_noise(at, bands[i].second, bands[i].first, bands[i + 1].first) ||
+             lost_in_noise(at, bands[i + 1].first, bands[i + 1].second, bands[i].second)))
+            bands[i].second = bands[i + 1].first;
+    return joined(std::move(bands));
+}
+
 } // namespace
 
 std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
@@ -265,14 +307,14 @@ std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector
     std::vector<Motion> before;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         std::vector<Motion> now = at(speeds[k]);
-        known[speeds[k]] = growth_of(now) > 0;
+        known[speeds[k]] = growth_of(now);
         const double interval = speeds[k] - speeds[k > 0 ? k - 1 : 0];
-        if (known[speeds[k]])
+        if (known[speeds[k]] > 0)
             seeds.emplace_back(speeds[k], std::max(interval, speeds[1] - speeds[0]));
-        const bool both = k > 0 && known[speeds[k]] && known[speeds[k - 1]];
+        const bool both = k > 0 && known[speeds[k]] > 0 && known[speeds[k - 1]] > 0;
         if (both) {
             if (const auto window = stable_between(at, speeds[k - 1], before, speeds[k], now))
-                known[*window] = false;
+                known[*window] = -1;
         } else if (k > 0) {
             for (const Meeting &meeting : meetings(speeds[k - 1], before, speeds[k], now))
                 if (const auto speed = unstable_meeting(at, meeting))
@@ -287,12 +329,10 @@ std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector
         });
         if (covered)
             continue;
-        double low = end_towards(at, known, speed, step, speeds.front());
-        if (speeds.front() == 0 && 4 * low < speeds[1] && vanishes_like_power(at, low))
-            low = 0;
+        const double low = end_towards(at, known, speed, step, speeds.front());
         bands.emplace_back(low, end_towards(at, known, speed, step, speeds.back()));
     }
-    return joined(std::move(bands));
+    return through_the_noise(at, known, joined(std::move(bands)));
 }
 
 double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {

@@ -21,7 +21,8 @@ using MotionsAt = std::function<std::vector<Motion>(double speed)>;
 /// the squared half difference q of their eigenvalues, which are smooth in the speed even where
 /// the eigenvalues s +- sqrt(q) are not, lead to the place where s + sqrt(q) grows most. A meeting
 /// opens a band where the two have opposite signature. A stable window between two unstable speeds
-/// is looked for where different motions grow at them.
+/// is looked for where different motions grow at them. Growth that sinks below what rounding lets
+/// one see without having been zero (balls near rest: a power of the speed) is carried on.
 ///
 /// @param speeds  ascending, at least two
 [[nodiscard]] std::vector<SpeedInterval> unstable_bands(const MotionsAt &at,

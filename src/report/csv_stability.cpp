@@ -2,9 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace whirl::report {
 
 namespace {
+
+/// Empty where there is no answer.
+std::string growth_cell(double growth) {
+    return std::isfinite(growth) ? fmt::format("{}", growth) : "";
+}
 
 std::string band_rows(const char *kind, const std::vector<std::pair<double, double>> &bands) {
     std::string csv;
@@ -17,8 +24,8 @@ std::string map_rows(const analyses::StabilityMap &map) {
     std::string csv;
     for (std::size_t j = 0; j < map.growth.size(); ++j)
         for (std::size_t i = 0; i < map.growth[j].size(); ++i)
-            csv +=
-                fmt::format("map,{},{},{}\n", map.x_values[i], map.y_values[j], map.growth[j][i]);
+            csv += fmt::format("map,{},{},{}\n", map.x_values[i], map.y_values[j],
+                               growth_cell(map.growth[j][i]));
     return csv;
 }
 
@@ -28,7 +35,7 @@ std::string to_csv(const analyses::StabilityResult &result) {
     // Of a band from and to are its ends; of a map they are its two entries.
     std::string csv = "kind,from,to,growth [1/s]\n";
     for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i)
-        csv += fmt::format("growth,{0},{0},{1}\n", result.speeds[i], result.growth[i]);
+        csv += fmt::format("growth,{0},{0},{1}\n", result.speeds[i], growth_cell(result.growth[i]));
     csv += band_rows("unstable", result.unstable);
     for (const double speed : result.critical_speeds)
         csv += fmt::format("critical speed,{0},{0},\n", speed);

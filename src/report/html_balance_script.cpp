@@ -6,7 +6,7 @@ const char *const balance_script = R"js(
 const traces = [], green = "#007D5A", grey = "#A9B4BF", orange = "#D55E00";
 const rows = result.planes.map((p, i) => ({name: `${p.name || "plane " + (i + 1)}, z = ${short(p.z, 4)} m`, of: p}));
 if (result.planes.length > 1) rows.push({name: "all planes together", of: result.joint});
-if (result.balanced_position) rows.push({name: "real balancers, stable", of: {stable: result.balanced_position.bands,
+if (result.balanced_position) rows.push({name: "real balancers stable", of: {stable: result.balanced_position.bands,
   some: result.balanced_position.arrangements > 1 ? result.balanced_position.with_some : []}});
 const ended = (kept, symbol, colour, name) => {
   const runs = result.simulated.filter(run => (run.outcome === "balanced") === kept);
@@ -56,7 +56,8 @@ const shapes = result.critical_speeds.map(c => ({type: "line", xref: "x", yref: 
   line: {color: "#777", dash: "dot", width: 1}}));
 draw(traces, {height: 480 + 70 * rows.length, shapes, barmode: "group", bargap: 0.3, margin: {l: 170, r: 30, t: 30, b: 60},
   xaxis: axis("Spin speed (rpm)", {anchor: "y2", range: [result.speeds[0] * rpm, result.speeds[result.speeds.length - 1] * rpm]}),
-  yaxis: axis("", {type: "category", domain: [0.52, 1]}),
+  yaxis: axis("", {type: "category", domain: [0.52, 1], categoryorder: "array",
+    categoryarray: (result.simulated.length ? ["motions in time"] : []).concat(rows.map(r => r.name).reverse())}),
   yaxis2: axis(result.rigid ? "Eigenvalues × mass" : "Eigenvalues (1/kg)", {domain: [0, 0.46], range: [-1.05 * top, 1.05 * top],
     tickvals: ticks.map(fold), ticktext: ticks.map(t => t === 0 ? "0" : t.toPrecision(1).replace("-", "−"))})});
 )js";

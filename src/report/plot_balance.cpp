@@ -145,10 +145,12 @@ std::string bands_panel(const BalanceResult &result, const std::vector<Row> &row
             script += bars(*rows[i].bands->rigid_bands, base + 0.2, base + 0.36, rigid_colour);
         script += end_labels(*rows[i].bands, base + 0.86, width);
     }
-    return script + fmt::format("set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
-                                "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
-                                "plot {2}\n",
-                                count, names, bands_key(result));
+    return script +
+           fmt::format(
+               "set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
+               "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
+               "plot {2}\n",
+               count, names, bands_key(result));
 }
 
 /// Linear near zero, logarithmic in modulus beyond `unit`.

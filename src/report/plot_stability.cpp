@@ -70,8 +70,14 @@ std::string growth_panel(const StabilityResult &result) {
         keys += ", NaN with lines dt 2 lw 1.3 lc rgb '#0072B2' title 'critical, balls held'";
     if (!result.additional_speeds.empty())
         keys += ", NaN with lines dt 4 lw 1.3 lc rgb '#D55E00' title 'additional speed'";
-    const auto [low, high] = std::minmax_element(result.growth.begin(), result.growth.end());
-    const bool flat = low == result.growth.end() || *high - *low <= 0;
+    double low = HUGE_VAL; // of the speeds with an answer
+    double high = -HUGE_VAL;
+    for (const double growth : result.growth)
+        if (std::isfinite(growth)) {
+            low = std::min(low, growth);
+            high = std::max(high, growth);
+        }
+    const bool flat = high <= low;
     text += fmt::format("set xrange [{}:{}]\n", result.speeds.front() * rpm,
                         result.speeds.size() > 1 ? result.speeds.back() * rpm
                                                  : result.speeds.front() * rpm + 1);

@@ -210,7 +210,7 @@ TEST(TwoPlaneDiagram, HarmonicsChosenForANarrowRange) {
     const model::Case scene = on_anisotropic_supports();
     const analyses::Arrangement balls = analyses::arrangement_at_balance(scene.rotor);
     const std::vector<double> speeds = model::SpeedRange{2.3, 2.9, 25}.values();
-    const int harmonics = analyses::settled_harmonics(scene.rotor, 1, balls, speeds);
+    const int harmonics = analyses::settled_series(scene.rotor, 1, balls, speeds).harmonics;
     const analyses::MotionSolver solver(scene.rotor, analyses::Form::hill, 1, balls, harmonics);
     for (const double speed : {2.3, 2.5, 2.9})
         EXPECT_NEAR(analyses::growth_of(solver.at(speed)), PublishedEquations(speed).growth(), 1e-7)
@@ -224,6 +224,38 @@ TEST(TwoPlaneDiagram, WindowsOnAnisotropicSupports) {
         EXPECT_LT(growth_on_anisotropic_supports(speed), 0) << speed;
     for (const double speed : {0.8, 1.5, 2.0, 2.45, 2.75, 3.0, 3.5, 4.0, 4.45})
         EXPECT_GT(growth_on_anisotropic_supports(speed), 0) << speed;
+}
+
+/// Jeffcott rotor with two balls (K. Green et al.; J. Chung and D. Ro): delta = eps/R = 0.01, zeta
+/// = 0.01, beta = 0.01, speeds in sqrt(k/M).
+model::Case jeffcott(double ball_mass) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(2, 0.01, tests::weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc_at(1, 1, 1, 0.1)};
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 0.5, 0.01),
+                            tests::isotropic_bearing(2, 0.5, 0.01)};
+    scene.rotor.balancers = {tests::ball_balancer(1, 2, ball_mass, 1, 0.01 * ball_mass, 0.01)};
+    scene.rotor.balancers[0].tilt_inertia = false;
+    scene.speeds = model::SpeedRange{0.6, 3, 121};
+    return scene;
+}
+
+// Four digits are printed: stable in 1.030 ... 1.094 and above 1.882 with m/M = 0.05, above 1.638
+// with 0.025.
+TEST(JeffcottDiagram, StableSpeeds) {
+    const auto bands_of = [](const model::Case &scene) {
+        return analyses::unstable_bands_of(scene, scene.rotor,
+                                           analyses::arrangement_at_balance(scene.rotor));
+    };
+    const auto heavy = bands_of(jeffcott(0.05));
+    ASSERT_EQ(heavy.size(), 2U);
+    EXPECT_NEAR(heavy[0].second, 1.030, 6e-4);
+    EXPECT_NEAR(heavy[1].first, 1.094, 6e-4);
+    EXPECT_NEAR(heavy[1].second, 1.882, 6e-4);
+    const auto light = bands_of(jeffcott(0.025));
+    ASSERT_EQ(light.size(), 1U);
+    EXPECT_NEAR(light[0].second, 1.638, 6e-4);
 }
 
 // The start decides: from balls at +-90 deg this point balances, as published; from balls close
