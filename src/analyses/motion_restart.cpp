@@ -23,13 +23,52 @@ void on_shapes(const ReducedRotor &rotor, const std::vector<double> &whole, doub
     Eigen::Map<Eigen::MatrixXd>(p, rotor.size(), 2) = rotor.mass_times.transpose() * q;
 }
 
+void add(std::vector<double> &sizes, const Eigen::Matrix2d &m) {
+    sizes.insert(sizes.end(), m.data(), m.data() + m.size());
+}
+
+void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
+    for (const model::Bearing &b : rotor.bearings) {
+        sizes.push_back(b.z);
+        sizes.insert(sizes.end(), b.speeds.begin(), b.speeds.end());
+        for (const model::BearingCoefficients &at : b.rows)
+            for (const Eigen::Matrix2d *m : {&at.k, &at.c, &at.kt, &at.ct})
+                add(sizes, *m);
+        const model::Pedestal pedestal = b.pedestal.value_or(model::Pedestal{});
+        sizes.insert(sizes.end(), {pedestal.mass, pedestal.k, pedestal.c});
+    }
+}
+
+/// All that makes this rotor another one.
+std::vector<double> signature_of(const model::Rotor &rotor) {
+    std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
+                              rotor.shaft.rigid ? 1.0 : 0.0};
+    for (const model::Segment &s : rotor.shaft.segments)
+        sizes.insert(sizes.end(),
+                     {s.length, s.outer_start, s.outer_end, s.inner_start, s.inner_end,
+                      s.material.E, s.material.G, s.material.rho, s.asymmetry, s.asymmetry_angle});
+    for (const model::Disc &d : rotor.discs)
+        sizes.insert(sizes.end(), {d.z, d.mass, d.Id, d.Ip});
+    add_supports(sizes, rotor);
+    for (const model::Anisotropy &a : rotor.anisotropies)
+        sizes.insert(sizes.end(), {a.z, a.dI, a.angle});
+    for (const model::Balancer &b : rotor.balancers)
+        sizes.insert(sizes.end(),
+                     {b.z, b.mass, b.radius, b.arm, b.pivot, b.damping, b.imbalance,
+                      b.imbalance_phase, b.imbalance_radius.value_or(0), b.tilt_inertia ? 1.0 : 0});
+    for (const model::Imbalance &i : rotor.imbalances)
+        sizes.insert(sizes.end(), {i.z, i.mr, i.phase});
+    return sizes;
+}
+
 } // namespace
 
-model::Restart restart_of(const RotorMotion &motion, const double *state,
-                          const MotionSeries &series) {
+model::Restart restart_of(const model::Rotor &rotor_of_case, const RotorMotion &motion,
+                          const double *state, const MotionSeries &series) {
     const ReducedRotor &rotor = motion.parts().rotor;
     const int n = motion.coordinates();
     model::Restart restart;
+    restart.signature = signature_of(rotor_of_case);
     restart.displacements = whole_rotor(rotor, state);
     restart.velocities = whole_rotor(rotor, state + n);
     restart.angles.assign(state + motion.first_angle(), state + n);
@@ -59,10 +98,10 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
                                   [&](const std::vector<double> &column) {
                                       return column.size() == restart.series.front().size();
                                   });
-    if (!fits)
+    if (!fits || restart.signature != signature_of(scene.rotor))
         throw model::BadInput(
             fmt::format("simulate.restart: expected the state of an interrupted run of this case, "
-                        "got that of \"{}\" with other parts",
+                        "got that of \"{}\", another rotor",
                         restart.case_name));
     if (!(restart.time < scene.simulate.time))
         throw model::BadInput(fmt::format("simulate.time: expected more than {} s, where the "

@@ -8,8 +8,8 @@
 namespace whirl::analyses {
 
 /// The state, in the unknowns of the whole rotor, and the series so far; the rest is not filled.
-[[nodiscard]] model::Restart restart_of(const RotorMotion &motion, const double *state,
-                                        const MotionSeries &series);
+[[nodiscard]] model::Restart restart_of(const model::Rotor &rotor, const RotorMotion &motion,
+                                        const double *state, const MotionSeries &series);
 
 /// The state on the shapes of `motion`.
 /// @throws model::BadInput where the restart belongs to another scene.

@@ -121,9 +121,10 @@ void refuse_what_is_missing(const model::Case &scene) {
                                           "got none",
                                           where(scene)));
     if (scene.speeds->count != 1)
-        throw model::BadInput(fmt::format("{}: speeds.count: expected 1, the one spin speed of the "
-                                          "motion, got {}; try --set speeds.count=1",
-                                          where(scene), scene.speeds->count));
+        throw model::BadInput(
+            fmt::format("{}: speeds.count: expected 1, the one spin speed of the "
+                        "motion, got {}; try --set speeds.count=1 --set speeds.from=...",
+                        where(scene), scene.speeds->count));
 }
 
 /// Angle `offset` from the one that the symmetric position would give: spread evenly, the first

@@ -214,7 +214,7 @@ bool Run::integrate(const model::Restart *from) {
 }
 
 model::Restart Run::restart() const {
-    model::Restart restart = restart_of(_motion, _solver.state(), _recorder.series());
+    model::Restart restart = restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
     _recorder.save(restart);
     restart.case_name = _scene.name;
     restart.time = _t;

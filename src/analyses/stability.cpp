@@ -287,6 +287,8 @@ StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     }
     if (scene.map)
         result.map = stability_map(*scene.map, with);
+    if (result.map && !result.map->why.empty())
+        result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
     report_progress(1);
     result.model.seconds =

@@ -41,23 +41,27 @@ std::vector<double> growth_at(const model::Case &scene, const std::vector<double
 }
 
 /// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1.
-std::vector<double> where_possible(std::size_t count,
+/// `why` takes the first reason.
+std::vector<double> where_possible(std::size_t count, std::string &why,
                                    const std::function<std::vector<double>()> &growth) {
     try {
         return growth();
-    } catch (const model::BadInput &) {
+    } catch (const model::BadInput &problem) {
+        if (why.empty())
+            why = problem.what();
         return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
     }
 }
 
-std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWith &with) {
+std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWith &with,
+                           std::string &why) {
     const std::vector<double> x_values = values_of(map.x);
     if (is_speed(map.x))
-        return where_possible(x_values.size(),
+        return where_possible(x_values.size(), why,
                               [&] { return growth_at(with({entry(map.y, y)}), x_values); });
     std::vector<double> row;
     for (const double x : x_values)
-        row.push_back(where_possible(1, [&]() -> std::vector<double> {
+        row.push_back(where_possible(1, why, [&]() -> std::vector<double> {
                           const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
                           const auto growth = growth_at(scene, required_speeds(scene).values());
                           return {*std::max_element(growth.begin(), growth.end())};
@@ -68,10 +72,11 @@ std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWi
 } // namespace
 
 StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with) {
-    StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y), {}};
+    StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y), {}, {}};
     if (!is_speed(settings.x) && is_speed(settings.y)) {
         // A case is read once for each column: turn the map, and turn it back.
         const StabilityMap turned = stability_map({settings.y, settings.x}, with);
+        map.why = turned.why;
         map.growth.assign(turned.growth.empty() ? 0 : map.y_values.size(),
                           std::vector<double>(map.x_values.size()));
         for (std::size_t i = 0; i < turned.growth.size(); ++i)
@@ -82,7 +87,7 @@ StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &w
     std::size_t done = 0;
     map.growth = rows_at(map.y_values, [&](double y) {
         report_progress(static_cast<double>(done++) / static_cast<double>(map.y_values.size()));
-        return row_of(settings, y, with);
+        return row_of(settings, y, with, map.why);
     });
     return map;
 }

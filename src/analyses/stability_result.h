@@ -35,6 +35,7 @@ struct StabilityMap {
     model::MapAxis x, y;
     std::vector<double> x_values, y_values;
     std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
+    std::string why;                         ///< of one such point, what was wrong with it
 };
 
 struct StabilityResult {

@@ -117,7 +117,12 @@ void run(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const linalg::Session session;
     show_progress(arguments);
-    analyse(arguments, scene);
+    try {
+        analyse(arguments, scene);
+    } catch (const model::BadInput &problem) { // found late: say where the key stands
+        throw model::BadInput(
+            input::with_place(problem.what(), arguments.scene, arguments.overrides));
+    }
 }
 
 } // namespace whirl::cli

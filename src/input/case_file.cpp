@@ -93,4 +93,22 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     return scene;
 }
 
+std::string with_place(const std::string &problem, const fs::path &folder_or_file,
+                       const std::vector<std::string> &overrides) {
+    const fs::path file = find_file(folder_or_file);
+    const std::string name = file.generic_string();
+    if (problem.starts_with(name + ":") && !problem.starts_with(name + ": "))
+        return problem; // it has a line
+    const std::string text =
+        problem.starts_with(name + ": ") ? problem.substr(name.size() + 2) : problem;
+    const std::string key = text.substr(0, text.find(": "));
+    Node tree = parse_toml(read_text(file), name);
+    Problems ignored;
+    apply_overrides(tree, overrides, ignored);
+    Origin origin{name, 0};
+    if (!parse_path(key).empty() && find_path(tree, key) != nullptr)
+        origin = origin_of(tree, key);
+    return origin.text() + ": " + text;
+}
+
 } // namespace whirl::input

@@ -239,6 +239,8 @@ void read_map(CheckedTable &root, model::Case &scene) {
     model::MapSettings map;
     map.x = read_axis(*table, "x", entries);
     map.y = read_axis(*table, "y", entries);
+    if (map.x.path == "speed" && map.y.path == "speed")
+        table->fail("y", "expected another entry than x, got " + in_quotes(map.y.path) + " twice");
     table->refuse_unknown();
     scene.map = map;
 }

@@ -37,9 +37,31 @@ struct FreeStepper {
 };
 template <class T, class Free> using Handle = std::unique_ptr<std::remove_pointer_t<T>, Free>;
 
-void require(int flag, const char *what) {
+/// What the integrator's own word for a failure means.
+std::string in_words(int flag) {
+    switch (flag) {
+    case ARK_TOO_MUCH_ACC:
+        return "the tolerance is below what double precision can follow";
+    case ARK_ILL_INPUT:
+    case ARK_TOO_CLOSE:
+        return "the time is too short to make a step";
+    case ARK_TOO_MUCH_WORK:
+        return "too many steps";
+    case ARK_ERR_FAILURE:
+    case ARK_CONV_FAILURE:
+        return "no step is small enough to meet the tolerance";
+    case ARK_RHSFUNC_FAIL:
+    case ARK_UNREC_RHSFUNC_ERR:
+    case ARK_REPTD_RHSFUNC_ERR:
+        return "the motion grows beyond all numbers";
+    default:
+        return "the integrator gave up (code " + std::to_string(flag) + ")";
+    }
+}
+
+void require(int flag) {
     if (flag < 0)
-        throw SolverError(std::string("ARKODE: ") + what + ": " + ARKStepGetReturnFlagName(flag));
+        throw SolverError(in_words(flag));
 }
 
 void silent(int /*code*/, const char * /*module*/, const char * /*function*/, char * /*message*/,
@@ -102,21 +124,20 @@ struct OdeSolver::Data {
         stepper.reset(ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t,
                                     y.get(), context.get()));
         if (!stepper)
-            throw SolverError("ARKODE: cannot start");
+            throw SolverError("the integrator cannot start");
         void *memory = stepper.get();
-        require(ARKStepSetErrHandlerFn(memory, silent, nullptr), "messages");
-        require(ARKStepSetUserData(memory, this), "data");
-        require(ARKStepWFtolerances(memory, weights), "tolerances");
-        require(ARKStepSetMaxNumSteps(memory, -1), "steps");
-        require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE), "interpolant");
+        require(ARKStepSetErrHandlerFn(memory, silent, nullptr));
+        require(ARKStepSetUserData(memory, this));
+        require(ARKStepWFtolerances(memory, weights));
+        require(ARKStepSetMaxNumSteps(memory, -1));
+        require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
         require(ARKStepSetTableNum(memory,
                                    implicit ? ARKODE_ARK548L2SA_DIRK_8_4_5 : ARKODE_DIRK_NONE,
-                                   implicit ? ARKODE_ERK_NONE : ARKODE_FEHLBERG_13_7_8),
-                "method");
+                                   implicit ? ARKODE_ERK_NONE : ARKODE_FEHLBERG_13_7_8));
         if (!implicit)
             return;
-        require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()), "linear solver");
-        require(ARKStepSetDeduceImplicitRhs(memory, 1), "stages");
+        require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
+        require(ARKStepSetDeduceImplicitRhs(memory, 1));
     }
 };
 
@@ -145,15 +166,15 @@ void OdeSolver::start(double t, const double *y, double step) {
     d.t = t;
     d.create();
     if (step > 0)
-        require(ARKStepSetInitStep(d.stepper.get(), step), "step size");
+        require(ARKStepSetInitStep(d.stepper.get(), step));
 }
 
 double OdeSolver::step(double end) {
     Data &d = *_data;
-    require(ARKStepSetStopTime(d.stepper.get(), end), "stop time");
-    require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP), "step");
+    require(ARKStepSetStopTime(d.stepper.get(), end));
+    require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP));
     double last = 0;
-    require(ARKStepGetLastStep(d.stepper.get(), &last), "step size");
+    require(ARKStepGetLastStep(d.stepper.get(), &last));
     // Ever shorter steps towards a moment at which the rates cease to be numbers.
     if (d.t < end && std::abs(last) < 16 * std::numeric_limits<double>::epsilon() * std::abs(d.t))
         throw SolverError("the steps become too short to go on");
@@ -162,7 +183,7 @@ double OdeSolver::step(double end) {
 
 double OdeSolver::next_step() const {
     double step = 0;
-    require(ARKStepGetCurrentStep(_data->stepper.get(), &step), "step size");
+    require(ARKStepGetCurrentStep(_data->stepper.get(), &step));
     return step;
 }
 
@@ -177,9 +198,9 @@ OdeCounts OdeSolver::counts() const {
     long steps = 0;
     long failed = 0;
     void *memory = _data->stepper.get();
-    require(ARKStepGetNumSteps(memory, &steps), "counts");
-    require(ARKStepGetNumErrTestFails(memory, &failed), "counts");
-    require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates), "counts");
+    require(ARKStepGetNumSteps(memory, &steps));
+    require(ARKStepGetNumErrTestFails(memory, &failed));
+    require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates));
     total.steps += steps;
     total.failed += failed;
     total.rates += explicit_rates + implicit_rates;

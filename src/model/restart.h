@@ -8,8 +8,9 @@ namespace whirl::model {
 /// Where an interrupted motion in time stands: everything needed to go on.
 struct Restart {
     std::string case_name;
-    double time = 0; ///< s
-    double step = 0; ///< the integrator would try next, s
+    std::vector<double> signature; ///< sizes of the rotor, to know it again
+    double time = 0;               ///< s
+    double step = 0;               ///< the integrator would try next, s
     /// Planar unknowns of the whole rotor and their velocities: real parts, imaginary parts.
     std::vector<double> displacements, velocities;
     std::vector<double> angles, rates;       ///< free angles, rad, and their velocities, rad/s

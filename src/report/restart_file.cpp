@@ -21,6 +21,7 @@ json content(const model::Restart &r) {
             {"format", 1},
             {"kind", kind},
             {"case", r.case_name},
+            {"signature", r.signature},
             {"time", r.time},
             {"step", r.step},
             {"displacements", r.displacements},
@@ -48,7 +49,8 @@ model::Restart read_restart(const std::filesystem::path &file) {
         fmt::format("simulate.restart: expected the restart file of an interrupted run, got \"{}\"",
                     file.string());
     std::ifstream stream(file);
-    if (!stream)
+    std::error_code ignored;
+    if (!stream || std::filesystem::is_directory(file, ignored))
         throw model::BadInput(expected + ", which cannot be opened");
     try {
         const json j = json::parse(stream);
@@ -56,6 +58,7 @@ model::Restart read_restart(const std::filesystem::path &file) {
             throw model::BadInput(expected + ", which is another file");
         model::Restart r;
         j.at("case").get_to(r.case_name);
+        j.at("signature").get_to(r.signature);
         j.at("time").get_to(r.time);
         j.at("step").get_to(r.step);
         j.at("displacements").get_to(r.displacements);

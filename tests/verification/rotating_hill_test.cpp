@@ -1,8 +1,10 @@
 // Rotor and bearings both unsymmetric: Hill's series in rotating axes against Floquet multipliers
 // of the fixed frame, and against published windows of stability.
 
+#include "analyses/hill_harmonics.h"
 #include "analyses/motions.h"
 #include "analyses/stability.h"
+#include "analyses/stability_map.h"
 #include "analyses/stability_model.h"
 #include "model/errors.h"
 #include "support/periodic_system.h"
@@ -130,13 +132,37 @@ TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {
     model::Rotor rotor = rigid_rotor();
     for (model::Bearing &bearing : rotor.bearings)
         bearing.rows[0].k(1, 1) /= 100;
-    const model::Case scene = tests::scene_of(rotor, 1, 12, 12);
+    const model::Case scene = tests::scene_of(rotor, 0.1, 1, 12);
     try {
         (void)analyses::stability(scene, [&](const auto &) { return scene; });
         ADD_FAILURE() << "no exception";
     } catch (const model::AnalysisFailure &failure) {
         EXPECT_NE(std::string(failure.what()).find("does not settle"), std::string::npos);
     }
+}
+
+// From rest on, slow speeds are given up; at the first that is not the growth is that of the
+// multipliers.
+TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
+    const model::Rotor rotor = rigid_rotor();
+    const assembly::Discretization d(rotor, rotor.shaft.order);
+    const auto series = analyses::settled_series(rotor, rotor.shaft.order, {},
+                                                 model::SpeedRange{0, 450, 181}.values());
+    EXPECT_GT(series.from, 0);
+    EXPECT_LT(series.from, 200);
+    const analyses::MotionSolver solver(rotor, analyses::Form::hill, rotor.shaft.order, {},
+                                        series.harmonics);
+    for (const double speed : {series.from, 450.0}) {
+        const tests::PeriodicSystem system(d, speed, {});
+        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), system.growth(240), 1e-6 * speed)
+            << speed;
+    }
+    model::Case scene = tests::scene_of(rotor, 1, 450, 3);
+    scene.map = model::MapSettings{{"speed", 1, 450, 3}, {"anisotropy[0].dI", 0.1, 0.2, 2}};
+    const auto map =
+        analyses::stability_map(*scene.map, [&](const auto &) { return scene; }).growth;
+    EXPECT_TRUE(std::isnan(map[0][0]));
+    EXPECT_TRUE(std::isfinite(map[0][2]));
 }
 
 /// Rigid rotor with two two-ball balancers (Rodrigues, Champneys, Friswell, Wilson): mass and
