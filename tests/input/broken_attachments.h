@@ -106,8 +106,10 @@ inline std::vector<BrokenCase> broken_settings() {
         {"map over itself", 10, "map.y.path", "or a numeric entry of the case",
          map + "y = {path = \"map.x.from\", from = 0, to = 1, count = 2}\n"},
         {"map of one column", 10, "map.y.count", "whole number from 2",
-         map + "y = {path = \"speed\", from = 0, to = 1, count = 1}\n"},
+         map + "y = {path = \"shaft.segments[0].outer\", from = 0.01, to = 1, count = 1}\n"},
         {"half a map", 8, "map.y", "missing", map},
+        {"a map of speed over speed", 10, "map.y", "expected another entry than x, got \"speed\"",
+         map + "y = {path = \"speed\", from = 0, to = 1, count = 3}\n"},
     };
 }
 
