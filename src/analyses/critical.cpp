@@ -119,6 +119,32 @@ Found solve_in_range(const model::Case &scene, Form form, const assembly::Discre
     }
 }
 
+/// Critical speeds of an asymmetric rotor are those without damping (A. N. Gorbenko's Omega_K);
+/// with it, no motion stands still but at the ends of the unstable ranges.
+model::Case without_damping(model::Case scene) {
+    for (model::Bearing &bearing : scene.rotor.bearings) {
+        for (model::BearingCoefficients &at : bearing.rows) {
+            at.c.setZero();
+            at.ct.setZero();
+        }
+        if (bearing.pedestal)
+            bearing.pedestal->c = 0;
+    }
+    scene.rotor.shaft.internal_damping = 0;
+    return scene;
+}
+
+void note_damping(Form form, bool damped, ModelSummary &model) {
+    if (damped)
+        model.notes.emplace_back(
+            form == Form::rotating
+                ? "critical speeds of the asymmetric rotor are those without damping; with it a "
+                  "root is zero at the ends of the unstable ranges, which stability lists"
+                : "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
+                  "crossings of a Campbell diagram differ from them by the order of the damping "
+                  "ratio squared");
+}
+
 void note_balls_held(Form form, ModelSummary &model) {
     if (form == Form::rotating)
         model.notes.emplace_back("forward critical speeds only, the balls of balancers held in "
@@ -135,13 +161,14 @@ void refuse_hill(Form form) {
 
 } // namespace
 
-CriticalResult critical_speeds(const model::Case &scene) {
+CriticalResult critical_speeds(const model::Case &as_given) {
     const auto start = std::chrono::steady_clock::now();
     CriticalResult result;
     ModelSummary &model = result.model;
-    model.formulation = choose_formulation(scene);
+    model.formulation = choose_formulation(as_given);
     const Form form = model.formulation.form;
     refuse_hill(form);
+    const model::Case scene = form == Form::rotating ? without_damping(as_given) : as_given;
     model.order = resolve_order(scene, model.formulation);
     const assembly::Discretization d(scene.rotor, model.order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
@@ -166,11 +193,7 @@ CriticalResult critical_speeds(const model::Case &scene) {
                 {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(),
                  errors[i] + mode.residual + mode.rounding, mode.residual});
         }
-        if (scene.rotor.damped())
-            model.notes.emplace_back(
-                "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
-                "crossings "
-                "of a Campbell diagram differ from them by the order of the damping ratio squared");
+        note_damping(form, as_given.rotor.damped(), model);
         note_balls_held(form, model);
         if (found.unsettled > 0)
             model.notes.push_back("for some modes no speed was found at which the bearing tables "

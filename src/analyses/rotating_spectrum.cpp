@@ -113,8 +113,21 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
                                                       Keep keep) const {
-    // The shift is no eigenvalue, and of the size of what is looked for.
-    const double shift = 0.31 * std::max(std::abs(speed), support_scale(_discretization));
+    // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
+    // supports, or, where those are far slower than the elastic ones wanted besides, these.
+    const double slow = 0.31 * std::max(std::abs(speed), support_scale(_discretization));
+    const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
+    try {
+        return up_to(speed, radius, least, keep, slow);
+    } catch (const linalg::SolverError &) {
+        if (fast == slow)
+            throw;
+        return up_to(speed, radius, least, keep, fast);
+    }
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
+                                                      Keep keep, double shift) const {
     const int terms = keep == Keep::best ? 1 : 2 * _harmonics + 1;
     const int all = _system.M.size() * terms;
     double reached = 0;

@@ -64,6 +64,8 @@ class RotatingSpectrum {
         accurate ///< those whose largest term has neighbours on both sides in the series
     };
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
+                                    double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
