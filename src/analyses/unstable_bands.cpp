@@ -200,6 +200,34 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
     }
 }
 
+/// Place and value of the least of a function between two places, by golden section; `done` sees
+/// the ends of the bracket and the least value so far.
+template <class Function, class Done>
+std::pair<double, double> least_by_golden_section(Function &&f, double low, double high,
+                                                  Done &&done) {
+    const double ratio = (std::sqrt(5.0) - 1) / 2;
+    double c = high - ratio * (high - low);
+    double d = low + ratio * (high - low);
+    double at_c = f(c);
+    double at_d = f(d);
+    while (!done(low, high, std::min(at_c, at_d))) {
+        if (at_c < at_d) {
+            high = d;
+            d = c;
+            at_d = at_c;
+            c = high - ratio * (high - low);
+            at_c = f(c);
+        } else {
+            low = c;
+            c = d;
+            at_c = at_d;
+            d = low + ratio * (high - low);
+            at_d = f(d);
+        }
+    }
+    return at_c <= at_d ? std::pair(c, at_c) : std::pair(d, at_d);
+}
+
 /// Between two unstable speeds at which different motions grow there can be a stable window: the
 /// speed of least growth, where that is none.
 std::optional<double> stable_between(const MotionsAt &at, double low, const std::vector<Motion> &a,
@@ -210,30 +238,12 @@ std::optional<double> stable_between(const MotionsAt &at, double low, const std:
     constexpr double same_motion = 0.8;
     if (std::abs(most(a)->state.dot(most(b)->state)) > same_motion)
         return std::nullopt;
-    // Golden section: growth falls from one side and rises to the other.
-    const double ratio = (std::sqrt(5.0) - 1) / 2;
-    double c = high - ratio * (high - low);
-    double d = low + ratio * (high - low);
-    double at_c = growth_of(at(c));
-    double at_d = growth_of(at(d));
-    for (int step = 0; step < 20 && at_c > 0 && at_d > 0; ++step) {
-        if (at_c < at_d) {
-            high = d;
-            d = c;
-            at_d = at_c;
-            c = high - ratio * (high - low);
-            at_c = growth_of(at(c));
-        } else {
-            low = c;
-            c = d;
-            at_c = at_d;
-            d = low + ratio * (high - low);
-            at_d = growth_of(at(d));
-        }
-    }
-    if (at_c > 0 && at_d > 0)
-        return std::nullopt;
-    return at_c <= 0 ? c : d;
+    // Growth falls from one side and rises to the other.
+    int steps = 0;
+    const auto [speed, growth] = least_by_golden_section(
+        [&at](double x) { return growth_of(at(x)); }, low, high,
+        [&steps](double, double, double least) { return least <= 0 || ++steps > 20; });
+    return growth <= 0 ? std::optional(speed) : std::nullopt;
 }
 
 /// Growth can sink below the noise like a power of the speed (balls at a heavy spot near rest): the
@@ -349,29 +359,11 @@ double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
             best = speed;
         }
     }
-    const double ratio = (std::sqrt(5.0) - 1) / 2;
-    double a = std::max(band.first, best - width);
-    double b = std::min(band.second, best + width);
-    double c = b - ratio * (b - a);
-    double d = a + ratio * (b - a);
-    double fc = growth_of(at(c));
-    double fd = growth_of(at(d));
-    while (b - a > 1e-7 * std::abs(b)) {
-        if (fc > fd) {
-            b = d;
-            d = c;
-            fd = fc;
-            c = b - ratio * (b - a);
-            fc = growth_of(at(c));
-        } else {
-            a = c;
-            c = d;
-            fc = fd;
-            d = a + ratio * (b - a);
-            fd = growth_of(at(d));
-        }
-    }
-    return (a + b) / 2;
+    return least_by_golden_section(
+               [&at](double speed) { return -growth_of(at(speed)); },
+               std::max(band.first, best - width), std::min(band.second, best + width),
+               [](double a, double b, double) { return b - a <= 1e-7 * std::abs(b); })
+        .first;
 }
 
 } // namespace whirl::analyses
