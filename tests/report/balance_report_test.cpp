@@ -145,8 +145,10 @@ TEST_F(BalanceReport, EmptyAndSingleSpeedResultsStillMakeAReport) {
     analyses::BalanceResult one = sample_balance();
     one.speeds.resize(1);
     one.joint.signature.resize(1);
-    for (auto &plane : one.planes)
+    for (auto &plane : one.planes) {
         plane.bands = {};
+        plane.criterion.resize(1);
+    }
     EXPECT_NO_THROW((void)write_report(sample_case(), one, folder / "b"));
 }
 
