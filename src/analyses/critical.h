@@ -12,8 +12,8 @@ namespace whirl::analyses {
 /// Orthotropic undamped: det[K - W^2 (M + S)] = 0. General: l = i W in the quadratic problem,
 /// l^2 (M - iG) + l (C - i Kc) + K, of which Im l is the speed and Re l is reported; roots with |Re
 /// l| >= Im l (no resonance peak) are left out. Bearing tables: the same with the coefficients at
-/// the speed found, iterated to 1e-10. Asymmetric rotors on equal bearings: forward, balls held, and
-/// without damping.
+/// the speed found, iterated to 1e-10. Asymmetric rotors on equal bearings: forward, balls held,
+/// and without damping.
 [[nodiscard]] CriticalResult critical_speeds(const model::Case &scene);
 
 } // namespace whirl::analyses
