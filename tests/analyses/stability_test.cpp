@@ -3,6 +3,7 @@
 #include "analyses/stability.h"
 
 #include "analyses/balancer_scenes.h"
+#include "analyses/campbell.h"
 #include "analyses/rigid_rotors.h"
 #include "analyses/show.h"
 #include "model/errors.h"
@@ -123,6 +124,28 @@ TEST(ImbalancePhase, ShowSumsTheMassesWhereTheyAre) {
     ASSERT_TRUE(result.dI);
     EXPECT_NEAR(*result.dI, std::abs(sum), 1e-12);
     EXPECT_NEAR(std::remainder(*result.dI_angle - std::arg(sum) / 2, std::acos(-1.0)), 0, 1e-12);
+}
+
+// A rotor with a balancer on supports far softer than its shaft: the slow motion on them is found
+// beside the elastic ones. 1 %: the balls, a thousandth of the mass, roll in their race.
+TEST(SoftSupports, WhirlModesOfARotorWithABalancer) {
+    for (const double k : {1e4, 1e2, 1.0}) {
+        model::Case scene;
+        scene.rotor.shaft = tests::uniform_shaft(1.2, 0.08, tests::steel());
+        scene.rotor.shaft.order = 5;
+        scene.rotor.discs = {tests::disc_at(0.3, 30, 0.3, 0.2), tests::disc_at(0.9, 30, 0.3, 0.2)};
+        scene.rotor.bearings = {tests::isotropic_bearing(0, k, 1e-4 * k),
+                                tests::isotropic_bearing(1.2, k, 1e-4 * k)};
+        scene.rotor.balancers = {tests::ball_balancer(0.3, 2, 0.05, 0.12, 0.5, 0.006)};
+        scene.speeds = model::SpeedRange{12.5, 12.5, 1};
+        const CampbellResult result = campbell(scene);
+        const double mass = 60.1 + 1.2 * tests::steel().rho * std::acos(-1.0) / 4 * 0.08 * 0.08;
+        double nearest = HUGE_VAL;
+        for (const CampbellMode &mode : result.modes)
+            nearest = std::min(
+                nearest, std::abs(mode.frequency[0].value_or(0) / std::sqrt(2 * k / mass) - 1));
+        EXPECT_LT(nearest, 0.01) << k;
+    }
 }
 
 } // namespace
