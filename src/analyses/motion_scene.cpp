@@ -219,7 +219,7 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
     }
 }
 
-/// The drive; fills final_speed and fastest.
+/// The drive; fills fastest.
 void set_drive(const model::Case &scene, MotionScene &motion) {
     const model::SimulateSettings &s = scene.simulate;
     if (s.torque) {
@@ -231,11 +231,10 @@ void set_drive(const model::Case &scene, MotionScene &motion) {
             inertia += b.n * (b.mass * std::pow(b.radius + b.arm + b.pivot, 2));
         const double free_run = start + *s.torque / inertia * s.time;
         const double limit = s.torque_slope > 0 ? *s.torque / s.torque_slope : free_run;
-        motion.final_speed = std::abs(free_run) < std::abs(limit) ? free_run : limit;
-        motion.fastest = std::max(std::abs(start), std::abs(motion.final_speed));
+        const double last = std::abs(free_run) < std::abs(limit) ? free_run : limit;
+        motion.fastest = std::max(std::abs(start), std::abs(last));
     } else {
         motion.parts.spin = s.run_up.empty() ? Spin(scene.speeds->from) : Spin(s.run_up);
-        motion.final_speed = motion.parts.spin.at(s.time, s.time).speed;
         motion.fastest = motion.parts.spin.fastest(s.time);
     }
     if (!(motion.fastest > 0))

@@ -13,7 +13,6 @@ struct MotionScene {
     MovingParts parts;
     std::vector<int> plane_of;        ///< of each balancer, index into parts.planes
     std::vector<double> start_angles; ///< of the free masses, rad
-    double final_speed = 0;           ///< rad/s, as far as it is known before (motor: an estimate)
     double fastest = 0;               ///< rad/s, |speed| (motor: a bound)
     int order = 0;                    ///< of the shaft elements
     int elements = 0;

@@ -7,6 +7,7 @@
 #include "analyses/motions.h"
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
+#include "two_plane_rotor.h"
 
 #include <gtest/gtest.h>
 
@@ -16,32 +17,18 @@
 namespace {
 
 using namespace whirl;
+using tests::stable_above;
 
 /// The rotor of Rodrigues et al. with a static eccentricity, which each of the two races balances
 /// by half; without the balls' inertia against tilting, as in the published equations.
-model::Case published_rotor(double eccentricity, double ball_mass, double race_damping = 0.01) {
-    model::Case scene = tests::rodrigues_rotor(1, eccentricity, ball_mass);
-    scene.rotor.imbalances.clear();
-    for (model::Balancer &balancer : scene.rotor.balancers) {
-        balancer.imbalance = eccentricity / 2;
-        balancer.damping = race_damping * ball_mass;
-        balancer.tilt_inertia = false;
-    }
-    return scene;
+model::Case published_rotor(double eccentricity, double ball_mass) {
+    return tests::rotor_with({eccentricity, 0, 0}, ball_mass, 0.01);
 }
 
 double growth_at(const model::Case &scene, double speed) {
     const analyses::MotionSolver solver(scene.rotor, analyses::Form::rotating, 1,
                                         analyses::arrangement_at_balance(scene.rotor), 0);
     return analyses::growth_of(solver.at(speed));
-}
-
-/// The speed above which the balanced position is stable up to `to`.
-double stable_above(model::Case scene, double from, double to) {
-    scene.speeds = model::SpeedRange{from, to, 81};
-    const auto bands = analyses::unstable_bands_of(scene, scene.rotor,
-                                                   analyses::arrangement_at_balance(scene.rotor));
-    return bands.empty() ? from : bands.back().second;
 }
 
 // Hopf bounds computed from the published equations, four digits printed.
