@@ -1,4 +1,5 @@
 #include "analyses/balance_pendulum_motion.h"
+#include "analyses/support_damping.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
@@ -54,12 +55,7 @@ Eigen::MatrixXd with_bearings(const assembly::Discretization &d, Eigen::MatrixXd
 }
 
 Sparse support_damping(const assembly::Discretization &d, double speed) {
-    std::vector<Eigen::Triplet<double>> entries;
-    assembly::assemble_supports(
-        d, speed, [&entries](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
-            if (term == assembly::Term::damping)
-                entries.emplace_back(i, j, block(0, 0));
-        });
+    const auto entries = planar_support_damping(d, speed);
     Sparse C(d.planar_size(), d.planar_size());
     C.setFromTriplets(entries.begin(), entries.end());
     return C;

@@ -1,5 +1,6 @@
 #include "analyses/balance_receptance.h"
 
+#include "analyses/support_damping.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 
@@ -45,12 +46,7 @@ struct Terms {
 
 Terms planar_terms(const assembly::Discretization &d, double speed) {
     const assembly::PlanarSystem system = assembly::assemble_planar(d, speed);
-    std::vector<Eigen::Triplet<double>> damping;
-    assembly::assemble_supports(
-        d, speed, [&damping](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
-            if (term == assembly::Term::damping)
-                damping.emplace_back(i, j, block(0, 0));
-        });
+    const auto damping = planar_support_damping(d, speed);
     Sparse C(d.planar_size(), d.planar_size());
     C.setFromTriplets(damping.begin(), damping.end());
     Terms terms;

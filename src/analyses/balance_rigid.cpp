@@ -1,6 +1,7 @@
 #include "analyses/balance_rigid.h"
 
 #include "analyses/balance_twin.h"
+#include "analyses/show_inertia.h"
 #include "assembly/system.h"
 #include "closed_form/rigid_rotor_criterion.h"
 
@@ -40,13 +41,6 @@ Eigen::Matrix2d condensed(const Eigen::MatrixXd &K) {
                                                 .solve(K.bottomLeftCorner(pedestals, 2));
 }
 
-std::string type_name(double A, double C) {
-    // Inputs carry nine digits or more where a spherical rotor is meant.
-    if (std::abs(A - C) <= 1e-9 * std::max(A, C))
-        return "spherical";
-    return A > C ? "long" : "short";
-}
-
 } // namespace
 
 std::optional<RigidEquivalent> rigid_equivalent(const model::Rotor &rotor, double bearing_speed) {
@@ -64,7 +58,7 @@ std::optional<RigidEquivalent> rigid_equivalent(const model::Rotor &rotor, doubl
     out.center = rotor.shaft.length() / 2 + arm;
     out.diametral = M(1, 1) - M(0, 0) * arm * arm;
     out.polar = G(1, 1);
-    out.type = type_name(out.diametral, out.polar);
+    out.type = rigid_type(out.diametral, out.polar);
     if (out.type == "spherical")
         out.polar = out.diametral;
     out.k11 = K(0, 0);

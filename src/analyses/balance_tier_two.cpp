@@ -23,15 +23,6 @@ std::vector<SpeedBand> rest_of(const std::vector<SpeedInterval> &bands, double f
     return rest;
 }
 
-std::vector<SpeedBand> common(const std::vector<SpeedBand> &a, const std::vector<SpeedBand> &b) {
-    std::vector<SpeedBand> out;
-    for (const SpeedBand &x : a)
-        for (const SpeedBand &y : b)
-            if (std::max(x.from, y.from) < std::min(x.to, y.to))
-                out.push_back({std::max(x.from, y.from), std::min(x.to, y.to)});
-    return out;
-}
-
 /// Arrangements looked at where the balls have a choice; each takes a search of its own.
 constexpr int arrangements = 6;
 
@@ -40,24 +31,18 @@ BalancedPosition stable_speeds(const model::Case &scene) {
     const double to = scene.speeds->to;
     BalancedPosition out;
     std::vector<SpeedInterval> sometimes_unstable;
-    std::vector<SpeedBand> always_unstable;
+    std::vector<SpeedInterval> always_unstable;
     for (const Arrangement &arrangement : sampled_arrangements(scene.rotor, arrangements)) {
         const std::vector<SpeedInterval> unstable =
             unstable_bands_of(scene, scene.rotor, arrangement);
-        std::vector<SpeedBand> bands;
-        for (const SpeedInterval &band : unstable)
-            bands.push_back({band.first, band.second});
         if (out.arrangements == 0)
             out.bands = rest_of(unstable, from, to);
-        always_unstable = out.arrangements == 0 ? bands : common(always_unstable, bands);
+        always_unstable = out.arrangements == 0 ? unstable : common(always_unstable, unstable);
         sometimes_unstable.insert(sometimes_unstable.end(), unstable.begin(), unstable.end());
         ++out.arrangements;
     }
-    std::vector<SpeedInterval> always;
-    for (const SpeedBand &band : always_unstable)
-        always.emplace_back(band.from, band.to);
     out.with_every = rest_of(joined(sometimes_unstable), from, to);
-    out.with_some = rest_of(always, from, to);
+    out.with_some = rest_of(always_unstable, from, to);
     return out;
 }
 

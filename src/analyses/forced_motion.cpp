@@ -1,5 +1,6 @@
 #include "analyses/forced_motion.h"
 
+#include "analyses/support_damping.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 
@@ -13,17 +14,6 @@ namespace whirl::analyses {
 namespace {
 
 constexpr std::complex<double> imaginary_unit(0, 1);
-
-/// Damping of the supports in one plane; that of the shaft does not act in circular whirl.
-linalg::Matrix planar_support_damping(const assembly::Discretization &d, double speed) {
-    std::vector<Eigen::Triplet<double>> entries;
-    assembly::assemble_supports(
-        d, speed, [&entries](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
-            if (term == assembly::Term::damping)
-                entries.emplace_back(i, j, block(0, 0));
-        });
-    return linalg::Matrix::from_entries(d.planar_size(), entries);
-}
 
 } // namespace
 
@@ -41,7 +31,8 @@ void ForcedMotion::assemble(double bearing_speed) {
         const assembly::PlanarSystem system =
             assembly::assemble_planar(_discretization, bearing_speed);
         const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
-        const linalg::Matrix C = planar_support_damping(_discretization, bearing_speed);
+        const linalg::Matrix C = linalg::Matrix::from_entries(
+            _discretization.planar_size(), planar_support_damping(_discretization, bearing_speed));
         _solver = std::make_unique<linalg::HarmonicSolver>(
             linalg::HarmonicTerms{&M_G, &C, nullptr, &system.K, nullptr});
     } else {

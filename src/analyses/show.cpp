@@ -25,14 +25,6 @@ Inertia whole_inertia(const model::Rotor &rotor, const Inertia &shaft) {
     return sum;
 }
 
-std::string rigid_type(double Id, double Ip) {
-    // Inputs carry nine digits or more where a spherical rotor is meant.
-    constexpr double equal = 1e-9;
-    if (std::abs(Id - Ip) <= equal * std::max(Id, Ip))
-        return "spherical";
-    return Id > Ip ? "long" : "short";
-}
-
 } // namespace
 
 ShowResult show(const model::Case &scene) {

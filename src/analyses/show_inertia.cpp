@@ -4,6 +4,9 @@
 #include "elements/quadrature.h"
 #include "elements/section.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace whirl::analyses {
 
 Inertia &Inertia::operator+=(const Inertia &other) {
@@ -54,6 +57,14 @@ Inertia inertia_of(const model::Balancer &balancer) {
     const double polar = own.balls + own.imbalance;
     // Point masses in one plane: the mean diametral inertia is half the polar one.
     return {mass, mass * balancer.z, mass * balancer.z * balancer.z + polar / 2, polar};
+}
+
+std::string rigid_type(double Id, double Ip) {
+    // Inputs carry nine digits or more where a spherical rotor is meant.
+    constexpr double equal = 1e-9;
+    if (std::abs(Id - Ip) <= equal * std::max(Id, Ip))
+        return "spherical";
+    return Id > Ip ? "long" : "short";
 }
 
 } // namespace whirl::analyses

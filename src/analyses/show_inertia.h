@@ -3,6 +3,8 @@
 #include "mesh/shaft_mesh.h"
 #include "model/rotor.h"
 
+#include <string>
+
 namespace whirl::analyses {
 
 /// Moments of the mass over z = 0 with the parts' inertias about their own centres: they add up
@@ -25,5 +27,8 @@ struct Inertia {
 [[nodiscard]] Inertia inertia_of(const model::Disc &disc);
 /// Balls, or pendulums at rest, with the imbalance where it is a point mass.
 [[nodiscard]] Inertia inertia_of(const model::Balancer &balancer);
+
+/// "long", "spherical" or "short", by diametral and polar inertia (kg m2); equal within 1e-9.
+[[nodiscard]] std::string rigid_type(double Id, double Ip);
 
 } // namespace whirl::analyses

@@ -63,17 +63,6 @@ std::vector<SpeedInterval> intervals_of(const std::vector<std::vector<double>> &
     return out;
 }
 
-/// What both lists of bands have in common.
-std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
-                                  const std::vector<SpeedInterval> &b) {
-    std::vector<SpeedInterval> out;
-    for (const SpeedInterval &x : a)
-        for (const SpeedInterval &y : b)
-            if (std::max(x.first, y.first) < std::min(x.second, y.second))
-                out.emplace_back(std::max(x.first, y.first), std::min(x.second, y.second));
-    return out;
-}
-
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
 void sharpen(std::vector<SpeedInterval> &bands, const std::vector<StandingSpeed> &standing) {
     for (SpeedInterval &band : bands)

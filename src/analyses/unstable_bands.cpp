@@ -311,6 +311,16 @@ std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
     return out;
 }
 
+std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
+                                  const std::vector<SpeedInterval> &b) {
+    std::vector<SpeedInterval> out;
+    for (const SpeedInterval &x : a)
+        for (const SpeedInterval &y : b)
+            if (std::max(x.first, y.first) < std::min(x.second, y.second))
+                out.emplace_back(std::max(x.first, y.first), std::min(x.second, y.second));
+    return out;
+}
+
 std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector<double> &speeds) {
     Known known;
     std::vector<std::pair<double, double>> seeds; // an unstable speed, a first step from it

@@ -31,6 +31,10 @@ using MotionsAt = std::function<std::vector<Motion>(double speed)>;
 /// Where instability is strongest in a band found, rad/s.
 [[nodiscard]] double strongest_speed(const MotionsAt &at, const SpeedInterval &band);
 
+/// What both lists of bands have in common.
+[[nodiscard]] std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
+                                                const std::vector<SpeedInterval> &b);
+
 /// Joins bands that touch or overlap; ascending.
 [[nodiscard]] std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands);
 
