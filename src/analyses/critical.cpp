@@ -1,6 +1,7 @@
 #include "analyses/critical.h"
 
 #include "analyses/discretization_error.h"
+#include "analyses/finer_model.h"
 #include "analyses/synchronous.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
@@ -159,6 +160,26 @@ void refuse_hill(Form form) {
             "campbell shows the crossings with 1x, stability the unstable bands");
 }
 
+/// Modes of one kind in the order of their speeds: none of the finer model is above its like.
+std::vector<double> errors_by_place(const Spectrum &coarse, const Spectrum &fine, Form form) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < coarse.modes.size(); ++i) {
+        const WhirlMode &mode = coarse.modes[i];
+        const auto alike = [&](const WhirlMode &other) {
+            return form != Form::planar || other.whirl == mode.whirl;
+        };
+        auto before = std::count_if(coarse.modes.begin(),
+                                    coarse.modes.begin() + static_cast<std::ptrdiff_t>(i), alike);
+        const auto found = std::find_if(fine.modes.begin(), fine.modes.end(),
+                                        [&](const auto &m) { return alike(m) && before-- == 0; });
+        errors.push_back(found == fine.modes.end()
+                             ? std::numeric_limits<double>::infinity()
+                             : estimate_safety * std::abs(found->eigenvalue - mode.eigenvalue) /
+                                   std::abs(mode.eigenvalue));
+    }
+    return errors;
+}
+
 } // namespace
 
 CriticalResult critical_speeds(const model::Case &as_given) {
@@ -175,9 +196,7 @@ CriticalResult critical_speeds(const model::Case &as_given) {
     model.unknowns = form == Form::planar ? d.planar_size() : 2 * d.planar_size();
     try {
         const Found found = solve_in_range(scene, form, d);
-        const bool classical = model.order == 1;
-        const assembly::Discretization finer(scene.rotor, classical ? 1 : model.order + 1,
-                                             classical ? 2 : 1);
+        const assembly::Discretization finer(scene.rotor, finer_order(model.order));
         Spectrum coarse;
         Spectrum fine;
         coarse.modes = found.modes;
@@ -186,7 +205,7 @@ CriticalResult critical_speeds(const model::Case &as_given) {
                 solve(scene.rotor, form, finer, static_cast<int>(found.modes.size()) + 2).modes;
         const std::vector<double> errors = scene.rotor.shaft.rigid
                                                ? std::vector<double>(found.modes.size(), 0.0)
-                                               : discretization_errors(coarse, fine, model.order);
+                                               : errors_by_place(coarse, fine, form);
         for (std::size_t i = 0; i < found.modes.size(); ++i) {
             const WhirlMode &mode = found.modes[i];
             result.critical_speeds.push_back(

@@ -30,10 +30,10 @@ WhirlMode mode_of(const linalg::RealPair &pair) {
 /// Positive roots W of det[K - W^2 A] where K lets rigid motions free: as eigenvalues of the even
 /// quadratic problem about a shift; the roots at zero are left out.
 std::vector<linalg::RealPair> free_roots(const Discretization &d, bool planar, const Matrix &K,
-                                         const Matrix &M, const Matrix &A, int wanted) {
+                                         double speed, const Matrix &A, int wanted) {
     const Matrix minus_A = Matrix::sum(-1, A, 0, A);
     const Matrix none = Matrix::sum(0, A, 0, A);
-    const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, M, none, K);
+    const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, speed, 0);
     linalg::QuadraticOptions options;
     options.shift = 0.3 * elastic_scale(d);
     options.zeros = zeros.eigenvalues;
@@ -67,14 +67,13 @@ std::vector<linalg::RealPair> lifted_roots(const Discretization &d, const Matrix
 }
 
 std::vector<linalg::RealPair> roots(const Discretization &d, bool planar, const Matrix &K,
-                                    const Matrix &M, const Matrix &A, int wanted) {
-    const Matrix none = Matrix::sum(0, A, 0, A);
-    const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, M, none, K);
+                                    double speed, const Matrix &A, int wanted) {
+    const ZeroModes zeros = zero_modes(d, planar ? Form::planar : Form::hyperbolic, speed, 0);
     if (zeros.eigenvalues > 0) {
         try {
             return lifted_roots(d, K, A, wanted, zeros.eigenvalues);
         } catch (const linalg::SolverError &) {
-            return free_roots(d, planar, K, M, A, wanted);
+            return free_roots(d, planar, K, speed, A, wanted);
         }
     }
     return linalg::DefinitePair(K, A).smallest(wanted);
@@ -85,7 +84,7 @@ std::vector<WhirlMode> planar_modes(const Discretization &d, double speed, int w
     std::vector<WhirlMode> out;
     for (const bool forward : {true, false}) {
         const Matrix A = Matrix::sum(1, system.M, forward ? -1 : 1, system.G);
-        for (const linalg::RealPair &pair : roots(d, true, system.K, system.M, A, wanted)) {
+        for (const linalg::RealPair &pair : roots(d, true, system.K, speed, A, wanted)) {
             out.push_back(mode_of(pair));
             out.back().whirl = forward ? Whirl::forward : Whirl::backward;
             out.back().forward_fraction = forward ? 1 : 0;
@@ -111,7 +110,7 @@ std::vector<WhirlMode> hyperbolic_modes(const Discretization &d, double speed, i
     const assembly::FixedSystem system = assembly::assemble_fixed(d, speed);
     const Matrix A = Matrix::sum(1, system.M, 1, assembly::hyperbolic_coupling(d));
     std::vector<WhirlMode> out;
-    for (const linalg::RealPair &pair : roots(d, false, system.K, system.M, A, wanted))
+    for (const linalg::RealPair &pair : roots(d, false, system.K, speed, A, wanted))
         out.push_back(mode_of(pair));
     set_sense(d, true, out);
     return out;
@@ -162,7 +161,7 @@ std::vector<WhirlMode> general_modes(const Discretization &d, double speed, int 
     const Matrix M = doubled(system.M, &system.G);
     const Matrix D = doubled(system.C, &system.Kc);
     const Matrix K = doubled(system.K, nullptr);
-    const ZeroModes zeros = zero_modes(d, Form::general, system.M, system.C, system.K);
+    const ZeroModes zeros = zero_modes(d, Form::general, speed, 0);
     linalg::QuadraticOptions options;
     options.zeros = 2 * zeros.eigenvalues;
     if (zeros.eigenvalues > 0)
