@@ -72,7 +72,7 @@ std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) c
     std::vector<WhirlMode> out = zeros.modes;
     // In real form every mode stands twice, as +w and -w.
     linalg::ShiftedOptions options;
-    options.nullity = static_cast<int>(zeros.motions.cols());
+    options.null_space = zeros.motions;
     options.s = speed;
     options.shift = 0.3 * elastic_scale(_discretization);
     options.wanted = std::min(2 * _M.size() - 1, (_planar ? wanted : 2 * wanted) + 2);

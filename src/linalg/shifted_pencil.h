@@ -9,7 +9,7 @@ namespace whirl::linalg {
 
 /// What ShiftedPencil is asked for.
 struct ShiftedOptions {
-    int nullity = 0;  ///< dimension of the null space of K
+    Eigen::MatrixXd null_space; ///< of K, one vector a column
     double s = 0;     ///< the parameter (spin speed)
     double shift = 0; ///< real, not an eigenvalue, rad/s
     int wanted = 0;   ///< eigenvalues of least modulus, zeros included
