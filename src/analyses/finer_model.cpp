@@ -73,8 +73,8 @@ std::vector<double> FinerModel::errors_by_place(const Spectrum &coarse) const {
 /// farthest counts: where shapes do not tell which is which, the larger error is stated.
 std::vector<double> FinerModel::errors_by_shape(const Spectrum &coarse) const {
     constexpr double nearly = 0.5;
-    const Spectrum fine =
-        _fine->at(coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));
+    const Spectrum fine = _fine->at(
+        coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));
     const Eigen::Index n = 2 * _mass.rows();
     const auto plane = [n](const Eigen::VectorXcd &shape, int which) {
         return Eigen::VectorXcd(shape(Eigen::seqN(which, n / 2, 2)));
@@ -93,8 +93,8 @@ std::vector<double> FinerModel::errors_by_shape(const Spectrum &coarse) const {
         const Eigen::VectorXcd shape = embedded(mode.shape);
         std::vector<double> likeness;
         for (std::size_t i = 0; i < fine.modes.size(); ++i)
-            likeness.push_back(size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i]
-                                           : 0);
+            likeness.push_back(
+                size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i] : 0);
         const double best =
             likeness.empty() ? 0 : *std::max_element(likeness.begin(), likeness.end());
         double error = best > 0 ? 0 : unknown;

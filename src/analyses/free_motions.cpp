@@ -15,8 +15,8 @@ namespace {
 /// apart (nearer ones are one station): a singular value of a third of that still constrains.
 constexpr double unconstrained = 1e-12;
 
-/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by one shaft
-/// length, and each pedestal alone.
+/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by one
+/// shaft length, and each pedestal alone.
 class RigidCoordinates {
   public:
     explicit RigidCoordinates(const assembly::Discretization &d) : _d(d) {
@@ -126,32 +126,33 @@ struct RigidMatrices {
         M = Eigen::MatrixXd::Zero(m, m);
         G = M;
         C = Eigen::MatrixXd::Zero(2 * m, 2 * m);
-        assembly::assemble_rotating_parts(
-            d, [&](assembly::Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-                if (term != assembly::Term::mass && term != assembly::Term::gyroscopic)
-                    return;
-                Eigen::MatrixXd local(std::ssize(unknowns), m);
-                for (Eigen::Index i = 0; i < local.rows(); ++i)
-                    local.row(i) = R.row(unknowns[static_cast<std::size_t>(i)]);
-                (term == assembly::Term::mass ? M : G) += local.transpose() * block * local;
-            });
+        assembly::assemble_rotating_parts(d, [&](assembly::Term term, std::span<const int> unknowns,
+                                                 const Eigen::MatrixXd &block) {
+            if (term != assembly::Term::mass && term != assembly::Term::gyroscopic)
+                return;
+            Eigen::MatrixXd local(std::ssize(unknowns), m);
+            for (Eigen::Index i = 0; i < local.rows(); ++i)
+                local.row(i) = R.row(unknowns[static_cast<std::size_t>(i)]);
+            (term == assembly::Term::mass ? M : G) += local.transpose() * block * local;
+        });
         // Of what the shaft carries; its pedestals stay where they are.
         centre << -M(0, 1) / M(0, 0), 1;
-        assembly::assemble_supports(d, bearing_speed,
-                                    [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &b) {
-                                        const Eigen::MatrixXd product = R.row(i).transpose() * R.row(j);
-                                        if (term == assembly::Term::mass)
-                                            M += b(0, 0) * product;
-                                        if (term == assembly::Term::damping)
-                                            for (int p = 0; p < 2; ++p)
-                                                for (int q = 0; q < 2; ++q)
-                                                    C.block(p * m, q * m, m, m) += b(p, q) * product;
-                                    });
+        assembly::assemble_supports(
+            d, bearing_speed, [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &b) {
+                const Eigen::MatrixXd product = R.row(i).transpose() * R.row(j);
+                if (term == assembly::Term::mass)
+                    M += b(0, 0) * product;
+                if (term == assembly::Term::damping)
+                    for (int p = 0; p < 2; ++p)
+                        for (int q = 0; q < 2; ++q)
+                            C.block(p * m, q * m, m, m) += b(p, q) * product;
+            });
     }
 };
 
 /// The same null space by translation and tilt about the centre of mass, where it has these two.
-Eigen::MatrixXd by_translation_and_tilt(const Eigen::MatrixXd &null, const Eigen::Vector2d &centre) {
+Eigen::MatrixXd by_translation_and_tilt(const Eigen::MatrixXd &null,
+                                        const Eigen::Vector2d &centre) {
     if (null.cols() != 2 || std::abs(null.topRows(2).determinant()) < 1e-3)
         return null;
     Eigen::Matrix2d wanted;
@@ -160,7 +161,8 @@ Eigen::MatrixXd by_translation_and_tilt(const Eigen::MatrixXd &null, const Eigen
 }
 
 /// Columns in x and y in turn where both planes are free alike, else whatever is free.
-Eigen::MatrixXd real_coordinates(const Constraints &constraints, int m, const Eigen::Vector2d &centre) {
+Eigen::MatrixXd real_coordinates(const Constraints &constraints, int m,
+                                 const Eigen::Vector2d &centre) {
     const Eigen::MatrixXd x = constraints.null_space(0, m);
     const Eigen::MatrixXd y = constraints.null_space(m, m);
     const Eigen::MatrixXd all = constraints.null_space(0, 2 * m);

@@ -81,9 +81,9 @@ LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver,
         std::vector<double> follows(spectra.size(), 1);
         for (std::size_t k = 0; k < spectra.size() && !series; ++k)
             if (lines[i].place[k] != Line::absent)
-                follows[k] = residual.of(
-                    spectra[k].modes[static_cast<std::size_t>(lines[i].place[k])],
-                    spectra[k].speed);
+                follows[k] =
+                    residual.of(spectra[k].modes[static_cast<std::size_t>(lines[i].place[k])],
+                                spectra[k].speed);
         carry(errors[i], follows);
     }
     return errors;

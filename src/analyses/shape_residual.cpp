@@ -67,8 +67,8 @@ double ShapeResidual::energy(const Eigen::VectorXcd &plane, Complex rate, double
         const Eigen::VectorXcd u = own_motion(e.span, plane);
         const Eigen::VectorXcd residual =
             squared * (e.M * u) + coupling * (e.G * u) + Eigen::VectorXcd(e.K * u);
-        const Eigen::MatrixXcd Q2 = squared * e.M2.cast<Complex>() +
-                                    coupling * e.G2.cast<Complex>() + e.K2.cast<Complex>();
+        const Eigen::MatrixXcd Q2 =
+            squared * e.M2.cast<Complex>() + coupling * e.G2.cast<Complex>() + e.K2.cast<Complex>();
         sum += std::abs(residual.dot(linalg::solve_small(Q2, residual)));
     }
     return sum;

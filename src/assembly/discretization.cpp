@@ -101,7 +101,8 @@ elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices 
 std::vector<int> Discretization::beam_unknowns(int span) const {
     std::vector<int> unknowns;
     for (int end = 0; end < 2; ++end)
-        for (const Combination &motion : {deflection_at_node(span + end), slope_at_node(span + end)})
+        for (const Combination &motion :
+             {deflection_at_node(span + end), slope_at_node(span + end)})
             for (const auto &[unknown, value] : motion)
                 if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end())
                     unknowns.push_back(unknown);

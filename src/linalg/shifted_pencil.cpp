@@ -28,9 +28,9 @@ Sparse factor(const Sparse &A) {
     return llt.matrixL();
 }
 
-/// L with K = L L^T for a positive semidefinite K whose null space N is known: as many unknowns as N
-/// has columns, those by which its motions differ most, depend on the others in what strains,
-/// K = B K_rr B^T with B = [1; W], W = -N_p^-T N_r^T. Small pivots need not be told from zeros.
+/// L with K = L L^T for a positive semidefinite K whose null space N is known: as many unknowns as
+/// N has columns, those by which its motions differ most, depend on the others in what strains, K =
+/// B K_rr B^T with B = [1; W], W = -N_p^-T N_r^T. Small pivots need not be told from zeros.
 Sparse semidefinite_factor(const Sparse &K, const Eigen::MatrixXd &N) {
     if (N.cols() == 0)
         return factor(K);
@@ -95,8 +95,7 @@ class Shifted {
         : _scale(unit_diagonal(K)), _K(scaled(_scale, K)), _M(scaled(_scale, M)),
           _S(scaled(_scale, S)), _s(options.s), _shift(options.shift),
           _L(semidefinite_factor(_K, _scale.cwiseInverse().asDiagonal() * options.null_space)),
-          _F(factor(_M)),
-          _Lt(_L.transpose()), _Ft(_F.transpose()) {
+          _F(factor(_M)), _Lt(_L.transpose()), _Ft(_F.transpose()) {
         _lu.compute(at(_shift));
         if (_lu.info() != Eigen::Success)
             throw SolverError("the matrix at the shift is singular");
