@@ -1,6 +1,6 @@
 #include "analyses/accuracy.h"
 
-#include "analyses/finer_model.h"
+#include "analyses/error_estimate.h"
 #include "analyses/spectrum.h"
 #include "analyses/speeds.h"
 #include "assembly/discretization.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/error_estimate.h"
 #include "analyses/spectrum.h"
 
 #include <Eigen/SparseCore>
@@ -8,14 +9,6 @@
 #include <vector>
 
 namespace whirl::analyses {
-
-/// Order of the finer model for error estimates: four more on the same mesh. Two more would be as
-/// good as the truth where the order resolves the mode; four are so where it hardly does, and the
-/// functions of both parities about the middle of an element take part.
-[[nodiscard]] constexpr int finer_order(int order) { return order + 4; }
-
-/// Safety on the difference to the finer model, for what that one still misses.
-constexpr double estimate_safety = 1.25;
 
 /// The same rotor at finer_order on the same mesh: its functions contain those of the coarse model,
 /// so that a coarse mode can be written down in its unknowns and found again among its modes.

@@ -1,5 +1,5 @@
 #include "analyses/accuracy.h"
-#include "analyses/finer_model.h"
+#include "analyses/error_estimate.h"
 
 #include "analyses/scenes.h"
 #include "closed_form/beam_frequencies.h"
