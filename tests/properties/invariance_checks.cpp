@@ -1,0 +1,221 @@
+#include "properties/invariance_checks.h"
+
+#include "analyses/campbell.h"
+#include "analyses/critical.h"
+#include "analyses/formulation.h"
+#include "properties/long_checks.h"
+#include "properties/random_scenes.h"
+#include "properties/spectra_difference.h"
+#include "properties/transforms.h"
+
+#include <cmath>
+
+namespace whirl::properties {
+
+namespace {
+
+using Answer = std::optional<std::string>;
+
+const std::vector<std::size_t> all_speeds{0, 1, 2};
+
+/// Whirl modes and critical speeds of the changed scene against those of the scene itself.
+std::string differences(InvarianceScene &s, const model::Case &changed,
+                        const Allowance &allowance = {}) {
+    const int modes = s.scene().campbell.modes;
+    std::string out = spectra_difference(s.campbell(), all_speeds, analyses::campbell(changed),
+                                         all_speeds, modes, allowance);
+    if (out.empty() && !s.turning_parts())
+        out = critical_difference(s.critical(), analyses::critical_speeds(changed), modes - 1,
+                                  allowance);
+    return out;
+}
+
+Answer turned_axes(InvarianceScene &s) { return differences(s, turned(s.scene(), 0.7)); }
+
+Answer mirrored_rotor(InvarianceScene &s) { return differences(s, mirrored(s.scene())); }
+
+/// Powers of two, so that not a digit changes unless a number of the program has a dimension.
+Answer other_units(InvarianceScene &s) {
+    const Units units{std::ldexp(1.0, s.draw().integer(-12, 12)),
+                      std::ldexp(1.0, s.draw().integer(-12, 12)),
+                      std::ldexp(1.0, s.draw().integer(-8, 8))};
+    const model::Case changed = in_units(s.scene(), units);
+    analyses::CampbellResult result = analyses::campbell(changed);
+    for (analyses::CampbellMode &mode : result.modes) {
+        for (auto *list : {&mode.frequency, &mode.real})
+            for (std::optional<double> &value : *list)
+                if (value)
+                    *value *= units.time;
+        for (std::optional<double> &error : mode.error)
+            if (error)
+                error = 0;
+    }
+    analyses::CampbellResult here = s.campbell();
+    for (analyses::CampbellMode &mode : here.modes)
+        for (std::optional<double> &error : mode.error)
+            if (error)
+                error = 0;
+    return spectra_difference(here, all_speeds, result, all_speeds, s.scene().campbell.modes,
+                              {1e-10, false, true});
+}
+
+Answer split_segments(InvarianceScene &s) { return differences(s, split(s.scene(), s.draw())); }
+
+Answer other_order(InvarianceScene &s) { return differences(s, permuted(s.scene())); }
+
+Answer other_names(InvarianceScene &s) {
+    const analyses::CampbellResult result = analyses::campbell(renamed(s.scene()));
+    if (result.modes.size() != s.campbell().modes.size())
+        return "another number of modes";
+    for (std::size_t i = 0; i < result.modes.size(); ++i) {
+        const analyses::CampbellMode &a = s.campbell().modes[i];
+        const analyses::CampbellMode &b = result.modes[i];
+        if (a.label != b.label || a.frequency != b.frequency || a.error != b.error)
+            return a.label + " is not what it was";
+    }
+    return "";
+}
+
+Answer negative_spin(InvarianceScene &s) {
+    if (s.tables())
+        return std::nullopt;
+    analyses::CampbellResult result = analyses::campbell(reflected(s.scene()));
+    return spectra_difference(s.campbell(), {0, 1, 2}, result, {2, 1, 0}, s.scene().campbell.modes,
+                              {});
+}
+
+Answer finer_grid(InvarianceScene &s) {
+    model::Case changed = s.scene();
+    changed.speeds->count = 5;
+    const analyses::CampbellResult result = analyses::campbell(changed);
+    std::string out = spectra_difference(s.campbell(), all_speeds, result, {0, 2, 4},
+                                         s.scene().campbell.modes, {});
+    if (!out.empty())
+        return out;
+    out = crossing_difference(s.campbell(), result, 1e-8);
+    return out.empty() ? out : "crossing " + out;
+}
+
+Answer finer_mesh(InvarianceScene &s) {
+    model::Case changed = s.scene();
+    for (model::Segment &segment : changed.rotor.shaft.segments)
+        segment.elements *= 2;
+    return differences(s, changed);
+}
+
+Answer vanishing_anisotropy(InvarianceScene &s) {
+    if (s.turning_parts() || !s.scene().rotor.bearings_rotation_invariant())
+        return std::nullopt;
+    model::Case changed = s.scene();
+    const model::Disc &disc = changed.rotor.discs.front();
+    changed.rotor.anisotropies.push_back({"", disc.z, 1e-9 * disc.Ip, 0.3});
+    return spectra_difference(s.campbell(), all_speeds, analyses::campbell(changed), all_speeds,
+                              s.scene().campbell.modes, {1e-7, false, true});
+}
+
+Answer vanishing_balls(InvarianceScene &s) {
+    if (s.turning_parts() || !s.scene().rotor.bearings_rotation_invariant())
+        return std::nullopt;
+    model::Case changed = s.scene();
+    model::Balancer balls;
+    balls.z = changed.rotor.discs.front().z;
+    balls.n = 2;
+    balls.mass = 1e-10 * changed.rotor.discs.front().mass;
+    balls.radius = 0.1 * changed.rotor.shaft.length();
+    balls.damping = 150 * balls.mass;
+    balls.imbalance = balls.mass * balls.radius;
+    changed.rotor.balancers.push_back(balls);
+    changed.campbell.modes += 6; // the balls' own motions lie between
+    return spectra_difference(s.campbell(), all_speeds, analyses::campbell(changed), all_speeds,
+                              s.scene().campbell.modes, {1e-6, true, false});
+}
+
+Answer nearly_at_rest(InvarianceScene &s) {
+    model::Case rest = s.scene();
+    rest.speeds = model::SpeedRange{0, 0, 1};
+    model::Case slow = rest;
+    slow.speeds = model::SpeedRange{1e-8, 1e-8, 1};
+    return spectra_difference(analyses::campbell(rest), {0}, analyses::campbell(slow), {0},
+                              s.scene().campbell.modes - 1, {1e-8, false, false});
+}
+
+Answer other_form(InvarianceScene &s) {
+    const analyses::Form form = analyses::choose_formulation(s.scene()).form;
+    if (form == analyses::Form::hill)
+        return std::nullopt;
+    model::Case changed = s.scene();
+    if (form == analyses::Form::planar && s.draw().chance(0.3))
+        changed.formulation = model::FormChoice::hyperbolic;
+    else if (form == analyses::Form::general || form == analyses::Form::rotating) {
+        if (s.turning_parts() || !s.scene().rotor.bearings_rotation_invariant())
+            return std::nullopt;
+        changed.formulation = model::FormChoice::rotating;
+    } else {
+        changed.formulation = model::FormChoice::general;
+    }
+    return spectra_difference(s.campbell(), all_speeds, analyses::campbell(changed), all_speeds,
+                              s.scene().campbell.modes, {});
+}
+
+} // namespace
+
+InvarianceScene::InvarianceScene(int number)
+    : _scene(random_scene(number)), _draw(static_cast<std::uint64_t>(number) + 77777777) {}
+
+const analyses::CampbellResult &InvarianceScene::campbell() {
+    if (!_campbell)
+        _campbell = analyses::campbell(_scene);
+    return *_campbell;
+}
+
+const analyses::CriticalResult &InvarianceScene::critical() {
+    if (!_critical)
+        _critical = analyses::critical_speeds(_scene);
+    return *_critical;
+}
+
+std::string InvarianceScene::words() const {
+    const model::Rotor &r = _scene.rotor;
+    std::string out = analyses::form_name(analyses::choose_formulation(_scene).form);
+    out += ", order " + std::to_string(r.shaft.order);
+    if (tables())
+        out += ", tables";
+    if (r.damped())
+        out += ", damped";
+    if (r.shaft.internal_damping != 0)
+        out += ", internal damping";
+    if (!r.balancers.empty())
+        out += ", balls";
+    if (!r.anisotropies.empty())
+        out += ", anisotropy";
+    return out;
+}
+
+const std::vector<Invariance> &invariances() {
+    static const std::vector<Invariance> all{
+        {"turned axes", turned_axes},
+        {"mirrored rotor", mirrored_rotor},
+        {"other units", other_units},
+        {"split segments", split_segments},
+        {"entries in another order", other_order},
+        {"other names", other_names},
+        {"negative spin", negative_spin},
+        {"finer grid", finer_grid},
+        {"finer mesh", finer_mesh},
+        {"anisotropy to nothing", vanishing_anisotropy},
+        {"balls to nothing", vanishing_balls},
+        {"nearly at rest", nearly_at_rest},
+        {"another form of the equations", other_form},
+        {"static deflection", static_response},
+        {"response, turned axes", turned_response},
+        {"response, mirrored rotor", mirrored_response},
+        {"stability, turned axes", turned_stability, true},
+        {"stability, mirrored rotor", mirrored_stability, true},
+        {"stability, finer grid", finer_stability, true},
+        {"balance, turned axes", turned_balance, true},
+        {"balance, mirrored rotor", mirrored_balance, true},
+    };
+    return all;
+}
+
+} // namespace whirl::properties

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "analyses/results.h"
+#include "model/case.h"
+#include "properties/draw.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::properties {
+
+/// One scene with the answers everything is compared with, computed when first asked for.
+class InvarianceScene {
+  public:
+    explicit InvarianceScene(int number);
+
+    [[nodiscard]] const model::Case &scene() const { return _scene; }
+    [[nodiscard]] Draw &draw() { return _draw; }
+    const analyses::CampbellResult &campbell();
+    const analyses::CriticalResult &critical();
+    /// What it is made of, for messages.
+    [[nodiscard]] std::string words() const;
+    [[nodiscard]] bool tables() const { return _scene.rotor.bearings_depend_on_speed(); }
+    [[nodiscard]] bool turning_parts() const { return _scene.rotor.rotating_anisotropy(); }
+
+  private:
+    model::Case _scene;
+    Draw _draw;
+    std::optional<analyses::CampbellResult> _campbell;
+    std::optional<analyses::CriticalResult> _critical;
+};
+
+/// Something that must not change an answer.
+struct Invariance {
+    std::string name;
+    /// nullopt: does not apply to this scene; empty: holds; else how it is broken.
+    std::function<std::optional<std::string>(InvarianceScene &)> difference;
+    bool long_running = false;
+};
+
+[[nodiscard]] const std::vector<Invariance> &invariances();
+
+} // namespace whirl::properties

@@ -1,0 +1,81 @@
+// Scenes drawn at random, each seen in other ways that must not change the answers.
+//
+//   invariances [scenes [first [one in .. for the long commands]]]
+//   invariances --case NUMBER      the case file of one of them (without bearing tables)
+
+#include "properties/invariance_checks.h"
+
+#include "linalg/session.h"
+#include "properties/case_text.h"
+#include "properties/random_scenes.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+
+namespace {
+
+/// How often an invariance was tried and broken.
+struct Tally {
+    int tried = 0;
+    int broken = 0;
+    double seconds = 0;
+    std::vector<std::string> first; ///< sentences for the first few
+};
+
+} // namespace
+
+int main(int argc, char **argv) {
+    namespace properties = whirl::properties;
+    if (argc == 3 && std::string(argv[1]) == "--case") {
+        fmt::print("{}", properties::case_text(properties::random_scene(std::atoi(argv[2]))));
+        return 0;
+    }
+    const int scenes = argc > 1 ? std::atoi(argv[1]) : 500;
+    const int first = argc > 2 ? std::atoi(argv[2]) : 0;
+    const int long_commands = argc > 3 ? std::atoi(argv[3]) : 10;
+    const whirl::linalg::Session session;
+    std::map<std::string, Tally> tallies;
+    for (int number = first; number < first + scenes; ++number) {
+        properties::InvarianceScene scene(number);
+        for (const properties::Invariance &check : properties::invariances()) {
+            if (check.long_running && number % long_commands != 0)
+                continue;
+            const auto start = std::chrono::steady_clock::now();
+            std::optional<std::string> difference;
+            try {
+                difference = check.difference(scene);
+            } catch (const std::exception &failure) {
+                difference = fmt::format("no answer: {}", failure.what());
+            }
+            Tally &tally = tallies[check.name];
+            tally.seconds +=
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            if (!difference)
+                continue;
+            ++tally.tried;
+            if (difference->empty())
+                continue;
+            if (++tally.broken <= 12)
+                tally.first.push_back(
+                    fmt::format("scene {} ({}): {}", number, scene.words(), *difference));
+        }
+        if (number % 20 == 19) {
+            fmt::print(stderr, "{} scenes\n", number - first + 1);
+            std::fflush(stderr);
+        }
+    }
+    int broken = 0;
+    fmt::print("{:<44}{:>8}{:>8}{:>10}\n", "invariance", "tried", "broken", "seconds");
+    for (const auto &[name, tally] : tallies) {
+        fmt::print("{:<44}{:>8}{:>8}{:>10.1f}\n", name, tally.tried, tally.broken, tally.seconds);
+        broken += tally.broken;
+    }
+    for (const auto &[name, tally] : tallies)
+        for (const std::string &sentence : tally.first)
+            fmt::print("{}: {}\n", name, sentence);
+    return broken == 0 ? 0 : 1;
+}

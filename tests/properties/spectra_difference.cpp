@@ -1,0 +1,129 @@
+#include "properties/spectra_difference.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+
+namespace whirl::properties {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+struct Item {
+    Complex value;
+    double error = 0; ///< absolute
+    analyses::Whirl whirl = analyses::Whirl::mixed;
+    bool used = false;
+};
+
+void sort_by_frequency(std::vector<Item> &items) {
+    std::sort(items.begin(), items.end(),
+              [](const Item &a, const Item &b) { return a.value.imag() < b.value.imag(); });
+}
+
+std::vector<Item> items_at(const analyses::CampbellResult &result, std::size_t k) {
+    std::vector<Item> items;
+    for (const analyses::CampbellMode &mode : result.modes)
+        if (mode.frequency[k]) {
+            const Complex value(mode.real[k].value_or(0), *mode.frequency[k]);
+            items.push_back(
+                {value, mode.error[k].value_or(0) * std::abs(value), mode.whirl[k], false});
+        }
+    sort_by_frequency(items);
+    return items;
+}
+
+/// Something else lies so close that the sense of whirl of either is not defined.
+bool crowded(const std::vector<Item> &items, const Item &item) {
+    return std::count_if(items.begin(), items.end(), [&](const Item &other) {
+               return std::abs(other.value - item.value) < 1e-4 * std::abs(item.value);
+           }) > 1;
+}
+
+/// The `count` lowest of a against all of b; `near_end` of them may have left b's list.
+std::string unmatched(const std::vector<Item> &a, std::vector<Item> b, std::size_t count,
+                      const Allowance &allowance) {
+    for (std::size_t i = 0; i < std::min(count, a.size()); ++i) {
+        const Item &item = a[i];
+        Item *nearest = nullptr;
+        for (Item &other : b)
+            if (!other.used && (!nearest || std::abs(other.value - item.value) <
+                                                std::abs(nearest->value - item.value)))
+                nearest = &other;
+        const double size = std::abs(item.value);
+        if (!nearest)
+            return fmt::format("{:.10g}{:+.10g}i has no partner", item.value.real(),
+                               item.value.imag());
+        nearest->used = true;
+        const double difference = std::abs(nearest->value - item.value);
+        const double bar = item.error + nearest->error + allowance.relative * size;
+        if (!(difference <= bar))
+            return fmt::format("{:.10g}{:+.10g}i becomes {:.10g}{:+.10g}i, by {:.1e} of its size "
+                               "with bars of {:.1e}",
+                               item.value.real(), item.value.imag(), nearest->value.real(),
+                               nearest->value.imag(), difference / size, bar / size);
+        if (allowance.whirl && item.whirl != nearest->whirl && !crowded(a, item))
+            return fmt::format("{:.10g}{:+.10g}i is {} and becomes {}", item.value.real(),
+                               item.value.imag(), analyses::whirl_name(item.whirl),
+                               analyses::whirl_name(nearest->whirl));
+    }
+    return {};
+}
+
+std::string both_ways(const std::vector<Item> &a, const std::vector<Item> &b, std::size_t count,
+                      const Allowance &allowance) {
+    std::string difference = unmatched(a, b, count, allowance);
+    if (difference.empty() && !allowance.more_in_second)
+        difference = unmatched(b, a, count, allowance);
+    return difference;
+}
+
+} // namespace
+
+std::string spectra_difference(const analyses::CampbellResult &a,
+                               const std::vector<std::size_t> &places_a,
+                               const analyses::CampbellResult &b,
+                               const std::vector<std::size_t> &places_b, int modes,
+                               const Allowance &allowance) {
+    for (std::size_t i = 0; i < places_a.size(); ++i) {
+        const std::string difference = both_ways(items_at(a, places_a[i]), items_at(b, places_b[i]),
+                                                 static_cast<std::size_t>(modes), allowance);
+        if (!difference.empty())
+            return fmt::format("at {:.6g} rad/s {}", a.speeds[places_a[i]], difference);
+    }
+    return {};
+}
+
+std::string critical_difference(const analyses::CriticalResult &a,
+                                const analyses::CriticalResult &b, int modes,
+                                const Allowance &allowance) {
+    const auto items = [](const analyses::CriticalResult &result) {
+        std::vector<Item> out;
+        for (const analyses::CriticalSpeed &c : result.critical_speeds) {
+            const Complex value(c.real, c.speed);
+            out.push_back({value, c.error * std::abs(value), c.whirl, false});
+        }
+        sort_by_frequency(out);
+        return out;
+    };
+    return both_ways(items(a), items(b), static_cast<std::size_t>(modes), allowance);
+}
+
+std::string crossing_difference(const analyses::CampbellResult &a,
+                                const analyses::CampbellResult &b, double relative) {
+    const auto items = [relative](const analyses::CampbellResult &result) {
+        std::vector<Item> out;
+        for (const analyses::Crossing &c : result.crossings)
+            out.push_back({Complex(0, c.speed), relative * c.speed, analyses::Whirl::mixed, false});
+        sort_by_frequency(out);
+        return out;
+    };
+    const std::vector<Item> first = items(a);
+    return both_ways(first, items(b), std::numeric_limits<std::size_t>::max(), {});
+}
+
+} // namespace whirl::properties

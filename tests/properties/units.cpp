@@ -1,0 +1,78 @@
+// Every case with every command, in units of length, mass and time that are powers of two of the
+// usual ones: the same digits scaled, the same words.
+//
+//   units [case or "all" [command or "all" [length mass time]]]    exponents of two
+
+#include "linalg/session.h"
+#include "properties/scaling.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace properties = whirl::properties;
+
+std::vector<std::string> case_names(const std::string &wanted) {
+    std::vector<std::string> names;
+    for (const auto &item : fs::directory_iterator(fs::path(WHIRL_ROOT) / "cases"))
+        if (item.is_directory() && (wanted == "all" || item.path().filename() == wanted))
+            names.push_back(item.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+/// Each dimension alone, and all at once.
+std::vector<properties::Units> units_of(int argc, char **argv) {
+    const auto two = [](int power) { return std::ldexp(1.0, power); };
+    if (argc > 5)
+        return {{two(std::atoi(argv[3])), two(std::atoi(argv[4])), two(std::atoi(argv[5]))}};
+    return {{two(-9), two(14), two(6)}};
+}
+
+/// Prints what differs; how much did.
+int compare(const std::string &name, const std::string &command,
+            const std::vector<properties::Units> &units) {
+    const fs::path file = fs::path(WHIRL_ROOT) / "cases" / name;
+    const auto start = std::chrono::steady_clock::now();
+    const properties::CommandOutput here = properties::run_in_units(command, file, {});
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    int differences = 0;
+    for (const properties::Units &u : units) {
+        const auto found =
+            properties::scaling_differences(here, properties::run_in_units(command, file, u));
+        differences += static_cast<int>(found.size());
+        for (const std::string &sentence : found)
+            fmt::print("{} {} (length x {:g}, mass x {:g}, time x {:g}): {}\n", command, name,
+                       u.length, u.mass, u.time, sentence);
+    }
+    if (seconds > 3)
+        fmt::print(stderr, "{} {}: {:.1f} s\n", command, name, seconds);
+    return differences;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    const std::string wanted_case = argc > 1 ? argv[1] : "all";
+    const std::string wanted_command = argc > 2 ? argv[2] : "all";
+    const whirl::linalg::Session session;
+    int compared = 0;
+    int differences = 0;
+    for (const std::string &name : case_names(wanted_case))
+        for (const std::string &command : properties::commands())
+            if (wanted_command == "all" || wanted_command == command) {
+                ++compared;
+                differences += compare(name, command, units_of(argc, argv));
+                std::fflush(stdout);
+            }
+    fmt::print("{} answers compared, {} differences\n", compared, differences);
+    return differences == 0 ? 0 : 1;
+}
