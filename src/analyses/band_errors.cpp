@@ -1,5 +1,7 @@
 #include "analyses/band_errors.h"
 
+#include "analyses/error_estimate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,10 +9,6 @@
 namespace whirl::analyses {
 
 namespace {
-
-/// Order of the finer model: far above the order p + 1 that an estimate would need, since an added
-/// function of the wrong parity would show nothing.
-constexpr int finer_by = 4;
 
 /// One end of a band: where it is, which way the band lies, and how far it and what lies beyond
 /// reach.
@@ -69,13 +67,13 @@ std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &
                                        const SpeedInterval &range) {
     std::optional<MotionSolver> finer;
     if (!rotor.shaft.rigid && !bands.empty())
-        finer.emplace(rotor, model.form, model.order + finer_by, arrangement, model.harmonics);
+        finer.emplace(rotor, model.form, finer_order(model.order), arrangement, model.harmonics);
     const MotionsAt finer_at = [&finer](double speed) { return finer->at(speed); };
     const auto error_of = [&](const End &end) {
         double slope = 0;
         const double rounding = blurred(at, end, slope);
         return rounding + 1e-12 * std::abs(end.speed) +
-               (finer ? distance(finer_at, end, slope) : 0.0);
+               (finer ? estimate_safety * distance(finer_at, end, slope) : 0.0);
     };
     std::vector<SpeedInterval> out;
     for (std::size_t i = 0; i < bands.size(); ++i) {

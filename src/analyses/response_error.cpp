@@ -1,5 +1,6 @@
 #include "analyses/response_error.h"
 
+#include "analyses/error_estimate.h"
 #include "analyses/orbits.h"
 
 #include <algorithm>
@@ -10,11 +11,9 @@ namespace whirl::analyses {
 namespace {
 
 constexpr int highest_order = 30;
-/// The finer motion has an error of its own.
-constexpr double safety = 1.25;
 
 double share(double difference, double size) {
-    return difference == 0 ? 0 : safety * difference / size;
+    return difference == 0 ? 0 : estimate_safety * difference / size;
 }
 
 double orbit_error(const Phasor &a, const Phasor &b) {
@@ -27,7 +26,7 @@ double orbit_error(const Phasor &a, const Phasor &b) {
 ResponseError::ResponseError(const assembly::Discretization &coarse, Form form) {
     if (coarse.rigid())
         return;
-    const int order = coarse.order() + 4;
+    const int order = finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
     _motion = std::make_unique<CondensedMotion>(*_fine, form);
