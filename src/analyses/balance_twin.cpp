@@ -14,13 +14,13 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Reduced row echelon form with full choice of the pivots; dependent rows are dropped.
-/// @param scale  of each unknown: a deflection and a slope times theirs are comparable
 struct Constraints {
     Eigen::MatrixXd rows;
     std::vector<Eigen::Index> pivots; ///< column of each row
 };
 
+/// Reduced row echelon form with full choice of the pivots; dependent rows are dropped.
+/// @param scale  of each unknown: coefficients times theirs are comparable
 Constraints reduced(Eigen::MatrixXd rows, const Eigen::VectorXd &scale) {
     Constraints out;
     rows = rows * scale.asDiagonal();

@@ -61,6 +61,8 @@ std::vector<Eigen::VectorXcd> all_deflections(const assembly::Discretization &d,
 /// The likest pairs first; each mode has one partner.
 Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes &modes,
                   const assembly::Discretization &finer, const SynchronousModes &finer_modes) {
+    // Of two vectors of a double eigenvalue one is at least 1/2; the same mode is near 1.
+    constexpr double alike = 0.25;
     const auto shapes = all_deflections(coarse, modes);
     const auto finer_shapes = all_deflections(finer, finer_modes);
     std::vector<std::tuple<double, std::size_t, std::size_t>> likeness;
@@ -75,7 +77,7 @@ Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes
     Partners partners(shapes.size());
     std::vector<bool> taken(finer_shapes.size(), false);
     for (const auto &[value, i, j] : likeness)
-        if (!partners[i] && !taken[j] && value > 0) {
+        if (!partners[i] && !taken[j] && value > alike) {
             partners[i] = j;
             taken[j] = true;
         }

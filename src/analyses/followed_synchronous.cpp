@@ -96,7 +96,7 @@ class Follower {
   public:
     Follower(const GeneralSynchronous &problem, double from, double to)
         : _problem(problem), _piece(problem.problem(from), problem.problem(to), from, to),
-          _last(to) {}
+          _first(from), _last(to) {}
 
     std::vector<WhirlMode> found;
     std::vector<std::pair<double, double>> doubtful;
@@ -106,7 +106,10 @@ class Follower {
         const GeneralSynchronous::Modes all = _problem.lowest(speed, 0, 1.6 * _last, looked_at);
         Sample out{speed, {}, all.complete_to > _last};
         for (const WhirlMode &mode : all.modes) {
-            std::optional<BranchPoint> point = _piece.point(speed, mode.eigenvalue, mode.shape);
+            if (mode.eigenvalue.imag() < 0.4 * _first || mode.eigenvalue.imag() > 1.6 * _last)
+                continue; // too far to matter, or to be the partner of one that does
+            std::optional<BranchPoint> point =
+                _piece.point(speed, mode.eigenvalue, mode.shape, 1e-7); // for the derivative
             // Iteration that runs to another eigenvalue has nothing to say on this one.
             if (point &&
                 std::abs(point->eigenvalue - mode.eigenvalue) < 1e-5 * std::abs(mode.eigenvalue))
@@ -118,10 +121,11 @@ class Follower {
     }
 
     void follow(const Sample &a, const Sample &b, int depth) {
-        if (depth > 0 && resolved(a, b))
+        if (resolved(a, b))
             return;
         constexpr int deepest = 12;
-        if (depth == deepest) {
+        constexpr int most_samples = 100;
+        if (depth == deepest || ++_samples > most_samples) {
             doubtful.emplace_back(a.speed, b.speed);
             return;
         }
@@ -133,7 +137,8 @@ class Follower {
   private:
     const GeneralSynchronous &_problem;
     LinearSynchronous _piece;
-    double _last;
+    double _first, _last;
+    int _samples = 0;
 
     /// It could pass Im l = s in a step of this length.
     static bool matters(const BranchPoint &point, double speed, double step) {

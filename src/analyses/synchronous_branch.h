@@ -23,9 +23,11 @@ class LinearSynchronous {
 
     /// The eigenvalue near `l` with a vector near `x`, by two-sided inverse iteration: right and
     /// left vectors x, y, l -> l - y^H Q x / y^H Q' x, dl/ds = -y^H (dQ/ds) x / y^H Q' x.
+    /// @param tolerance  relative, of the last step of l
     /// @returns none where it does not settle.
     [[nodiscard]] std::optional<BranchPoint> point(double s, std::complex<double> l,
-                                                   const Eigen::VectorXcd &x) const;
+                                                   const Eigen::VectorXcd &x,
+                                                   double tolerance = 1e-13) const;
 
     /// The speed at which Im l(s) = s, from a point near it; none where Newton's method does not
     /// settle or leaves the piece.
@@ -33,7 +35,8 @@ class LinearSynchronous {
                                                       const Eigen::VectorXcd &x) const;
 
   private:
-    ComplexQuadratic _from, _to;
+    ComplexQuadratic _from, _to; ///< of scaled unknowns
+    Eigen::VectorXd _scale;      ///< of the unknowns
     ComplexQuadratic::Sparse _D_slope, _K_slope;
     double _s_from, _s_to;
 };

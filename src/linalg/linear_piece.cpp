@@ -74,8 +74,10 @@ std::vector<double> widest_gaps(const Piece &piece, const std::vector<CrossingPa
         gaps.emplace_back(ends[i + 1] - ends[i], (ends[i] + ends[i + 1]) / 2);
     std::sort(gaps.rbegin(), gaps.rend());
     std::vector<double> out;
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, gaps.size()); ++i)
-        out.push_back(gaps[i].second);
+    constexpr double no_room = 1e-6; // of the piece: too near to a root to count beside it
+    for (const auto &[width, middle] : gaps)
+        if (out.size() < 2 && width > no_room)
+            out.push_back(middle);
     std::sort(out.begin(), out.end());
     return out;
 }
