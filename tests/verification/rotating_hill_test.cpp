@@ -229,8 +229,8 @@ model::Rotor random_rigid_rotor(std::mt19937 &random) {
     const double Id = uniform(0.3, 2);
     const double Ip = uniform(0.4, 1.5) * Id;
     rotor.discs = {tests::disc(uniform(0.2, 0.8), uniform(5, 40), Id, Ip)};
-    rotor.anisotropies = {{"", rotor.discs[0].z, uniform(0.02, 0.5) * std::min(Ip / 2, Id),
-                           uniform(0, 3)}};
+    rotor.anisotropies = {
+        {"", rotor.discs[0].z, uniform(0.02, 0.5) * std::min(Ip / 2, Id), uniform(0, 3)}};
     for (const double z : {0.0, 1.0}) {
         const double k = std::exp(uniform(11, 14));
         rotor.bearings.push_back(tests::bearing(z, k, k * uniform(0.3, 3), 0, 1e-4 * k));
