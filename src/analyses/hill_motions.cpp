@@ -20,6 +20,8 @@ constexpr int fewest_driven = 24;
 /// Motions up to this multiple of the spin speed are looked at in any flexible rotor: pairs of them
 /// resonate at twice and four times the spin speed.
 constexpr double slow_motions = 4;
+/// Copies next to zero have |Im l| up to the spin speed, and a little more.
+constexpr double strip = 1.05;
 
 /// Distance of two eigenvalues, each of which stands for itself, its conjugate and all copies.
 double apart(Complex a, Complex b, double speed) {
@@ -92,9 +94,10 @@ HillMotions::Reach HillMotions::reach(double signed_speed) const {
             fast = std::max(fast, frequency);
     }
     Reach out;
-    out.radius = 1.05 * std::hypot(speed, 2 * growth);
+    out.radius = strip * std::hypot(speed, 2 * growth);
     const double natural = std::max(slow, fast);
-    out.terms = std::max(1, static_cast<int>(std::floor((1.1 * natural + speed) / (2 * speed))));
+    // Stiffness in one direction is at most twice its average over the directions.
+    out.terms = std::max(1, static_cast<int>(std::floor((1.5 * natural + speed) / (2 * speed))));
     return out;
 }
 
@@ -122,7 +125,8 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
             _most = std::max(_most, N);
             after.erase(std::remove_if(after.begin(), after.end(),
                                        [&](const linalg::ComplexPair &pair) {
-                                           return fine.largest_term(pair.vector) > wanted.terms;
+                                           return std::abs(pair.value.imag()) > strip * speed ||
+                                                  fine.largest_term(pair.vector) > wanted.terms;
                                        }),
                         after.end());
             return {std::move(after), N + 1};

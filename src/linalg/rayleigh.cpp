@@ -51,13 +51,16 @@ RayleighFunctional::RayleighFunctional(const Sparse &M, const Sparse &D, const S
                                        Structure structure)
     : _M(split(M)), _D(split(D)), _K(split(K)) {
     // Sums that cancel, as of neighbouring elements at their node, leave rounding without scale.
-    for (Entry &a : _K) {
-        const bool same_block =
-            structure.paired > 0 && a.i / structure.block == a.j / structure.block;
-        if (same_block && a.i % structure.block < structure.paired &&
-            a.j % structure.block < structure.paired && (a.i - a.j) % 2 == 0)
+    const auto joins_pairs = [&structure](const Entry &a) {
+        return structure.paired > 0 && a.i / structure.block == a.j / structure.block &&
+               a.i % structure.block < structure.paired && a.j % structure.block < structure.paired;
+    };
+    for (Entry &a : _K)
+        if (joins_pairs(a) && (a.i - a.j) % 2 == 0)
             a.skew = 0;
-    }
+    for (Entry &a : _M)
+        if (joins_pairs(a))
+            a.skew = 0;
 }
 
 RayleighFunctional::Form RayleighFunctional::form(const Entries &A, const Eigen::VectorXcd &x) {
@@ -140,9 +143,8 @@ RayleighFunctional::Root RayleighFunctional::root(const ComplexPair &pair, doubl
     const Wide error =
         2 * Wide(mixed) + Wide(squares) * own +
         (rounding + Wide(vector_error) * vector_error) * (lossy + angle * conserving);
-    // Besides, what the iteration and the number returned leave.
-    const Wide left = static_cast<double>(error / std::abs(slope)) + 8 * rounding * size +
-                      4 * std::numeric_limits<double>::epsilon() * std::abs(l.real());
+    // Besides, rounding of entries that should be equal or opposite: a share of the modulus.
+    const Wide left = error / std::abs(slope) + 8 * std::numeric_limits<double>::epsilon() * size;
     return {value, static_cast<double>(left)};
 }
 

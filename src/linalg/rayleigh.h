@@ -20,9 +20,9 @@ class RayleighFunctional {
   public:
     using Sparse = Eigen::SparseMatrix<double>;
 
-    /// Where K is symmetric but for rounding: unknowns come in blocks of one size, the first
-    /// `paired` of each in pairs (x, y), and within a block nothing but symmetric stiffness joins x
-    /// with x or y with y.
+    /// Where M and K are symmetric but for rounding: unknowns come in blocks of one size, the first
+    /// `paired` of each in pairs (x, y), whose inertia is symmetric within a block, and whose
+    /// stiffness where it joins x with x or y with y.
     struct Structure {
         int block = 0;
         int paired = 0; ///< 0: nothing is known

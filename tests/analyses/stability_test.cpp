@@ -83,6 +83,122 @@ TEST(SignedSpeeds, CriticalSpeedsOutsideTheRangeAreNotListed) {
     EXPECT_NEAR(result.critical_speeds[0], 3.788366, 1e-6);
 }
 
+/// A uniform shaft of 1.5 m on two damped bearings, one of them with a negative stiffness in x.
+model::Case negative_stiffness(double kxx) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.5, 0.05, {"steel", 2.11e11, 8.12e10, 7810});
+    scene.rotor.shaft.order = 8;
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 1e6, 10),
+                            tests::isotropic_bearing(1.5, 1e6, 10)};
+    scene.rotor.bearings[0].rows[0].k(0, 0) = kxx;
+    scene.speeds = model::SpeedRange{10, 10, 1};
+    return scene;
+}
+
+// One speed: stable or not, and which way. 120.3727: dense state matrix of Legendre elements.
+TEST(OneSpeed, SaysWhetherItIsStable) {
+    const auto diverging = stability(negative_stiffness(-1e5), {});
+    ASSERT_EQ(diverging.verdict.size(), 1U);
+    EXPECT_EQ(diverging.verdict[0], Verdict::diverges);
+    EXPECT_NEAR(diverging.growth[0], 120.3727, 1e-4);
+    EXPECT_EQ(stability(negative_stiffness(1e5), {}).verdict[0], Verdict::stable);
+    model::Case undamped = negative_stiffness(1e5);
+    for (model::Bearing &bearing : undamped.rotor.bearings)
+        bearing.rows[0].c.setZero();
+    EXPECT_EQ(stability(undamped, {}).verdict[0], Verdict::neutral);
+    model::Case driven = negative_stiffness(1e6);
+    for (model::Bearing &bearing : driven.rotor.bearings) {
+        bearing.rows[0].k(0, 1) = 1e5;
+        bearing.rows[0].k(1, 0) = -1e5;
+    }
+    EXPECT_EQ(stability(driven, {}).verdict[0], Verdict::unstable);
+}
+
+// A coarse mesh has the ends of its bands wrong by what it says, against a mesh that is converged.
+TEST(BandErrors, AreThoseOfTheMesh) {
+    for (const int order : {1, 3}) {
+        model::Case scene;
+        scene.rotor.shaft = tests::uniform_shaft(0.9, 0.03, tests::steel());
+        scene.rotor.shaft.order = order;
+        scene.rotor.discs = {tests::disc_at(0.35, 12, 0.12, 0.2)};
+        scene.rotor.anisotropies = {{"", 0.35, 0.05, 0.3}};
+        scene.rotor.bearings = {tests::isotropic_bearing(0, 5e6, 150),
+                                tests::isotropic_bearing(0.9, 5e6, 150)};
+        scene.speeds = model::SpeedRange{150, 1300, 101};
+        const auto coarse = stability(scene, {});
+        scene.rotor.shaft.order = 12;
+        const auto exact = stability(scene, {});
+        ASSERT_FALSE(exact.unstable.empty());
+        ASSERT_EQ(coarse.unstable.size(), exact.unstable.size()) << order;
+        ASSERT_EQ(coarse.unstable_error.size(), exact.unstable.size());
+        for (std::size_t i = 0; i < exact.unstable.size(); ++i) {
+            const auto check = [&](double found, double truth, double error) {
+                const double off = std::abs(found - truth);
+                if (found == scene.speeds->from || found == scene.speeds->to)
+                    return;
+                // 1e-9: where both are exact but for rounding of the matrices.
+                EXPECT_LE(off, 1.05 * error + 1e-9 * truth) << order << " " << truth;
+                EXPECT_GE(off + 1e-9 * truth, 0.5 * error) << order << " " << truth;
+            };
+            check(coarse.unstable[i].first, exact.unstable[i].first,
+                  coarse.unstable_error[i].first);
+            check(coarse.unstable[i].second, exact.unstable[i].second,
+                  coarse.unstable_error[i].second);
+        }
+    }
+}
+
+// No body has more than half its polar inertia; a rotor that is stable with that has no limit.
+TEST(Permissible, IsNotMoreThanABodyCanHave) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs[0].Ip = 0.188;
+    scene.rotor.bearings[0].rows[0].c *= 10;
+    scene.rotor.bearings[1].rows[0].c *= 10;
+    scene.rotor.anisotropies[0].dI = 0.01;
+    const auto result = stability(scene, {});
+    ASSERT_EQ(result.permissible.size(), 1U);
+    EXPECT_NEAR(result.permissible[0].most, 0.094, 1e-12);
+    EXPECT_TRUE(result.permissible[0].of_disc);
+    EXPECT_FALSE(result.permissible[0].dI);
+}
+
+// What is permissible has no band, a little more has one.
+TEST(Permissible, IsWhereTheBandSearchFindsTheFirstBand) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    const auto result = stability(scene, {});
+    ASSERT_TRUE(result.permissible.at(0).dI);
+    for (const auto &[factor, bands] : {std::pair(1 - 1e-8, 0U), std::pair(1 + 1e-5, 1U)}) {
+        scene.rotor.anisotropies[0].dI = factor * *result.permissible[0].dI;
+        EXPECT_EQ(unstable_bands_of(scene, scene.rotor, {}).size(), bands);
+    }
+}
+
+// A motion that decays at every speed of the grid but for a hump in between, far from any other.
+TEST(UnstableBands, HumpBetweenGridSpeedsIsFound) {
+    const MotionsAt at = [](double speed) {
+        const double x = speed - 1.13;
+        return std::vector<Motion>{motion(0.01 - x * x, 5, 0), motion(-1, 9, 1)};
+    };
+    const auto bands = unstable_bands(at, {0.0, 0.4, 0.8, 1.25, 1.6, 2.0});
+    ASSERT_EQ(bands.size(), 1U);
+    EXPECT_NEAR(bands[0].first, 1.03, 1e-9);
+    EXPECT_NEAR(bands[0].second, 1.23, 1e-9);
+}
+
+// Two motions that grow everywhere with different states: one of them has a window, the other not.
+TEST(UnstableBands, WindowUnderADipOfTheGrowthIsFound) {
+    const MotionsAt at = [](double speed) {
+        const double x = speed - 1.01;
+        return std::vector<Motion>{motion(x * x - 1e-4, 5, 0), motion(-1, 9, 1)};
+    };
+    const auto bands = unstable_bands(at, {0.0, 0.3, 0.6, 0.9, 1.2, 1.5});
+    ASSERT_EQ(bands.size(), 2U);
+    EXPECT_NEAR(bands[0].second, 1.0, 1e-9);
+    EXPECT_NEAR(bands[1].first, 1.02, 1e-9);
+}
+
 // Where a map asks for what cannot be, that point alone is empty.
 TEST(StabilityMap, ImpossibleRotorsAreEmptyPoints) {
     model::Case scene = tests::anisotropic_case();

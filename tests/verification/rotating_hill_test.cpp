@@ -6,6 +6,7 @@
 #include "analyses/stability.h"
 #include "analyses/stability_map.h"
 #include "analyses/stability_model.h"
+#include "analyses/unstable_bands.h"
 #include "model/errors.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
@@ -13,6 +14,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 namespace {
 
@@ -163,6 +166,105 @@ TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
         analyses::stability_map(*scene.map, [&](const auto &) { return scene; }).growth;
     EXPECT_TRUE(std::isnan(map[0][0]));
     EXPECT_TRUE(std::isfinite(map[0][2]));
+}
+
+// Cross-coupled bearings feed motions five times as fast as the rotor; the growth at 60 rad/s is
+// that of Floquet multipliers by a Magnus integrator on spectral elements.
+TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
+    model::Rotor rotor;
+    rotor.shaft.segments = {{1.0, 0.05, 0.05, 0, 0, {"steel", 2.1e11, 2.1e11 / 2.6, 7850}, 1}};
+    rotor.shaft.order = 4;
+    rotor.discs = {tests::disc(0.5, 20, 0.2, 0.3)};
+    rotor.anisotropies = {{"", 0.5, 1e-4, 0}};
+    rotor.bearings = {tests::bearing(0, 2e6, 2.4e6, 0, 100), tests::bearing(1, 2e6, 2.4e6, 0, 100)};
+    for (model::Bearing &bearing : rotor.bearings) {
+        bearing.rows[0].k(0, 1) = 2e5;
+        bearing.rows[0].k(1, 0) = -2e5;
+    }
+    const analyses::MotionSolver solver(rotor, analyses::Form::hill, 4, {}, 1);
+    for (const double speed : {60.0, 70.0, 80.0})
+        EXPECT_GT(analyses::growth_of(solver.at(speed)), 3.6) << speed;
+    EXPECT_NEAR(analyses::growth_of(solver.at(60)), 3.714, 5e-4);
+}
+
+/// The rotor of cases/hill_rotor on bearings that differ ninefold, hardly damped, with the largest
+/// anisotropy that it can have.
+model::Rotor strongly_unequal_rotor() {
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(1);
+    rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
+    rotor.anisotropies = {{"", 0.5, 0.24, 0}};
+    rotor.bearings = {tests::bearing(0, 1e5, 9e5, 0, 0.5), tests::bearing(1, 1e5, 9e5, 0, 0.5)};
+    return rotor;
+}
+
+TEST(HillForm, NarrowBandsOfFastMotionsAndNoFalseOnes) {
+    const model::Rotor rotor = strongly_unequal_rotor();
+    const assembly::Discretization d(rotor, 1);
+    const analyses::MotionSolver solver(rotor, analyses::Form::hill, 1, {}, 1);
+    const auto found = analyses::find_bands([&solver](double speed) { return solver.at(speed); },
+                                            model::SpeedRange{160, 250, 10}.values());
+    EXPECT_TRUE(found.doubtful.empty());
+    ASSERT_EQ(found.bands.size(), 2U);
+    EXPECT_NEAR(found.bands[0].first, 173.44, 0.006);
+    EXPECT_NEAR(found.bands[0].second, 173.57, 0.006);
+    EXPECT_NEAR(found.bands[1].first, 224.5, 0.06);
+    EXPECT_NEAR(found.bands[1].second, 239.8, 0.06);
+    for (const auto &[from, to] : found.bands) {
+        const double inside = (from + to) / 2;
+        EXPECT_NEAR(tests::PeriodicSystem(d, inside, {}).growth(400),
+                    analyses::growth_of(solver.at(inside)), 1e-6 * inside);
+        for (const double end : {from - 0.02, to + 0.02}) // rounding of the multipliers: 1e-9
+            EXPECT_LT(tests::PeriodicSystem(d, end, {}).growth(400), 1e-6);
+    }
+}
+
+/// Rigid rotors on random bearings, some of which drive.
+model::Rotor random_rigid_rotor(std::mt19937 &random) {
+    const auto uniform = [&random](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
+    model::Rotor rotor;
+    rotor.shaft = tests::weightless_rigid_shaft(1);
+    const double Id = uniform(0.3, 2);
+    const double Ip = uniform(0.4, 1.5) * Id;
+    rotor.discs = {tests::disc(uniform(0.2, 0.8), uniform(5, 40), Id, Ip)};
+    rotor.anisotropies = {
+        {"", rotor.discs[0].z, uniform(0.02, 0.5) * std::min(Ip / 2, Id), uniform(0, 3)}};
+    for (const double z : {0.0, 1.0}) {
+        const double k = std::exp(uniform(11, 14));
+        rotor.bearings.push_back(tests::bearing(z, k, k * uniform(0.3, 3), 0, 1e-4 * k));
+        const double cross = uniform(-0.02, 0.05) * k;
+        rotor.bearings.back().rows[0].k(0, 1) = cross;
+        rotor.bearings.back().rows[0].k(1, 0) = -cross + uniform(-0.05, 0.05) * k;
+    }
+    return rotor;
+}
+
+// Every speed with as many harmonics as it needs: the growth of the multipliers wherever a growth
+// is given, and at most speeds one is given.
+TEST(HillForm, GrowthOfRandomRotorsIsThatOfTheMultipliers) {
+    std::mt19937 random(7);
+    int given = 0;
+    int asked = 0;
+    for (int i = 0; i < 12; ++i) {
+        const model::Rotor rotor = random_rigid_rotor(random);
+        const assembly::Discretization d(rotor, 1);
+        const analyses::MotionSolver solver(rotor, analyses::Form::hill, 1, {}, 1);
+        for (const double speed : {60.0, 150.0, 310.0, 700.0}) {
+            ++asked;
+            std::vector<analyses::Motion> motions;
+            try {
+                motions = solver.at(speed);
+            } catch (const model::AnalysisFailure &) {
+                continue;
+            }
+            ++given;
+            const double growth = tests::PeriodicSystem(d, speed, {}).growth(600);
+            EXPECT_NEAR(analyses::growth_of(motions), growth, 1e-7 * speed) << i << " " << speed;
+        }
+    }
+    EXPECT_GE(given, 3 * asked / 4);
 }
 
 /// Rigid rotor with two two-ball balancers (Rodrigues, Champneys, Friswell, Wilson): mass and
