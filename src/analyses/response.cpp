@@ -3,23 +3,30 @@
 #include "analyses/discretization_error.h"
 #include "analyses/forced_motion.h"
 #include "analyses/orbits.h"
+#include "analyses/response_error.h"
 #include "analyses/speeds.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 
 namespace whirl::analyses {
 
 namespace {
 
-/// Above this relative error by rounding an amplitude is not worth its digits: only an undamped
-/// resonance comes near it.
-constexpr double rounding_to_report = 1e-3;
+/// From this relative error by rounding on, an amplitude is one at an undamped
+/// resonance: without limit, or not determined where the imbalance does not
+/// drive that mode.
+constexpr double resonance = 1e-3;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 void refuse_what_is_missing(const model::Case &scene) {
     if (scene.rotor.imbalances.empty())
@@ -28,7 +35,8 @@ void refuse_what_is_missing(const model::Case &scene) {
                                           scene.file.string()));
 }
 
-/// Nodes of the mesh with the names of what is attached there; the ends are always among them.
+/// Nodes of the mesh with the names of what is attached there; the ends are
+/// always among them.
 std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     std::map<int, std::string> nodes;
     const auto &mesh = d.shaft_mesh();
@@ -47,64 +55,169 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     collect(rotor.imbalances);
     collect(rotor.balancers);
     collect(rotor.planes);
+    collect(rotor.probes);
     return nodes;
 }
 
-/// Solves at one speed and lists amplitude, phase, major, minor of each node, then the force of
-/// each bearing, then the rounding.
-std::vector<double> response_row(const assembly::Discretization &d, ForcedMotion &forced,
-                                 const std::map<int, std::string> &nodes, double speed) {
-    try {
-        forced.solve(speed);
-    } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(
-            fmt::format("no steady motion at {:.6g} rad/s: the rotor is at a resonance without "
-                        "damping, or free to move under its imbalance",
-                        speed));
-    }
-    std::vector<double> row;
-    for (const auto &[node, name] : nodes) {
-        const Phasor u = forced.motion(d.deflection_at_node(node));
-        const Ellipse orbit = ellipse_of(u.x, u.y);
-        row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor});
-    }
-    const auto bearings = static_cast<int>(d.rotor().bearings.size());
-    for (int bearing = 0; bearing < bearings; ++bearing) {
-        const Phasor force = forced.bearing_force(bearing);
-        row.push_back(ellipse_of(force.x, force.y).major);
-    }
-    row.push_back(forced.rounding());
-    return row;
+/// The lists of a result, in the order of a row: one value of each a speed.
+std::vector<std::vector<double> *> lists_of(ResponseResult &result) {
+    std::vector<std::vector<double> *> lists;
+    for (ResponseNode &node : result.nodes)
+        lists.insert(lists.end(),
+                     {&node.amplitude, &node.phase, &node.major, &node.minor, &node.x,
+                      &node.x_phase, &node.y, &node.y_phase, &node.inclination, &node.error});
+    for (ResponseBearing &bearing : result.bearings)
+        lists.insert(lists.end(), {&bearing.force, &bearing.error});
+    for (ResponseProbe &probe : result.probes)
+        lists.insert(lists.end(), {&probe.amplitude, &probe.phase, &probe.error});
+    return lists;
 }
+
+/// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a
+/// circle: where its direction is decided by rounding.
+double inclination_of(const Phasor &u, double rounding) {
+    // x(t) + i y(t) = a exp(i w t) + conj(d) exp(-i w t): longest where the two
+    // are parallel.
+    const std::complex<double> i(0, 1);
+    const std::complex<double> a = (u.x + i * u.y) / 2.0;
+    const std::complex<double> d = (u.x - i * u.y) / 2.0;
+    const double smaller = std::min(std::abs(a), std::abs(d));
+    const double larger = std::max(std::abs(a), std::abs(d));
+    if (smaller <= (rounding + 1e-14) * larger)
+        return none;
+    const double angle = std::arg(a * std::conj(d)) / 2;
+    return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
+}
+
+/// The response at one speed, as rows for lists_of().
+class Response {
+  public:
+    Response(const assembly::Discretization &d, Form form, const std::map<int, std::string> &nodes)
+        : _discretization(d), _nodes(nodes), _forced(d, form), _finer(d, form) {}
+
+    [[nodiscard]] int unknowns() const { return _forced.unknowns(); }
+
+    std::vector<double> row(double speed) {
+        try {
+            _forced.solve(speed);
+        } catch (const linalg::SolverError &) {
+            return no_limit();
+        }
+        _error_known = true;
+        try {
+            _finer.solve(speed);
+        } catch (const linalg::SolverError &) { // the finer model is at its resonance
+            _error_known = false;
+        }
+        if (_forced.rounding() > resonance && !confirmed())
+            return no_limit();
+        std::vector<double> row;
+        add_nodes(row);
+        add_bearings(row);
+        add_probes(row);
+        return row;
+    }
+
+  private:
+    const assembly::Discretization &_discretization;
+    const std::map<int, std::string> &_nodes;
+    ForcedMotion _forced;
+    ResponseError _finer;
+    bool _error_known = true;
+
+    /// By the elements and by rounding; where the finer model has confirmed what
+    /// rounding could have decided, the difference to it is both.
+    [[nodiscard]] double error(double by_elements) const {
+        const double rounding = _forced.rounding() > resonance ? 0 : _forced.rounding();
+        return _error_known ? by_elements + rounding : unlimited;
+    }
+
+    /// The finer model has the same motion: its rounding is another, and no
+    /// resonance of its own is in just this place. Very short elements look ill
+    /// conditioned without being it.
+    [[nodiscard]] bool confirmed() const {
+        if (!_error_known || _discretization.rigid())
+            return false;
+        const auto &mesh = _discretization.shaft_mesh();
+        return std::all_of(_nodes.begin(), _nodes.end(), [&](const auto &node) {
+            const Phasor u = _forced.motion(_discretization.deflection_at_node(node.first));
+            return _finer.at(mesh.nodes[static_cast<std::size_t>(node.first)], u) < 0.1;
+        });
+    }
+
+    void add_nodes(std::vector<double> &row) {
+        const auto &mesh = _discretization.shaft_mesh();
+        for (const auto &[node, name] : _nodes) {
+            const Phasor u = _forced.motion(_discretization.deflection_at_node(node));
+            const Ellipse orbit = ellipse_of(u.x, u.y);
+            const double z = mesh.nodes[static_cast<std::size_t>(node)];
+            row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor,
+                                   std::abs(u.x), std::arg(u.x), std::abs(u.y), std::arg(u.y),
+                                   inclination_of(u, _forced.rounding()),
+                                   error(_error_known ? _finer.at(z, u) : 0)});
+        }
+    }
+
+    void add_bearings(std::vector<double> &row) {
+        const auto bearings = static_cast<int>(_discretization.rotor().bearings.size());
+        for (int bearing = 0; bearing < bearings; ++bearing) {
+            const Phasor force = _forced.bearing_force(bearing);
+            row.insert(row.end(), {ellipse_of(force.x, force.y).major,
+                                   error(_error_known ? _finer.of_force(bearing, force) : 0)});
+        }
+    }
+
+    void add_probes(std::vector<double> &row) {
+        for (const model::Probe &probe : _discretization.rotor().probes) {
+            const Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
+            const std::complex<double> seen = reading(u, probe.angle);
+            row.insert(row.end(),
+                       {std::abs(seen), std::arg(seen),
+                        error(_error_known ? _finer.of_probe(probe.z, probe.angle, u) : 0)});
+        }
+    }
+
+    /// Amplitudes and forces without limit, everything else none.
+    [[nodiscard]] std::vector<double> no_limit() const {
+        std::vector<double> row;
+        for (std::size_t i = 0; i < _nodes.size(); ++i)
+            row.insert(row.end(), {unlimited, none, unlimited, none, unlimited, none, unlimited,
+                                   none, none, unlimited});
+        for (std::size_t i = 0; i < _discretization.rotor().bearings.size(); ++i)
+            row.insert(row.end(), {unlimited, unlimited});
+        for (std::size_t i = 0; i < _discretization.rotor().probes.size(); ++i)
+            row.insert(row.end(), {unlimited, none, unlimited});
+        return row;
+    }
+};
 
 /// Empty lists with places and names.
 void prepare_lists(ResponseResult &result, const assembly::Discretization &d,
                    const std::map<int, std::string> &nodes) {
-    for (const auto &[node, name] : nodes)
-        result.nodes.push_back(
-            {d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name, {}, {}, {}, {}});
+    for (const auto &[index, name] : nodes) {
+        ResponseNode node;
+        node.z = d.shaft_mesh().nodes[static_cast<std::size_t>(index)];
+        node.name = name;
+        result.nodes.push_back(node);
+    }
     for (const model::Bearing &bearing : d.rotor().bearings)
-        result.bearings.push_back({bearing.z, bearing.name, {}});
+        result.bearings.push_back({bearing.z, bearing.name, {}, {}});
+    for (const model::Probe &probe : d.rotor().probes)
+        result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
 }
 
-void append_row(ResponseResult &result, const std::vector<double> &row) {
-    auto next = row.begin();
-    for (ResponseNode &node : result.nodes)
-        for (auto *list : {&node.amplitude, &node.phase, &node.major, &node.minor})
-            list->push_back(*next++);
-    for (ResponseBearing &bearing : result.bearings)
-        bearing.force.push_back(*next++);
-}
-
-void note_resonances(ResponseResult &result, const std::vector<std::vector<double>> &rows) {
+void note_resonances(ResponseResult &result) {
     std::string speeds;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].back() > rounding_to_report)
+    for (std::size_t i = 0; i < result.speeds.size(); ++i)
+        if (std::isinf(result.nodes.front().amplitude[i]))
             speeds += fmt::format("{}{:.6g}", speeds.empty() ? "" : ", ", result.speeds[i]);
     if (!speeds.empty())
         result.model.notes.push_back(
-            fmt::format("resonance without damping at {} rad/s: the amplitudes there have no "
-                        "limit, and the numbers are decided by rounding",
+            fmt::format("no steady motion at {} rad/s: the rotor is at a resonance without "
+                        "damping, or free to move under its imbalance; amplitudes there have "
+                        "no "
+                        "limit, or are not determined where the imbalance does not drive that "
+                        "mode",
                         speeds));
 }
 
@@ -117,8 +230,10 @@ Formulation response_formulation(const model::Case &scene) {
         const Formulation formulation = choose_formulation(without);
         if (formulation.form == Form::hill)
             throw model::AnalysisFailure(
-                "the response of an asymmetric rotor on bearings that differ between their "
-                "directions has many frequencies and is not computed; use bearings that are the "
+                "the response of an asymmetric rotor on bearings that differ between "
+                "their "
+                "directions has many frequencies and is not computed; use bearings "
+                "that are the "
                 "same from every direction, or remove the asymmetry");
         return formulation;
     }
@@ -148,19 +263,21 @@ ResponseResult unbalance_response(const model::Case &scene) {
     free_choice.formulation = model::FormChoice::automatic;
     result.model.order = resolve_order(free_choice, choose_formulation(free_choice));
     const assembly::Discretization d(scene.rotor, result.model.order);
-    ForcedMotion forced(d, result.model.formulation.form);
     const std::map<int, std::string> nodes = attached_nodes(d);
+    Response response(d, result.model.formulation.form, nodes);
     const std::vector<std::vector<double>> rows =
-        rows_at(speeds, [&](double speed) { return response_row(d, forced, nodes, speed); });
+        rows_at(speeds, [&](double speed) { return response.row(speed); });
     if (rows.empty())
         return {};
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    result.model.unknowns = forced.unknowns();
+    result.model.unknowns = response.unknowns();
     result.speeds = speeds;
     prepare_lists(result, d, nodes);
+    const std::vector<std::vector<double> *> lists = lists_of(result);
     for (const std::vector<double> &row : rows)
-        append_row(result, row);
-    note_resonances(result, rows);
+        for (std::size_t i = 0; i < lists.size(); ++i)
+            lists[i]->push_back(row.at(i));
+    note_resonances(result);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back("the response is that of the rotor without its balancers");
     result.model.seconds =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/results.h"
+#include "analyses/response_result.h"
 #include "model/case.h"
 
 namespace whirl::analyses {
@@ -9,13 +9,15 @@ namespace whirl::analyses {
 ///
 ///     force at an imbalance: mr Omega^2 (cos(Omega t + phase), sin(Omega t + phase)).
 ///
-/// Orbits at every node where something is attached and at the shaft ends; in each bearing the
-/// largest |k u + c u'| over a turn, u the stretch of its film (shaft minus pedestal). Bearing
+/// Orbits at every node where something is attached and at the shaft ends; the readings of the
+/// probes; in each bearing the largest |k u + c u'| over a turn, u the stretch of its film (shaft
+/// minus pedestal). Each with an estimate of its relative error by the shaft elements
+/// (response_error.h) and by rounding. Without limit (and a note) at an undamped resonance. Bearing
 /// tables are read at each speed. Collective over MPI processes: the result is complete on process
 /// 0, without lists elsewhere. Auto-balancers are left out (a note says so).
 /// @throws model::BadInput without [[imbalance]] or [speeds];
-///         model::AnalysisFailure at an exactly singular resonance, or for an asymmetric rotor on
-///         bearings that differ between their directions.
+///         model::AnalysisFailure for an asymmetric rotor on bearings that differ between their
+///         directions.
 [[nodiscard]] ResponseResult unbalance_response(const model::Case &scene);
 
 /// The form the response uses: planar with isotropic bearings, damped or not, else general.

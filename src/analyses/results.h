@@ -72,29 +72,6 @@ struct CriticalResult {
     std::vector<CriticalSpeed> critical_speeds; ///< ascending
 };
 
-/// Orbit of a station over speed.
-struct ResponseNode {
-    double z = 0;
-    std::string name;              ///< of what is attached there, or empty
-    std::vector<double> amplitude; ///< largest radius of the orbit = major semi-axis, m
-    std::vector<double> phase;     ///< of x(t) = |x| cos(speed t + phase), rad
-    std::vector<double> major;     ///< semi-axes of the ellipse, m
-    std::vector<double> minor;     ///< negative: backward orbit, m
-};
-
-struct ResponseBearing {
-    double z = 0;
-    std::string name;
-    std::vector<double> force; ///< largest over a turn, N
-};
-
-struct ResponseResult {
-    ModelSummary model;
-    std::vector<double> speeds; ///< rad/s
-    std::vector<ResponseNode> nodes;
-    std::vector<ResponseBearing> bearings;
-};
-
 /// A mode shape at one speed, at stations fine enough to draw.
 struct ModeShape {
     std::string label;

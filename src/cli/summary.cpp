@@ -12,23 +12,6 @@
 
 namespace whirl::cli {
 
-namespace {
-
-struct Peak {
-    double value = 0;
-    double speed = 0;
-};
-
-Peak peak_of(const std::vector<double> &values, const std::vector<double> &speeds) {
-    Peak peak;
-    for (std::size_t i = 0; i < std::min(values.size(), speeds.size()); ++i)
-        if (i == 0 || values[i] > peak.value)
-            peak = {values[i], speeds[i]};
-    return peak;
-}
-
-} // namespace
-
 std::string summary(const model::Case &scene, const analyses::CampbellResult &result) {
     std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
     if (result.speeds.empty())
@@ -67,29 +50,6 @@ std::string summary(const model::Case &scene, const analyses::CriticalResult &re
              readable(critical.speed * hertz), analyses::whirl_name(critical.whirl),
              rough(std::isfinite(critical.error) ? std::optional(critical.error) : std::nullopt)});
     text += table.empty() ? "  none found\n" : table.text();
-    return text + model_text(result.model);
-}
-
-std::string summary(const model::Case &scene, const analyses::ResponseResult &result) {
-    std::string text = heading(scene, "Unbalance response, " + range_text(result.speeds));
-    Table nodes({"station", "largest amplitude m", "at rpm"});
-    const auto named = std::any_of(result.nodes.begin(), result.nodes.end(),
-                                   [](const auto &node) { return !node.name.empty(); });
-    for (const analyses::ResponseNode &node : result.nodes) {
-        if (named && node.name.empty())
-            continue;
-        const Peak peak = peak_of(node.amplitude, result.speeds);
-        nodes.add({place(node.name, node.z), readable(peak.value), readable(peak.speed * rpm)});
-    }
-    text += nodes.text();
-    Table bearings({"bearing", "largest force N", "at rpm"});
-    for (const analyses::ResponseBearing &bearing : result.bearings) {
-        const Peak peak = peak_of(bearing.force, result.speeds);
-        bearings.add(
-            {place(bearing.name, bearing.z), readable(peak.value), readable(peak.speed * rpm)});
-    }
-    if (!bearings.empty())
-        text += "\n" + bearings.text();
     return text + model_text(result.model);
 }
 

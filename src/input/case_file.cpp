@@ -67,6 +67,7 @@ model::Case read_case(CheckedTable &root) {
     read_balancers(root, scene.rotor);
     read_planes(root, scene.rotor);
     read_imbalances(root, scene.rotor);
+    read_probes(root, scene.rotor);
     read_speeds(root, scene);
     read_campbell(root, scene);
     read_simulate(root, scene);

@@ -155,4 +155,15 @@ void read_imbalances(CheckedTable &root, model::Rotor &rotor) {
     }
 }
 
+void read_probes(CheckedTable &root, model::Rotor &rotor) {
+    for (CheckedTable &table : root.tables("probe")) {
+        model::Probe probe;
+        probe.name = table.text("name").value_or("");
+        probe.z = table.number("z", Quantity::length);
+        probe.angle = table.number_or("angle", 0, Quantity::angle);
+        table.refuse_unknown();
+        rotor.probes.push_back(probe);
+    }
+}
+
 } // namespace whirl::input

@@ -32,6 +32,7 @@ void read_anisotropies(CheckedTable &root, model::Rotor &rotor);
 void read_balancers(CheckedTable &root, model::Rotor &rotor);
 void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Rotor &rotor);
+void read_probes(CheckedTable &root, model::Rotor &rotor);
 
 /// Reads [speeds], [campbell], [simulate], and [map], which must come last: it may name any numeric
 /// entry read before.

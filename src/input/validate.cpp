@@ -115,6 +115,7 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
         check_positions(rotor.balancers, "balancer", length, check);
         check_positions(rotor.planes, "plane", length, check);
         check_positions(rotor.imbalances, "imbalance", length, check);
+        check_positions(rotor.probes, "probe", length, check);
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);

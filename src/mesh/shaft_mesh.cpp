@@ -19,6 +19,7 @@ std::vector<double> attachment_positions(const model::Rotor &rotor) {
     collect(rotor.balancers);
     collect(rotor.planes);
     collect(rotor.imbalances);
+    collect(rotor.probes);
     return positions;
 }
 

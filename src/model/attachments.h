@@ -45,6 +45,14 @@ struct CorrectionPlane {
     double z = 0; ///< m
 };
 
+/// A displacement sensor beside the shaft, which does not turn: it reads x cos(angle) + y
+/// sin(angle).
+struct Probe {
+    std::string name;
+    double z = 0;     ///< m
+    double angle = 0; ///< direction in which it looks, from x towards y, rad
+};
+
 /// A small static imbalance fixed in the rotor.
 struct Imbalance {
     std::string name;

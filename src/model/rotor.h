@@ -18,6 +18,7 @@ struct Rotor {
     std::vector<Balancer> balancers;
     std::vector<CorrectionPlane> planes;
     std::vector<Imbalance> imbalances;
+    std::vector<Probe> probes;
 
     /// Bearings are equal in x and y, without cross coupling, at every speed.
     [[nodiscard]] bool bearings_isotropic() const;

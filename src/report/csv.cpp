@@ -1,8 +1,9 @@
 #include "report/csv.h"
 
+#include "report/csv_cell.h"
+
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,19 +11,7 @@ namespace whirl::report {
 
 namespace {
 
-std::string cell(std::optional<double> value) {
-    return value && std::isfinite(*value) ? fmt::format("{}", *value) : "";
-}
-
-/// Text in a cell; quoted where a comma, a quote or a line end would break the row.
-std::string cell(const std::string &text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char letter : text)
-        quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    return quoted + "\"";
-}
+template <class T> std::string cell(const T &value) { return csv_cell(value); }
 
 template <class T> std::optional<double> at(const std::vector<T> &values, std::size_t i) {
     return i < values.size() ? std::optional<double>(values[i]) : std::nullopt;
@@ -56,22 +45,6 @@ std::string to_csv(const analyses::CriticalResult &result) {
         csv += fmt::format("{},{},{},{},{}\n", cell(critical.speed),
                            analyses::whirl_name(critical.whirl), cell(critical.real),
                            cell(critical.error), cell(critical.residual));
-    return csv;
-}
-
-std::string to_csv(const analyses::ResponseResult &result) {
-    std::string csv = "speed [rad/s],kind,name,z [m],amplitude [m],phase [rad],major [m],minor [m],"
-                      "force [N]\n";
-    for (std::size_t i = 0; i < result.speeds.size(); ++i) {
-        for (const auto &node : result.nodes)
-            csv +=
-                fmt::format("{},node,{},{},{},{},{},{},\n", cell(result.speeds[i]), cell(node.name),
-                            cell(node.z), cell(at(node.amplitude, i)), cell(at(node.phase, i)),
-                            cell(at(node.major, i)), cell(at(node.minor, i)));
-        for (const auto &bearing : result.bearings)
-            csv += fmt::format("{},bearing,{},{},,,,,{}\n", cell(result.speeds[i]),
-                               cell(bearing.name), cell(bearing.z), cell(at(bearing.force, i)));
-    }
     return csv;
 }
 

@@ -33,6 +33,22 @@ template <class T> std::optional<T> last(const std::vector<std::optional<T>> &li
     return list.empty() ? std::nullopt : list.back();
 }
 
+/// Index of the largest value, where there is one.
+std::optional<std::size_t> peak_at(const std::vector<double> &values,
+                                   const std::vector<double> &speeds) {
+    const auto peak = std::max_element(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(peak - values.begin());
+    return at < std::min(values.size(), speeds.size()) ? std::optional(at) : std::nullopt;
+}
+
+std::string microns(double amplitude) {
+    return std::isinf(amplitude) ? "no limit" : readable(amplitude * 1e6, 6);
+}
+
+std::string share(const std::vector<double> &errors, std::size_t at) {
+    return at < errors.size() && std::isfinite(errors[at]) ? readable(errors[at], 2) : "–";
+}
+
 /// Crossings with multiples of the spin speed; those with 1× are critical speeds.
 std::string crossings_table(const analyses::CampbellResult &result) {
     Rows rows;
@@ -97,16 +113,24 @@ std::string to_html(const model::Case &scene, const analyses::ResponseResult &re
                     const std::string &picture) {
     PageContent parts = content("response", "Unbalance response", scene, result, picture);
     Rows rows;
-    for (const auto &node : result.nodes) {
-        const auto peak = std::max_element(node.amplitude.begin(), node.amplitude.end());
-        if (peak == node.amplitude.end())
-            continue;
-        const auto at = static_cast<std::size_t>(peak - node.amplitude.begin());
-        rows.push_back({node.name, readable(node.z), readable(*peak * 1e6, 6),
-                        at < result.speeds.size() ? readable(result.speeds[at] * rpm, 6) : ""});
-    }
-    parts.sections.emplace_back("Largest amplitudes among the computed speeds",
-                                html_table({"Place", "z (m)", "Amplitude (µm)", "at (rpm)"}, rows));
+    for (const auto &node : result.nodes)
+        if (const auto at = peak_at(node.amplitude, result.speeds))
+            rows.push_back({node.name, readable(node.z), microns(node.amplitude[*at]),
+                            readable(result.speeds[*at] * rpm, 6), share(node.error, *at)});
+    parts.sections.emplace_back(
+        "Largest amplitudes among the computed speeds",
+        html_table({"Place", "z (m)", "Amplitude (µm)", "at (rpm)", "Relative error"}, rows));
+    rows.clear();
+    for (const auto &probe : result.probes)
+        if (const auto at = peak_at(probe.amplitude, result.speeds))
+            rows.push_back({probe.name, readable(probe.z), readable(probe.angle * 180 / pi, 6),
+                            microns(probe.amplitude[*at]), readable(result.speeds[*at] * rpm, 6),
+                            share(probe.error, *at)});
+    if (!rows.empty())
+        parts.sections.emplace_back("Largest readings of the probes",
+                                    html_table({"Probe", "z (m)", "Direction (deg)",
+                                                "Amplitude (µm)", "at (rpm)", "Relative error"},
+                                               rows));
     return page(scene, result.model, parts);
 }
 

@@ -73,24 +73,6 @@ std::string to_json(const model::Case &scene, const analyses::CriticalResult &re
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::ResponseResult &result) {
-    Json json = json_envelope("response", scene, result.model);
-    json["speeds"] = result.speeds;
-    json["nodes"] = Json::array();
-    for (const auto &node : result.nodes)
-        json["nodes"].push_back({{"z", node.z},
-                                 {"name", node.name},
-                                 {"amplitude", node.amplitude},
-                                 {"phase", node.phase},
-                                 {"major", node.major},
-                                 {"minor", node.minor}});
-    json["bearings"] = Json::array();
-    for (const auto &bearing : result.bearings)
-        json["bearings"].push_back(
-            {{"z", bearing.z}, {"name", bearing.name}, {"force", bearing.force}});
-    return json_text(json);
-}
-
 std::string to_json(const model::Case &scene, const analyses::ModesResult &result) {
     Json json = json_envelope("modes", scene, result.model);
     json["speed"] = result.speed;

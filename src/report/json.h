@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analyses/balance_result.h"
+#include "analyses/response_result.h"
 #include "analyses/results.h"
 #include "analyses/rigid_limit_result.h"
 #include "analyses/stability_result.h"

@@ -43,6 +43,10 @@ std::vector<PlotPoint> phase_points(const ResponseResult &result,
                                     const std::vector<double> &phase) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size() && i < phase.size(); ++i) {
+        if (!std::isfinite(phase[i])) { // none at a resonance without damping
+            points.push_back({result.speeds[i] * rpm, std::nullopt});
+            continue;
+        }
         const double degrees = std::remainder(phase[i], 2 * pi) * 180 / pi;
         if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
             points.push_back({result.speeds[i] * rpm, std::nullopt});
@@ -127,6 +131,16 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
             {place_name(node.name, node.z), over_speed(result, node.amplitude, 1e6)});
         phase.push_back({"", phase_points(result, node.phase)});
     }
+    const std::size_t nodes = amplitude.size();
+    for (const auto &probe : result.probes)
+        if (amplitude.size() < 2 * most_curves) {
+            amplitude.push_back(
+                {fmt::format("{} at {}°",
+                             place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
+                             readable(probe.angle * 180 / pi, 4)),
+                 over_speed(result, probe.amplitude, 1e6)});
+            phase.push_back({"", phase_points(result, probe.phase)});
+        }
     for (const auto &bearing : result.bearings)
         if (force.size() < most_curves)
             force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
@@ -137,7 +151,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     const double pixel = 1.0 / figure.height;
     figure.script =
         figure_head("Unbalance response: " + title_of(scene),
-                    fmt::format("{} nodes drawn of {}", amplitude.size(), result.nodes.size()),
+                    fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
                     figure.height) +
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(amplitude) +
         panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
@@ -145,7 +159,10 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
         panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
-        panel_axes(result, "Phase of x (deg)", force.empty()) + draw("p", phase, false);
+        panel_axes(result,
+                   result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
+                   force.empty()) +
+        draw("p", phase, false);
     if (!force.empty())
         figure.script +=
             logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/results.h"
+#include "analyses/response_result.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
 

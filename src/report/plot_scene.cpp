@@ -189,6 +189,17 @@ void draw_anisotropy(Drawing &drawing, const Sheet &sheet, const model::Anisotro
     drawing.shapes.push_back(area(std::move(lens), "#E7C6DA", "#8B3A6B"));
 }
 
+/// An arrow from above that ends at the surface of the shaft, whatever its direction.
+void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
+                const model::Probe &probe) {
+    const double x = sheet.across(probe.z);
+    const double tip = sheet.axis - sheet.pixels(shaft_radius(shaft, probe.z));
+    drawing.shapes.push_back(
+        area({{x, tip}, {x - 4, tip - 9}, {x + 4, tip - 9}}, "#5B3A8B", "#5B3A8B"));
+    drawing.shapes.push_back(
+        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4, false));
+}
+
 /// Callouts in as few rows as keep them apart, with a thin line to their parts. Rows grow away
 /// from the rotor: upwards for `direction` -1. @returns the number of rows.
 int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start, double direction) {
@@ -257,6 +268,9 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
     for (std::size_t i = 0; i < rotor.planes.size(); ++i)
         callouts.push_back({sheet.across(rotor.planes[i].z), sheet.axis - sheet.radius - 10,
                             name_or(rotor.planes[i].name, "plane", i, rotor.planes.size())});
+    for (std::size_t i = 0; i < rotor.probes.size(); ++i)
+        callouts.push_back({sheet.across(rotor.probes[i].z), sheet.axis - sheet.radius - 10,
+                            name_or(rotor.probes[i].name, "probe", i, rotor.probes.size())});
     return callouts;
 }
 
@@ -310,6 +324,8 @@ Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
                                          {sheet.across(plane.z), sheet.axis + reach}},
                                         "#007D5A", 1.4, true));
     draw_shaft(drawing, sheet, rotor.shaft);
+    for (const auto &probe : rotor.probes)
+        draw_probe(drawing, sheet, rotor.shaft, probe);
     for (const auto &disc : rotor.discs)
         draw_disc(drawing, sheet, rotor.shaft, disc);
     for (const auto &balancer : rotor.balancers)

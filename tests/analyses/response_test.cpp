@@ -178,19 +178,14 @@ TEST(UnbalanceResponse, bearing_tables_are_read_at_each_speed) {
     }
 }
 
-TEST(UnbalanceResponse, undamped_resonance_is_refused_or_flagged) {
+TEST(UnbalanceResponse, undamped_resonance_has_no_amplitude) {
     model::Case scene = rigid_scene();
     scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-3)};
     scene.speeds = model::SpeedRange{std::sqrt(4e6 / 60), 0, 1};
-    try {
-        const ResponseResult result = unbalance_response(scene);
-        EXPECT_TRUE(std::isfinite(node_at(result, 0.5).amplitude[0]));
-        EXPECT_GT(node_at(result, 0.5).amplitude[0], 1e6 * 1e-3 / 60);
-        ASSERT_EQ(result.model.notes.size(), 1U);
-        EXPECT_NE(result.model.notes[0].find("258.199"), std::string::npos);
-    } catch (const model::AnalysisFailure &failure) {
-        EXPECT_NE(std::string(failure.what()).find("258.199"), std::string::npos);
-    }
+    const ResponseResult result = unbalance_response(scene);
+    EXPECT_TRUE(std::isinf(node_at(result, 0.5).amplitude[0]));
+    ASSERT_EQ(result.model.notes.size(), 1U);
+    EXPECT_NE(result.model.notes[0].find("258.199"), std::string::npos);
 }
 
 TEST(UnbalanceResponse, at_rest_nothing_moves_even_without_supports) {

@@ -78,6 +78,16 @@ inline std::vector<BrokenCase> broken_attachments() {
          base + "[[plane]]\nz = 1.01\n"},
         {"imbalance of nothing", 8, "imbalance[0].mr", "missing, expected an imbalance in kg m",
          base + "[[imbalance]]\nz = 0\n"},
+        {"probe beyond the shaft", 9, "probe[0].z", "expected a place on the shaft, 0 to 1 m",
+         base + "[[probe]]\nz = -0.1\n"},
+        {"probe without a place", 8, "probe[0].z", "missing, expected a length in m",
+         base + "[[probe]]\nangle = 0\n"},
+        {"probe that looks into metres", 10, "probe[0].angle", "expected an angle in rad",
+         base + "[[probe]]\nz = 0\nangle = \"45 mm\"\n"},
+        {"probe of an unknown kind", 10, "probe[0].direction", "unknown",
+         base + "[[probe]]\nz = 0\ndirection = 0\n"},
+        {"probe as a table", 8, "probe", "expected a list of tables, [[probe]], got a table",
+         base + "[probe]\nz = 0\n"},
     };
 }
 

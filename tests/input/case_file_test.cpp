@@ -91,6 +91,12 @@ z = 0.2
 z = 0.5
 mr = "100 g mm"
 phase = "30 deg"
+[[probe]]
+name = "horizontal"
+z = 0.1
+[[probe]]
+z = "900 mm"
+angle = "45 deg"
 [speeds]
 to = "12000 rpm"
 [simulate]
@@ -224,6 +230,11 @@ TEST_F(FullCase, RotatingParts) {
     EXPECT_EQ(rotor.planes.at(0).z, 0.2);
     EXPECT_DOUBLE_EQ(rotor.imbalances.at(0).mr, 1e-4);
     EXPECT_DOUBLE_EQ(rotor.imbalances.at(0).phase, pi / 6);
+    ASSERT_EQ(rotor.probes.size(), 2U);
+    EXPECT_EQ(rotor.probes[0].name, "horizontal");
+    EXPECT_EQ(rotor.probes[0].angle, 0);
+    EXPECT_DOUBLE_EQ(rotor.probes[1].z, 0.9);
+    EXPECT_DOUBLE_EQ(rotor.probes[1].angle, pi / 4);
 }
 
 TEST_F(FullCase, Settings) {

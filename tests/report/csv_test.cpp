@@ -2,6 +2,10 @@
 
 #include "sample_results.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace whirl::report {
 
 namespace {
@@ -29,9 +33,28 @@ TEST(Csv, CampbellHasUnitsOneRowAModeAndSpeedAndEmptyCells) {
 TEST(Csv, TextWithCommasAndQuotesStaysOneCell) {
     analyses::ResponseResult result;
     result.speeds = {100};
-    result.nodes = {{0.5, "disc, \"big\"", {1e-5}, {0.1}, {1e-5}, {-1e-6}}};
+    result.nodes.resize(1);
+    analyses::ResponseNode &node = result.nodes[0];
+    node.z = 0.5;
+    node.name = "disc, \"big\"";
+    node.amplitude = node.major = {1e-5};
+    node.phase = {0.1};
+    node.minor = {-1e-6};
     EXPECT_EQ(lines_of(to_csv(result)).at(1),
-              "100,node,\"disc, \"\"big\"\"\",0.5,1e-05,0.1,1e-05,-1e-06,");
+              "100,node,\"disc, \"\"big\"\"\",0.5,1e-05,0.1,1e-05,-1e-06,,,,,,,,");
+}
+
+TEST(Csv, ProbesStandInTheResponseWithTheirDirections) {
+    analyses::ResponseResult result;
+    result.speeds = {100, 200};
+    const double infinite = std::numeric_limits<double>::infinity();
+    result.probes = {{0.25, 0.5, "left", {1e-5, infinite}, {-2, std::nan("")}, {1e-9, infinite}}};
+    const auto lines = lines_of(to_csv(result));
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[1], "100,probe,left,0.25,1e-05,-2,,,,,,,,,1e-09,0.5");
+    EXPECT_EQ(lines[2], "200,probe,left,0.25,,,,,,,,,,,,0.5") << "no limit";
+    EXPECT_EQ(std::count(lines[0].begin(), lines[0].end(), ','),
+              std::count(lines[1].begin(), lines[1].end(), ','));
 }
 
 } // namespace whirl::report

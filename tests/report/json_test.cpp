@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace whirl::report {
 
 using Json = nlohmann::json;
@@ -54,11 +56,21 @@ TEST(Json, OtherResultsHaveTheirKeys) {
 
     analyses::ResponseResult response;
     response.speeds = {100};
-    response.nodes = {{0.5, "disc", {1e-5}, {0.1}, {1e-5}, {-1e-6}}};
-    response.bearings = {{0, "", {12.5}}};
+    response.nodes.resize(1);
+    response.nodes[0].minor = {-1e-6};
+    response.nodes[0].inclination = {std::nan("")};
+    response.bearings = {{0, "", {12.5}, {1e-8}}};
+    response.probes = {{0.5, 0.7, "left", {1e-5}, {0.2}, {1e-9}}};
     const Json answered = Json::parse(to_json(sample_case(), response));
     EXPECT_EQ(answered.at("nodes").at(0).at("minor").at(0), -1e-6);
+    for (const char *key : {"z", "name", "amplitude", "phase", "major", "minor", "x", "x_phase",
+                            "y", "y_phase", "inclination", "error"})
+        EXPECT_TRUE(answered.at("nodes").at(0).contains(key)) << key;
+    EXPECT_TRUE(answered.at("nodes").at(0).at("inclination").at(0).is_null());
     EXPECT_EQ(answered.at("bearings").at(0).at("force").at(0), 12.5);
+    EXPECT_EQ(answered.at("bearings").at(0).at("error").at(0), 1e-8);
+    EXPECT_EQ(answered.at("probes").at(0).at("angle"), 0.7);
+    EXPECT_EQ(answered.at("probes").at(0).at("phase").at(0), 0.2);
 
     analyses::ShowResult show;
     show.mass = 84;

@@ -105,6 +105,8 @@ inline void scale_settings(model::Case &scene, const Units &u) {
         imbalance.z *= u.length;
         imbalance.mr *= u.mass * u.length;
     }
+    for (model::Probe &probe : rotor.probes)
+        probe.z *= u.length;
     scale_settings(scene, u);
     return scene;
 }
