@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 
 namespace {
@@ -40,10 +40,9 @@ std::vector<properties::Units> units_of(int argc, char **argv) {
 int compare(const std::string &name, const std::string &command,
             const std::vector<properties::Units> &units) {
     const fs::path file = fs::path(WHIRL_ROOT) / "cases" / name;
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const properties::CommandOutput here = properties::run_in_units(command, file, {});
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     int differences = 0;
     for (const properties::Units &u : units) {
         const auto found =
