@@ -22,8 +22,7 @@ namespace {
 struct Tally {
     int tried = 0;
     int broken = 0;
-    double seconds = 0;
-    std::vector<std::string> first; ///< sentences for the first few
+    double seconds = 0; ///< of the processor
 };
 
 /// Of this program, s.
@@ -65,9 +64,11 @@ int main(int argc, char **argv) {
             ++tally.tried;
             if (difference->empty())
                 continue;
-            if (++tally.broken <= 12)
-                tally.first.push_back(
-                    fmt::format("scene {} ({}): {}", number, scene.words(), *difference));
+            if (++tally.broken <= 12) {
+                fmt::print("{}: scene {} ({}): {}\n", check.name, number, scene.words(),
+                           *difference);
+                std::fflush(stdout);
+            }
         }
         if (number % 20 == 19) {
             fmt::print(stderr, "{} scenes\n", number - first + 1);
@@ -75,13 +76,10 @@ int main(int argc, char **argv) {
         }
     }
     int broken = 0;
-    fmt::print("{:<44}{:>8}{:>8}{:>10}\n", "invariance", "tried", "broken", "seconds");
+    fmt::print("\n{:<44}{:>8}{:>8}{:>10}\n", "invariance", "tried", "broken", "seconds");
     for (const auto &[name, tally] : tallies) {
         fmt::print("{:<44}{:>8}{:>8}{:>10.1f}\n", name, tally.tried, tally.broken, tally.seconds);
         broken += tally.broken;
     }
-    for (const auto &[name, tally] : tallies)
-        for (const std::string &sentence : tally.first)
-            fmt::print("{}: {}\n", name, sentence);
     return broken == 0 ? 0 : 1;
 }
