@@ -1,6 +1,6 @@
 #include "analyses/accuracy.h"
 
-#include "analyses/discretization_error.h"
+#include "analyses/error_estimate.h"
 #include "analyses/spectrum.h"
 #include "analyses/speeds.h"
 #include "assembly/discretization.h"
@@ -110,10 +110,10 @@ AccuracyRow measured_row(const Study &study, int order, int refinement,
                          const Reference &reference) {
     std::vector<std::complex<double>> values;
     AccuracyRow row = timed_row(study, order, refinement, values);
-    const auto finer = finer_solver(study.rotor, study.form, order, refinement);
-    row.error_estimate = largest_difference(values, study.eigenvalues(*finer));
-    if (row.error_estimate && order == 1)
-        *row.error_estimate *= 4.0 / 3.0; // the error falls by four: the difference is 3/4 of it
+    row.error_estimate =
+        largest_difference(values, study.eigenvalues(finer_order(order), refinement));
+    if (row.error_estimate)
+        *row.error_estimate *= estimate_safety;
     // Against an order-p mesh as fine as the reference itself a difference says nothing.
     const int of_reference = study.unknowns(reference.order, reference.refinement);
     if (order == 1 || study.unknowns(order, refinement) < of_reference)

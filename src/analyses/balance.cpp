@@ -1,6 +1,7 @@
 #include "analyses/balance.h"
 
 #include "analyses/balance_bands.h"
+#include "analyses/balance_error.h"
 #include "analyses/balance_pendulum.h"
 #include "analyses/balance_placement.h"
 #include "analyses/balance_rigid.h"
@@ -28,11 +29,18 @@ std::vector<BandEnd> inner_ends(const std::vector<SpeedBand> &bands, double from
     std::vector<BandEnd> ends;
     for (const SpeedBand &band : bands) {
         if (band.from > from)
-            ends.push_back({band.from, false, {}, {}, {}});
+            ends.push_back({band.from, false, {}, {}, {}, {}});
         if (band.to < to)
-            ends.push_back({band.to, true, {}, {}, {}});
+            ends.push_back({band.to, true, {}, {}, {}, {}});
     }
     return ends;
+}
+
+std::optional<double> error_of(const BalanceBands &bands, const BandEnd &end) {
+    for (std::size_t i = 0; i < bands.errors.size(); ++i)
+        if ((end.upper ? bands.bands[i].to : bands.bands[i].from) == end.speed)
+            return end.upper ? bands.errors[i].second : bands.errors[i].first;
+    return std::nullopt;
 }
 
 template <class Ends> auto nearest_end(Ends &ends, double speed, bool upper) {
@@ -50,6 +58,7 @@ void complete(BalanceBands &bands, double from, double to) {
     const std::vector<BandEnd> rigid =
         inner_ends(bands.rigid_bands.value_or(std::vector<SpeedBand>{}), from, to);
     for (BandEnd &end : bands.ends) {
+        end.error = error_of(bands, end);
         const auto partner = nearest_end(rigid, end.speed, end.upper);
         // Farther apart than by half, they have nothing to do with each other.
         if (partner != rigid.end() && std::abs(end.speed / partner->speed - 1) < 0.5 &&
@@ -162,7 +171,7 @@ void fill_notes(const model::Case &scene, const BalanceScene &s, BalanceResult &
 
 BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
                         const assembly::Discretization &d) {
-    BalanceForm form(d, s.formulation.form, s.places(d));
+    BalanceForm form(d, s.formulation.form, s.places(d), s.plane_positions());
     BalanceResult result;
     result.model.formulation = s.formulation;
     result.model.order = s.order;
@@ -178,6 +187,9 @@ BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
     report_progress(0.1);
     if (s.has_range())
         fill_bands(s, points, form, result);
+    report_progress(0.2);
+    if (s.has_range())
+        judge_band_ends(s, form, result);
     report_progress(0.3);
     fill_rigid(s, result);
     fill_signature(s, form, result);

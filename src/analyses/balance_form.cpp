@@ -14,16 +14,26 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Columns: an orthonormal basis of the imbalances that move anything.
-Eigen::MatrixXd range_of_places(const std::vector<assembly::Combination> &places, int size) {
-    const auto count = static_cast<Eigen::Index>(places.size());
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(count, size);
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (const auto &[unknown, value] : places[i])
-            rows(static_cast<Eigen::Index>(i), unknown) += value;
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows * rows.transpose(), Eigen::ComputeFullU);
-    const Eigen::VectorXd &values = svd.singularValues();
-    const auto rank = (values.array() > 1e-12 * values(0)).count();
+/// Columns: an orthonormal basis of the imbalances that move anything. Planes at one place make one
+/// force; those of a rigid rotor a force and a moment, however many they are.
+Eigen::MatrixXd range_of_planes(const std::vector<double> &z, double length, bool rigid) {
+    const auto count = static_cast<Eigen::Index>(z.size());
+    // Parts of the length that are one place: rounding of sums of segments.
+    constexpr double one_place = 1e-11;
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(count, rigid ? 2 : count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const double at = z[static_cast<std::size_t>(i)];
+        if (rigid) {
+            forces.row(i) << 1, (at - length / 2) / length;
+            continue;
+        }
+        const auto same = std::find_if(z.begin(), z.end(), [&](double other) {
+            return std::abs(other - at) <= one_place * length;
+        });
+        forces(i, same - z.begin()) = 1;
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(forces, Eigen::ComputeFullU);
+    const auto rank = (svd.singularValues().array() > one_place * svd.singularValues()(0)).count();
     if (rank == count)
         return Eigen::MatrixXd::Identity(count, count);
     return svd.matrixU().leftCols(rank);
@@ -32,8 +42,10 @@ Eigen::MatrixXd range_of_places(const std::vector<assembly::Combination> &places
 } // namespace
 
 BalanceForm::BalanceForm(const assembly::Discretization &rotor, Form form,
-                         const std::vector<assembly::Combination> &places)
-    : _receptance(rotor, form, places), _range(range_of_places(places, rotor.planar_size())) {}
+                         const std::vector<assembly::Combination> &places,
+                         const std::vector<double> &z)
+    : _receptance(rotor, form, places),
+      _range(range_of_planes(z, rotor.rotor().shaft.length(), rotor.rigid())) {}
 
 const Eigen::MatrixXcd &BalanceForm::at(double speed) {
     const auto found = _known.find(speed);

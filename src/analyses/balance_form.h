@@ -12,8 +12,9 @@ namespace whirl::analyses {
 class BalanceForm {
   public:
     /// @param places  deflections at the planes; the discretisation must outlive this
+    /// @param z       where the planes are, m
     BalanceForm(const assembly::Discretization &rotor, Form form,
-                const std::vector<assembly::Combination> &places);
+                const std::vector<assembly::Combination> &places, const std::vector<double> &z);
 
     /// Hermitian part of R, planes x planes, 1/kg. At a resonance, where R has no value, that of a
     /// speed beside it.

@@ -146,7 +146,7 @@ Placement placement(const BalanceScene &scene, const assembly::Discretization &d
         const int count = std::max(fewest_speeds, static_cast<int>(scene.speeds.size()));
         out.speeds = model::SpeedRange{scene.from, scene.to, count}.values();
     }
-    BalanceForm form(d, scene.formulation.form, places);
+    BalanceForm form(d, scene.formulation.form, places, out.z);
     const double mass = rotor_mass(scene.rotor);
     double done = 0;
     const auto forms = rows_at(out.speeds, [&](double speed) {

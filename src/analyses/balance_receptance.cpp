@@ -39,6 +39,28 @@ struct Terms {
         for (Sparse &term : of)
             term = term.rows() == 0 ? pattern : Sparse(pattern + term);
     }
+    /// Scales of the unknowns that make the diagonal of K + w^2 M, w a frequency of the order of
+    /// those of the single unknowns, about 1: deflections and slopes have different units, and
+    /// pivots must not be chosen by them.
+    [[nodiscard]] Eigen::VectorXd scales() const {
+        const Eigen::VectorXd K = of[one].diagonal().cwiseAbs();
+        const Eigen::VectorXd M = of[minus_speed_squared].diagonal().cwiseAbs();
+        double sum = 0;
+        int count = 0;
+        for (Eigen::Index i = 0; i < K.size(); ++i)
+            if (M(i) > 0 && K(i) > 0) {
+                sum += std::log2(K(i) / M(i));
+                ++count;
+            }
+        const double square = count > 0 ? std::exp2(sum / count) : 1;
+        return (K + square * M).unaryExpr([](double d) {
+            return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0;
+        });
+    }
+    void scale(const Eigen::VectorXd &d) {
+        for (Sparse &term : of)
+            term = d.asDiagonal() * Sparse(term * d.asDiagonal());
+    }
     [[nodiscard]] bool absent(Factor factor) const {
         return of[factor].nonZeros() == 0 || of[factor].coeffs().isZero(0);
     }
@@ -120,20 +142,28 @@ template <class Scalar> class Solver {
 struct ForwardReceptance::Data {
     Data(const assembly::Discretization &of, bool is_planar)
         : rotor(of), planar(is_planar), tables(of.rotor().bearings_depend_on_speed()),
-          terms(terms_at(0)) {}
+          terms(unscaled_terms(0)), scales(terms.scales()) {
+        terms.scale(scales);
+    }
 
     const assembly::Discretization &rotor;
     bool planar;
     bool tables;
-    Terms terms;
-    Eigen::SparseMatrix<double> real_places; ///< planar: one column a place
-    Eigen::SparseMatrix<Complex> places;     ///< general: (1, -i)/sqrt 2 a place
+    Terms terms;                             ///< of scaled unknowns
+    Eigen::VectorXd scales;                  ///< of the unknowns
+    Eigen::SparseMatrix<double> real_places; ///< scaled; planar: one column a place
+    Eigen::SparseMatrix<Complex> places;     ///< scaled; general: (1, -i)/sqrt 2 a place
     bool real = false;                       ///< Z is: undamped and planar
     Solver<double> real_solver;
     Solver<Complex> solver;
 
-    [[nodiscard]] Terms terms_at(double speed) const {
+    [[nodiscard]] Terms unscaled_terms(double speed) const {
         return planar ? planar_terms(rotor, speed) : general_terms(rotor, speed);
+    }
+    [[nodiscard]] Terms terms_at(double speed) const {
+        Terms out = unscaled_terms(speed);
+        out.scale(scales);
+        return out;
     }
 };
 
@@ -149,12 +179,14 @@ ForwardReceptance::ForwardReceptance(const assembly::Discretization &rotor, Form
     for (std::size_t k = 0; k < places.size(); ++k)
         for (const auto &[unknown, value] : places[k]) {
             const int column = static_cast<int>(k);
-            real_entries.emplace_back(unknown, column, value);
             if (d.planar) {
-                entries.emplace_back(unknown, column, value);
+                real_entries.emplace_back(unknown, column, d.scales(unknown) * value);
+                entries.emplace_back(unknown, column, d.scales(unknown) * value);
             } else { // f = Re[(1, -i) exp(i s t)]: a vector that turns with the rotor
-                entries.emplace_back(2 * unknown, column, half * value);
-                entries.emplace_back(2 * unknown + 1, column, Complex(0, -half * value));
+                const double x = half * value * d.scales(2 * unknown);
+                const double y = half * value * d.scales(2 * unknown + 1);
+                entries.emplace_back(2 * unknown, column, x);
+                entries.emplace_back(2 * unknown + 1, column, Complex(0, -y));
             }
         }
     const Eigen::Index size = d.terms.of[one].rows();

@@ -6,6 +6,7 @@
 #include <complex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whirl::analyses {
@@ -22,6 +23,7 @@ struct BandEnd {
     bool upper = false;                        ///< the band ends here; else it begins here
     std::optional<double> rigid;               ///< rad/s
     std::optional<double> relative_difference; ///< speed / rigid - 1
+    std::optional<double> error;               ///< rad/s; none where it is not known
     std::optional<double> pinned;              ///< the same end as a pinned critical speed, rad/s
 };
 
@@ -31,6 +33,8 @@ struct BalanceBands {
     std::optional<std::vector<SpeedBand>> rigid_bands; ///< closed form; none where it has no form
     std::vector<double> pinned; ///< forward critical speeds of the rotor pinned there, rad/s
     std::vector<BandEnd> ends;
+    /// Of each band: errors of its ends, rad/s; 0 at an end of the range, none where not known.
+    std::vector<std::pair<std::optional<double>, std::optional<double>>> errors;
 };
 
 struct BalancePlane {

@@ -88,7 +88,8 @@ std::vector<SpeedBand> rigid_joint_bands(const RigidEquivalent &rigid,
                                          const std::vector<double> &planes, double from,
                                          double to) {
     const auto [least, largest] = std::minmax_element(planes.begin(), planes.end());
-    if (*largest - *least < 1e-9 * (1 + std::abs(*largest)))
+    // One place, measured by the radius of gyration.
+    if (*largest - *least < 1e-9 * std::sqrt(rigid.diametral / rigid.mass))
         return rigid_plane_bands(rigid, *least, from, to);
     return cut(closed_form::dynamic_balancing_bands(closed_form_rotor(rigid)), from, to);
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::analyses {
 
@@ -51,11 +52,19 @@ std::vector<assembly::Combination> damped_places(const assembly::Discretization 
     return places;
 }
 
-/// No bearing has a negative stiffness, with which inertia counts would say nothing.
+/// Symmetric without negative eigenvalues, but for rounding of the entries (turned axes).
+bool pushes_back(const Eigen::Matrix2d &k) {
+    const double mean = k.trace() / 2;
+    const double apart = std::hypot((k(0, 0) - k(1, 1)) / 2, k(0, 1));
+    return k(0, 1) == k(1, 0) && apart <= mean * (1 + 1e-14);
+}
+
+/// Every bearing has a symmetric stiffness that pushes back in every direction; else inertia counts
+/// would say nothing.
 bool bearings_push_back(const model::Rotor &rotor) {
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
         return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
-            return row.k.diagonal().minCoeff() >= 0 && row.kt.diagonal().minCoeff() >= 0;
+            return pushes_back(row.k) && pushes_back(row.kt);
         });
     });
 }
@@ -129,12 +138,19 @@ std::vector<assembly::Combination> BalanceScene::places(const assembly::Discreti
     return out;
 }
 
+std::vector<double> BalanceScene::plane_positions() const {
+    std::vector<double> z;
+    for (const model::CorrectionPlane &plane : planes)
+        z.push_back(plane.z);
+    return z;
+}
+
 BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d,
                                        bool undamped) {
     BalanceBreakpoints out;
     const bool planar = scene.rotor.bearings_isotropic();
-    out.sharp = undamped && scene.rotor.bearings_orthotropic() &&
-                !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
+    out.sharp =
+        undamped && !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
     out.pinned.resize(scene.planes.size());
     if (!scene.has_range())
         return out;

@@ -24,6 +24,8 @@ struct BalanceScene {
     /// Deflections at the planes.
     [[nodiscard]] std::vector<assembly::Combination>
     places(const assembly::Discretization &d) const;
+    /// z of the planes, m.
+    [[nodiscard]] std::vector<double> plane_positions() const;
 };
 
 /// Speeds at which signs of the criterion can change.

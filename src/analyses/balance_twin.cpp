@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <complex>
 
 namespace whirl::analyses {
 
@@ -14,13 +15,15 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// Reduced row echelon form with full choice of the pivots; dependent rows are dropped.
+/// @param scale  of each unknown: a deflection and a slope times theirs are comparable
 struct Constraints {
     Eigen::MatrixXd rows;
     std::vector<Eigen::Index> pivots; ///< column of each row
 };
 
-Constraints reduced(Eigen::MatrixXd rows) {
+Constraints reduced(Eigen::MatrixXd rows, const Eigen::VectorXd &scale) {
     Constraints out;
+    rows = rows * scale.asDiagonal();
     const double size = rows.cwiseAbs().maxCoeff();
     Eigen::Index done = 0;
     while (done < rows.rows()) {
@@ -38,6 +41,9 @@ Constraints reduced(Eigen::MatrixXd rows) {
         ++done;
     }
     out.rows = rows.topRows(done);
+    for (Eigen::Index i = 0; i < done; ++i)
+        out.rows.row(i) *= scale(out.pivots[static_cast<std::size_t>(i)]);
+    out.rows = out.rows * scale.cwiseInverse().asDiagonal();
     return out;
 }
 
@@ -64,7 +70,30 @@ Sparse free_motions(const Constraints &constraints, Eigen::Index size) {
     return T;
 }
 
-void drop_coupling(Eigen::Matrix2d &a) { a(0, 1) = a(1, 0) = 0; }
+void keep_symmetric(Eigen::Matrix2d &a) { a(0, 1) = a(1, 0) = (a(0, 1) + a(1, 0)) / 2; }
+
+/// Entries between unknowns of different planes (`across`), or of the same one.
+Sparse part_of(const Sparse &K, bool across) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < K.outerSize(); ++column)
+        for (Sparse::InnerIterator it(K, column); it; ++it)
+            if ((it.row() % 2 != it.col() % 2) == across && it.value() != 0)
+                entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
+                                     it.value());
+    Sparse out(K.rows(), K.cols());
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
+}
+
+/// x = u, y = -i v: an entry k from y to x becomes -i k, one from x to y becomes i k.
+Sparse imaginary_part(const Sparse &K) {
+    Sparse out = part_of(K, true);
+    for (int column = 0; column < out.outerSize(); ++column)
+        for (Sparse::InnerIterator it(out, column); it; ++it)
+            if (it.row() % 2 == 0)
+                it.valueRef() = -it.value();
+    return out;
+}
 
 void take_mean(Eigen::Matrix2d &a) {
     const double mean = a.trace() / 2;
@@ -82,13 +111,31 @@ UndampedTwin::UndampedTwin(const assembly::Discretization &rotor, bool planar, d
     } else {
         const assembly::FixedSystem system = assembly::assemble_fixed(rotor, bearing_speed);
         const linalg::Matrix S = assembly::hyperbolic_coupling(rotor);
-        _K = system.K.view();
+        const Sparse K = system.K.view();
+        _K = part_of(K, false);
+        if (!rotor.rotor().bearings_orthotropic())
+            _K_imaginary = imaginary_part(K);
         _A = linalg::Matrix::sum(1, system.M, -1, S).view();
     }
 }
 
+/// Of the rotor that can only move as the columns of T.
+std::vector<double> UndampedTwin::roots(const Sparse &T, double from, double to) const {
+    const Sparse K = T.transpose() * _K * T;
+    const Sparse A = T.transpose() * _A * T;
+    if (_K_imaginary.nonZeros() == 0)
+        return linalg::SemidefinitePair(K, A).roots(from, to);
+    using Complex = std::complex<double>;
+    const Sparse skew = T.transpose() * _K_imaginary * T;
+    const Eigen::SparseMatrix<Complex> hermitian =
+        K.cast<Complex>() + Complex(0, 1) * skew.cast<Complex>();
+    return linalg::HermitianPair(hermitian, A.cast<Complex>()).roots(from, to);
+}
+
 std::vector<double> UndampedTwin::critical_speeds(double from, double to) const {
-    return linalg::SemidefinitePair(_K, _A).roots(from, to);
+    Sparse all(_K.rows(), _K.rows());
+    all.setIdentity();
+    return roots(all, from, to);
 }
 
 std::vector<double>
@@ -106,8 +153,11 @@ UndampedTwin::pinned_critical_speeds(const std::vector<assembly::Combination> &p
                 rows(row, 2 * unknown + 1) += value;
             }
         }
-    const Sparse T = free_motions(reduced(rows), _K.rows());
-    return linalg::SemidefinitePair(T.transpose() * _K * T, T.transpose() * _A * T).roots(from, to);
+    const Eigen::VectorXd size =
+        _K.diagonal().cwiseAbs() + to * to * Eigen::VectorXd(_A.diagonal().cwiseAbs());
+    const Eigen::VectorXd scale =
+        size.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
+    return roots(free_motions(reduced(rows, scale), _K.rows()), from, to);
 }
 
 model::Rotor without_damping(model::Rotor rotor) {
@@ -116,8 +166,8 @@ model::Rotor without_damping(model::Rotor rotor) {
         for (model::BearingCoefficients &row : bearing.rows) {
             row.c.setZero();
             row.ct.setZero();
-            drop_coupling(row.k);
-            drop_coupling(row.kt);
+            keep_symmetric(row.k);
+            keep_symmetric(row.kt);
         }
         if (bearing.pedestal)
             bearing.pedestal->c = 0;

@@ -8,9 +8,10 @@
 
 namespace whirl::analyses {
 
-/// The rotor without damping and without coupling between x and y in its bearings: its forward
-/// synchronous motion is governed by a real symmetric pair, (K - Omega^2 A) u = f, whose signs can
-/// be counted. Isotropic bearings: planar unknowns, A = M - G. Else: A = M - S in (x, i y), see
+/// The rotor without damping and with symmetric stiffness: its forward synchronous motion is
+/// governed by a Hermitian pair, (K - Omega^2 A) u = f, whose signs can be counted. Isotropic
+/// bearings: planar unknowns, A = M - G. Else (x, i y), A = M - S; real where the bearings are
+/// orthotropic, and K + i Kc with Kc = [0 -kxy; kxy 0] where they couple x and y. See
 /// docs/theory.md, "The criterion on a flexible rotor".
 class UndampedTwin {
   public:
@@ -30,10 +31,15 @@ class UndampedTwin {
   private:
     bool _planar;
     Eigen::SparseMatrix<double> _K;
+    Eigen::SparseMatrix<double> _K_imaginary; ///< skew; empty where nothing couples x and y
     Eigen::SparseMatrix<double> _A;
+
+    [[nodiscard]] std::vector<double> roots(const Eigen::SparseMatrix<double> &motions, double from,
+                                            double to) const;
 };
 
-/// Supports without damping and without coupling; tables and everything else as they are.
+/// Supports without damping and with the symmetric part of their stiffness; tables and everything
+/// else as they are.
 [[nodiscard]] model::Rotor without_damping(model::Rotor rotor);
 
 /// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic

@@ -165,7 +165,7 @@ CampbellResult campbell(const model::Case &scene) {
         followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
     if (linalg::process_rank() != 0)
         return result;
-    const LineErrors errors = line_errors(scene.rotor, solver, result.model.order, lines, spectra);
+    const LineErrors errors = line_errors(scene.rotor, solver, lines, spectra);
     for (std::size_t i = 0; i < lines.size(); ++i)
         result.modes.push_back(
             mode_along(lines[i], spectra, errors[i], in_rotating_axes(solver.form())));

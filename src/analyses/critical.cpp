@@ -1,10 +1,13 @@
 #include "analyses/critical.h"
 
+#include "analyses/critical_error.h"
 #include "analyses/discretization_error.h"
 #include "analyses/synchronous.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,110 +17,6 @@
 namespace whirl::analyses {
 
 namespace {
-
-/// Synchronous modes with bearing tables: each is iterated until the speed at which the bearings
-/// were taken is the speed found (secant steps on their difference).
-class TableIteration {
-  public:
-    TableIteration(const assembly::Discretization &d, Form form, int wanted)
-        : _d(d), _form(form), _wanted(wanted) {}
-
-    std::vector<WhirlMode> run() {
-        std::vector<WhirlMode> out;
-        for (const WhirlMode &start : synchronous_modes(_d, _form, 0, _wanted)) {
-            const std::optional<WhirlMode> mode = settle(start);
-            if (!mode) {
-                ++unsettled;
-                continue;
-            }
-            const bool known = std::any_of(out.begin(), out.end(), [&](const WhirlMode &other) {
-                return std::abs(other.eigenvalue - mode->eigenvalue) <
-                           1e-8 * std::abs(mode->eigenvalue) &&
-                       other.whirl == mode->whirl;
-            });
-            if (!known)
-                out.push_back(*mode);
-        }
-        std::sort(out.begin(), out.end(), [](const WhirlMode &a, const WhirlMode &b) {
-            return a.eigenvalue.imag() < b.eigenvalue.imag();
-        });
-        return out;
-    }
-
-    int unsettled = 0; ///< modes for which no fixed speed was found
-
-  private:
-    const assembly::Discretization &_d;
-    Form _form;
-    int _wanted;
-
-    /// The mode at other bearing coefficients that resembles `mode` most.
-    WhirlMode resembling(const WhirlMode &mode, double bearing_speed) const {
-        const std::vector<WhirlMode> all = synchronous_modes(_d, _form, bearing_speed, _wanted + 4);
-        const auto likeness = [&](const WhirlMode &other) {
-            if (_form == Form::planar && other.whirl != mode.whirl)
-                return 0.0;
-            const double cosine =
-                std::abs(other.shape.dot(mode.shape)) / (other.shape.norm() * mode.shape.norm());
-            return cosine /
-                   (1 + std::abs(std::log(other.eigenvalue.imag() / mode.eigenvalue.imag())));
-        };
-        return *std::max_element(all.begin(), all.end(), [&](const auto &a, const auto &b) {
-            return likeness(a) < likeness(b);
-        });
-    }
-
-    std::optional<WhirlMode> settle(WhirlMode mode) const {
-        double s0 = 0;
-        double g0 = mode.eigenvalue.imag();
-        double s1 = g0;
-        for (int step = 0; step < 60; ++step) {
-            mode = resembling(mode, s1);
-            const double g1 = mode.eigenvalue.imag() - s1;
-            if (std::abs(g1) < 1e-11 * mode.eigenvalue.imag())
-                return mode;
-            const double slope = (g1 - g0) / (s1 - s0);
-            double next = s1 - g1 / slope;
-            if (!std::isfinite(next) || next <= 0 || slope >= 0)
-                next = s1 + g1; // plain substitution
-            s0 = s1;
-            g0 = g1;
-            s1 = next;
-        }
-        return std::nullopt;
-    }
-};
-
-struct Found {
-    std::vector<WhirlMode> modes;
-    int unsettled = 0;
-};
-
-Found solve(const model::Rotor &rotor, Form form, const assembly::Discretization &d, int wanted) {
-    if (!rotor.bearings_depend_on_speed())
-        return {synchronous_modes(d, form, 0, wanted), 0};
-    TableIteration iteration(d, form, wanted);
-    Found found{iteration.run(), 0};
-    found.unsettled = iteration.unsettled;
-    return found;
-}
-
-/// At least the modes asked for; more while the highest is still below the top speed.
-Found solve_in_range(const model::Case &scene, Form form, const assembly::Discretization &d) {
-    const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
-    const auto wanted = static_cast<std::size_t>(scene.campbell.modes);
-    for (std::size_t ask = wanted;; ask *= 2) {
-        Found found = solve(scene.rotor, form, d, static_cast<int>(ask));
-        const bool all = found.modes.size() < ask;
-        const auto in_range = static_cast<std::size_t>(
-            std::count_if(found.modes.begin(), found.modes.end(),
-                          [top](const WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
-        if (all || in_range < found.modes.size() || ask > 400) {
-            found.modes.resize(std::min(found.modes.size(), std::max(wanted, in_range)));
-            return found;
-        }
-    }
-}
 
 /// Critical speeds of an asymmetric rotor are those without damping (A. N. Gorbenko's Omega_K);
 /// with it, no motion stands still but at the ends of the unstable ranges.
@@ -159,6 +58,81 @@ void refuse_hill(Form form) {
             "campbell shows the crossings with 1x, stability the unstable bands");
 }
 
+/// The modes asked for, more while they are in the range of the case.
+void keep_lowest(SynchronousModes &list, int wanted, double top) {
+    const auto in_range = static_cast<std::size_t>(
+        std::count_if(list.modes.begin(), list.modes.end(),
+                      [top](const WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
+    const std::size_t keep =
+        std::min(list.modes.size(), std::max(static_cast<std::size_t>(wanted), in_range));
+    list.modes.resize(keep);
+    if (!list.branches.empty())
+        list.branches.resize(keep);
+}
+
+/// Errors against a finer model; a note where there is none, or where it lacks a critical speed.
+std::vector<double> judged_errors(const model::Case &scene, Form form,
+                                  const assembly::Discretization &d, const SynchronousModes &list,
+                                  bool symmetric, ModelSummary &model) {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    std::vector<double> errors(list.modes.size(), unknown);
+    if (list.modes.empty())
+        return errors;
+    if (scene.rotor.shaft.rigid) {
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            errors[i] = list.modes[i].residual + list.modes[i].rounding;
+        return errors;
+    }
+    try {
+        const assembly::Discretization finer(scene.rotor, finer_order(d.order()));
+        const SynchronousModes of_finer =
+            all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
+                                  list.modes.back().eigenvalue.imag(), symmetric);
+        const auto found = critical_errors(d, form, list, finer, of_finer);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            errors[i] = found[i].value_or(unknown);
+            if (!found[i])
+                model.notes.push_back(fmt::format(
+                    "the critical speed of {:.6g} rad/s has no counterpart on a finer model (order "
+                    "{}): it may come from the mesh, and its error is not known",
+                    list.modes[i].eigenvalue.imag(), finer.order()));
+        }
+    } catch (const linalg::SolverError &) {
+        model.notes.emplace_back("the errors of the critical speeds are not known: the finer model "
+                                 "that they are judged against could not be solved");
+    }
+    return errors;
+}
+
+/// Which critical speeds the list can lack, in words.
+void note_completeness(const SynchronousModes &found, bool more_wanted, bool rigid,
+                       CriticalResult &result) {
+    std::vector<std::string> &notes = result.model.notes;
+    for (const auto &[from, to] : found.doubtful)
+        notes.push_back(fmt::format("critical speeds between {:.6g} and {:.6g} rad/s may be "
+                                    "missing: the count there is not certain",
+                                    from, to));
+    const double last = result.critical_speeds.empty() ? 0 : result.critical_speeds.back().speed;
+    if (more_wanted && std::isinf(found.complete_to) && found.doubtful.empty())
+        notes.emplace_back(rigid ? "the rotor has no more critical speeds than the ones listed"
+                                 : "the model has no more critical speeds than the ones listed "
+                                   "(all were counted); a finer mesh can have more");
+    else if (more_wanted || found.complete_to < last)
+        notes.push_back(fmt::format("the list is complete up to {:.6g} rad/s", found.complete_to));
+}
+
+/// The same motion in two directions, where nothing asymmetric takes part, is one whirl.
+void drop_second_directions(std::vector<CriticalSpeed> &speeds, int wanted, double top) {
+    speeds.erase(std::unique(speeds.begin(), speeds.end(),
+                             [](const CriticalSpeed &a, const CriticalSpeed &b) {
+                                 return std::abs(a.speed - b.speed) < 1e-9 * a.speed &&
+                                        std::abs(a.real - b.real) < 1e-9 * a.speed;
+                             }),
+                 speeds.end());
+    while (static_cast<int>(speeds.size()) > wanted && speeds.back().speed > top)
+        speeds.pop_back();
+}
+
 } // namespace
 
 CriticalResult critical_speeds(const model::Case &as_given) {
@@ -173,39 +147,32 @@ CriticalResult critical_speeds(const model::Case &as_given) {
     const assembly::Discretization d(scene.rotor, model.order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = form == Form::planar ? d.planar_size() : 2 * d.planar_size();
+    const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
+    const bool symmetric = scene.formulation != model::FormChoice::general;
+    const int wanted = scene.campbell.modes;
     try {
-        const Found found = solve_in_range(scene, form, d);
-        const bool classical = model.order == 1;
-        const assembly::Discretization finer(scene.rotor, classical ? 1 : model.order + 1,
-                                             classical ? 2 : 1);
-        Spectrum coarse;
-        Spectrum fine;
-        coarse.modes = found.modes;
-        if (!scene.rotor.shaft.rigid)
-            fine.modes =
-                solve(scene.rotor, form, finer, static_cast<int>(found.modes.size()) + 2).modes;
-        const std::vector<double> errors = scene.rotor.shaft.rigid
-                                               ? std::vector<double>(found.modes.size(), 0.0)
-                                               : discretization_errors(coarse, fine, model.order);
-        for (std::size_t i = 0; i < found.modes.size(); ++i) {
-            const WhirlMode &mode = found.modes[i];
-            result.critical_speeds.push_back(
-                {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(),
-                 errors[i] + mode.residual + mode.rounding, mode.residual});
+        // In rotating axes the same motion in two directions counts twice.
+        const int ask = form == Form::rotating ? 2 * wanted : wanted;
+        SynchronousModes list = all_synchronous_modes(d, form, ask, top, symmetric);
+        keep_lowest(list, ask, top);
+        const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
+        for (std::size_t i = 0; i < list.modes.size(); ++i) {
+            const WhirlMode &mode = list.modes[i];
+            result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
+                                              mode.eigenvalue.real(), errors[i], mode.residual});
         }
         note_damping(form, as_given.rotor.damped(), model);
         note_balls_held(form, model);
-        if (found.unsettled > 0)
-            model.notes.push_back("for some modes no speed was found at which the bearing tables "
-                                  "agree with the critical speed: they have none, or several");
+        if (form == Form::rotating)
+            drop_second_directions(result.critical_speeds, wanted, top);
+        const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
+        note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
             "some; stiffnesses, dampings or element lengths may differ by more orders of magnitude "
             "than double precision holds (campbell shows crossings speed by speed)");
     }
-    if (static_cast<int>(result.critical_speeds.size()) < scene.campbell.modes)
-        model.notes.push_back("the rotor has no more critical speeds than the ones listed");
     model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

@@ -9,11 +9,12 @@ namespace whirl::analyses {
 /// to speeds.to where the case has speeds.
 ///
 /// Undamped and isotropic: forward det[K - W^2 (M - G)] = 0, backward det[K - W^2 (M + G)] = 0.
-/// Orthotropic undamped: det[K - W^2 (M + S)] = 0. General: l = i W in the quadratic problem,
-/// l^2 (M - iG) + l (C - i Kc) + K, of which Im l is the speed and Re l is reported; roots with |Re
-/// l| >= Im l (no resonance peak) are left out. Bearing tables: the same with the coefficients at
-/// the speed found, iterated to 1e-10. Asymmetric rotors on equal bearings: forward, balls held,
-/// and without damping.
+/// Orthotropic undamped: det[K - W^2 (M + S)] = 0; coupled symmetrically: det[K - W^2 (M - iG)] =
+/// 0, Hermitian. General: l = i W in the quadratic problem, l^2 (M - iG) + l (C - i Kc) + K, of
+/// which Im l is the speed and Re l is reported; roots with |Re l| >= Im l (no resonance peak) are
+/// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
+/// (SymmetricSynchronous, FollowedSynchronous). Asymmetric rotors on equal bearings: forward, balls
+/// held, and without damping. Errors: critical_errors; infinite where they are not known.
 [[nodiscard]] CriticalResult critical_speeds(const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -3,9 +3,11 @@
 #include "analyses/support_damping.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
+#include "linalg/unit_scales.h"
 
 #include <Eigen/SparseLU>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -16,6 +18,10 @@ namespace {
 constexpr std::complex<double> imaginary_unit(0, 1);
 
 } // namespace
+
+std::complex<double> reading(const Phasor &motion, double angle) {
+    return motion.x * std::cos(angle) + motion.y * std::sin(angle);
+}
 
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, Form form)
     : _discretization(discretization), _planar(form == Form::planar || form == Form::rotating),
@@ -72,7 +78,10 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
     real(Eigen::seqN(0, f.size(), 2)) = f.real();
     real(Eigen::seqN(1, f.size(), 2)) = f.imag();
     const linalg::Matrix stiffness = _turning->stiffness(speed);
-    const Eigen::SparseMatrix<double> K = stiffness.view();
+    const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, &_turning->M);
+    const Eigen::SparseMatrix<double> K =
+        scales.asDiagonal() * Eigen::SparseMatrix<double>(stiffness.view()) * scales.asDiagonal();
+    real.array() *= scales.array();
     const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(K);
     if (factors.info() != Eigen::Success)
         throw linalg::SolverError("singular stiffness in rotating axes");
@@ -81,9 +90,10 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
     const Eigen::VectorXd change = factors.solve(Eigen::VectorXd(K.cwiseAbs() * u.cwiseAbs()));
     _rounding = std::numeric_limits<double>::epsilon() * change.norm() /
                 std::max(u.norm(), std::numeric_limits<double>::min());
+    const Eigen::VectorXd motion = scales.cwiseProduct(u);
     _displacements.resize(f.size());
-    _displacements.real() = u(Eigen::seqN(0, f.size(), 2));
-    _displacements.imag() = u(Eigen::seqN(1, f.size(), 2));
+    _displacements.real() = motion(Eigen::seqN(0, f.size(), 2));
+    _displacements.imag() = motion(Eigen::seqN(1, f.size(), 2));
 }
 
 void ForcedMotion::solve(double speed) {

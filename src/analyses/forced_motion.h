@@ -17,6 +17,9 @@ struct Phasor {
     std::complex<double> y;
 };
 
+/// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
+[[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
+
 /// Synchronous steady motion of a discretised rotor.
 ///
 /// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;

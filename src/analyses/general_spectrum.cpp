@@ -21,14 +21,14 @@ constexpr double real_axis = 0.02;
 
 GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
                                  double bearing_speed)
-    : _discretization(discretization),
+    : _discretization(discretization), _bearing_speed(bearing_speed),
       _system(assembly::assemble_fixed(discretization, bearing_speed)) {}
 
 GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
     using linalg::Matrix;
     const Matrix D = Matrix::sum(1, _system.C, speed, _system.G);
     const Matrix K = Matrix::sum(1, _system.K, speed, _system.Kc);
-    const ZeroModes zeros = zero_modes(_discretization, Form::general, _system.M, D, K);
+    const ZeroModes zeros = zero_modes(_discretization, Form::general, _bearing_speed, speed);
     linalg::QuadraticOptions options;
     options.zeros = zeros.eigenvalues;
     options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);

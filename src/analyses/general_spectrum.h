@@ -26,6 +26,7 @@ class GeneralSpectrum {
 
   private:
     const assembly::Discretization &_discretization;
+    double _bearing_speed;
     assembly::FixedSystem _system;
 
     [[nodiscard]] Modes solve(double speed, int wanted) const;

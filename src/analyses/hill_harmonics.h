@@ -10,14 +10,13 @@ namespace whirl::analyses {
 /// How far a Hill series goes, and from which speed on that is enough.
 struct HillSeries {
     int harmonics = 1;
-    double from = 0; ///< rad/s, least |speed| that is described; slower needs more harmonics
+    double from = 0; ///< rad/s, least |speed| that is described; 0: all
 };
 
-/// The fewest harmonics of the Hill series with which no motion below the spin speed, nor a
-/// growth, changes by more than 1e-8 of the spin speed when one more is added; looked at at the
-/// slowest (it needs most), a middle and the fastest of the speeds. Harmonics lie 2 x speed apart,
-/// so that at low speed none are enough: speeds are given up from below, by powers of two.
-/// @throws model::AnalysisFailure where the series does not settle at the fastest speed either.
+/// From which of the speeds on Hill's series settles (hill_motions.h), and its harmonics there, the
+/// most that are needed as a rule: they lie 2 x speed apart, so that at low speed none are enough.
+/// Speeds are given up from below, by powers of two; those above are judged when they are used.
+/// @throws NotSettled where the series does not settle at the fastest speed either.
 [[nodiscard]] HillSeries settled_series(const model::Rotor &rotor, int order,
                                         const Arrangement &arrangement,
                                         const std::vector<double> &speeds);

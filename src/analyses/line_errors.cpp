@@ -1,6 +1,7 @@
 #include "analyses/line_errors.h"
 
-#include "analyses/discretization_error.h"
+#include "analyses/finer_model.h"
+#include "analyses/shape_residual.h"
 #include "assembly/discretization.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 /// Fills the gaps of a list known at some places, linearly in the logarithm, constant outside.
 void interpolate(std::vector<std::optional<double>> &values) {
-    const double floor = std::numeric_limits<double>::epsilon() / 16;
+    const double floor = std::numeric_limits<double>::min();
     std::vector<std::size_t> known;
     for (std::size_t k = 0; k < values.size(); ++k)
         if (values[k])
@@ -37,9 +38,22 @@ void interpolate(std::vector<std::optional<double>> &values) {
     }
 }
 
+/// Fills the gaps of a list known at some places by something that follows it everywhere: the ratio
+/// of the two linearly in the logarithm, constant outside.
+void carry(std::vector<std::optional<double>> &values, const std::vector<double> &follows) {
+    const auto divide = [&](bool back) {
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (values[k] && follows[k] > 0)
+                *values[k] *= back ? follows[k] : 1 / follows[k];
+    };
+    divide(false);
+    interpolate(values);
+    divide(true);
+}
+
 } // namespace
 
-LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver, int order,
+LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver,
                        const std::vector<Line> &lines, const std::vector<Spectrum> &spectra) {
     LineErrors errors(lines.size());
     for (auto &list : errors)
@@ -50,20 +64,28 @@ LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver, 
             std::fill(list.begin(), list.end(), 0.0);
         return errors;
     }
-    const auto finer = finer_solver(rotor, solver.form(), order);
+    const FinerModel finer(rotor, solver);
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
     if (series && spectra.size() > 1)
         probes.insert(1); // slow, but not at rest: needs most harmonics
     for (const std::size_t k : probes) {
-        const Spectrum fine =
-            finer->at(spectra[k].speed, static_cast<int>(spectra[k].modes.size()));
-        const std::vector<double> all = discretization_errors(spectra[k], fine, order);
+        const std::vector<double> all = finer.errors(spectra[k]);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
                 errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];
     }
-    for (auto &list : errors)
-        interpolate(list);
+    const ShapeResidual residual(solver.discretization(), solver.form());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (probes.size() == spectra.size())
+            continue;
+        std::vector<double> follows(spectra.size(), 1);
+        for (std::size_t k = 0; k < spectra.size() && !series; ++k)
+            if (lines[i].place[k] != Line::absent)
+                follows[k] =
+                    residual.of(spectra[k].modes[static_cast<std::size_t>(lines[i].place[k])],
+                                spectra[k].speed);
+        carry(errors[i], follows);
+    }
     return errors;
 }
 

@@ -10,11 +10,12 @@ namespace whirl::analyses {
 /// For each line, at each speed, the estimated relative discretisation error.
 using LineErrors = std::vector<std::vector<std::optional<double>>>;
 
-/// Measured against a finer model at the first, a middle and the last speed, and between them
-/// interpolated in the logarithm: the error of a mode changes slowly with speed. With a Hill series
-/// the finer model has more harmonics as well.
+/// Measured against a finer model at the first, a middle and the last speed, and carried to the
+/// others by the residual of the shapes (ShapeResidual), of which the error is a slowly varying
+/// multiple even where modes veer. With a Hill series the finer model has more harmonics as well,
+/// and the error is interpolated in the logarithm.
 [[nodiscard]] LineErrors line_errors(const model::Rotor &rotor, const SpectrumSolver &solver,
-                                     int order, const std::vector<Line> &lines,
+                                     const std::vector<Line> &lines,
                                      const std::vector<Spectrum> &spectra);
 
 } // namespace whirl::analyses

@@ -326,6 +326,8 @@ std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, d
     std::vector<double> amplitudes;
     try {
         forced.solve(speed);
+        if (forced.rounding() > 1e-3)
+            throw linalg::SolverError("a resonance without damping");
         for (const model::Balancer &b : scene.rotor.balancers) {
             const Phasor u = forced.motion(d.deflection_at(b.z));
             amplitudes.push_back(ellipse_of(u.x, u.y).major);

@@ -1,17 +1,22 @@
 #include "analyses/motions.h"
 
+#include "analyses/hill_motions.h"
 #include "analyses/rotating_spectrum.h"
 #include "analyses/zero_modes.h"
+#include "assembly/hill_system.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
+#include "linalg/rayleigh.h"
 #include "model/errors.h"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -19,14 +24,17 @@ namespace {
 
 using linalg::ComplexPair;
 using linalg::Matrix;
+using linalg::RayleighFunctional;
+using Complex = std::complex<double>;
 
 /// Combination resonances up to a spin speed involve motions of at most that modulus in rotating
 /// axes, and internal damping drives those below it in fixed ones.
 constexpr double radius_over_speed = 1.05;
 
-/// How far a real part can be from the truth: rounding of the matrix entries as the eigenvalue
-/// feels it (much where two eigenvalues meet, known to the root of the rounding) with an allowance
-/// for what the solver adds, and a share of speed and modulus that is always there.
+/// How far a real part as the eigensolver gives it can be from the truth: rounding of the matrix
+/// entries as the eigenvalue feels it (much where two eigenvalues meet, known to the root of the
+/// rounding) with an allowance for what the solver adds, and a share of speed and modulus that is
+/// always there. A bound that grows with the mesh: what lies within it is looked at again.
 constexpr double allowance = 100;
 constexpr double always = 1e-11;
 
@@ -36,7 +44,8 @@ bool bearings_drive(const model::Rotor &rotor) {
     for (const model::Bearing &bearing : rotor.bearings)
         for (const model::BearingCoefficients &at : bearing.rows) {
             const Eigen::Matrix2d c = at.c + at.c.transpose();
-            if (at.k(0, 1) != at.k(1, 0) || c.trace() < 0 || c.determinant() < 0)
+            const double determinant = c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0);
+            if (at.k(0, 1) != at.k(1, 0) || c.trace() < 0 || determinant < 0)
                 return true;
         }
     return false;
@@ -46,6 +55,44 @@ Eigen::VectorXd root_of_diagonal(const Matrix &matrix) {
     return Eigen::SparseMatrix<double>(matrix.view()).diagonal().cwiseAbs().cwiseSqrt();
 }
 
+/// What the residual of a pair leaves possible in its vector of those of its neighbours.
+std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexPair> &pairs,
+                                                      std::size_t index, double residual) {
+    const Complex own = pairs[index].value;
+    std::vector<RayleighFunctional::Admixture> out;
+    const auto add = [&](Complex value, const Eigen::VectorXcd &vector) {
+        const double distance = std::abs(own - value);
+        constexpr double near = 0.3; // of the modulus; farther ones are as the rest
+        if (distance < near * std::abs(own))
+            out.push_back({std::min(1.0, residual * std::abs(own) / distance), vector});
+    };
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+        if (j != index)
+            add(pairs[j].value, pairs[j].vector);
+        if (pairs[j].value.imag() != 0)
+            add(std::conj(pairs[j].value), pairs[j].vector.conjugate());
+    }
+    return out;
+}
+
+/// Of copies next to +-i speed, which are one motion, one is kept.
+void drop_copies(std::vector<Motion> &motions, double speed) {
+    const double width = 2 * std::abs(speed);
+    const auto same = [width](const Motion &a, const Motion &b) {
+        const Complex d = a.value - b.value;
+        return std::abs(Complex(d.real(), std::remainder(d.imag(), width))) < 1e-6 * width &&
+               std::abs(a.state.dot(b.state)) > 1 - 1e-6;
+    };
+    std::vector<Motion> kept;
+    for (Motion &motion : motions) {
+        const bool border = std::abs(motion.value.imag()) > 0.45 * width;
+        if (!border || std::none_of(kept.begin(), kept.end(),
+                                    [&](const Motion &other) { return same(motion, other); }))
+            kept.push_back(std::move(motion));
+    }
+    motions = std::move(kept);
+}
+
 } // namespace
 
 struct MotionSolver::Data {
@@ -53,20 +100,22 @@ struct MotionSolver::Data {
     Form form;
     bool tables;
     std::vector<elements::BalancerElement> balancers;
-    int harmonics;
     int fewest; ///< motions looked at, however fast they are
     std::unique_ptr<RotatingSpectrum> rotating;
+    std::unique_ptr<HillMotions> hill;
     assembly::FixedSystem fixed;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
     Data(const model::Rotor &rotor, Form which, int order, const Arrangement &arrangement, int N)
         : d(rotor, order), form(which), tables(rotor.bearings_depend_on_speed()),
-          balancers(balancer_elements(rotor, arrangement)), harmonics(form == Form::hill ? N : 0),
-          fewest(form != Form::hill && bearings_drive(rotor) ? least_driven : least) {
+          balancers(balancer_elements(rotor, arrangement)),
+          fewest(bearings_drive(rotor) ? least_driven : least) {
         if (in_rotating_axes(form)) {
-            rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, harmonics);
+            rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, 0);
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
+            if (form == Form::hill)
+                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N);
         } else {
             fixed = assembly::assemble_fixed(d, 0);
             root_K = root_of_diagonal(fixed.K);
@@ -74,29 +123,65 @@ struct MotionSolver::Data {
         }
     }
 
-    [[nodiscard]] std::vector<ComplexPair> turning_pairs(double speed) const {
-        if (tables)
-            return pairs_of(RotatingSpectrum(d, speed, balancers, harmonics), speed);
-        return pairs_of(*rotating, speed);
+    /// Pairs, and the problem that they solve where one needs to look at it again.
+    struct Solved {
+        std::vector<ComplexPair> pairs;
+        std::function<RayleighFunctional()> functional;
+    };
+
+    using Sparse = RayleighFunctional::Sparse;
+
+    [[nodiscard]] RayleighFunctional::Structure structure(Eigen::Index unknowns) const {
+        return {static_cast<int>(unknowns), 2 * d.planar_size()};
     }
 
-    /// With Hill's series at all places 2 i speed apart: at one of them resonant motions meet.
-    [[nodiscard]] std::vector<ComplexPair> pairs_of(const RotatingSpectrum &spectrum,
-                                                    double speed) const {
-        return harmonics > 0 ? spectrum.copies(speed, radius(speed), fewest).pairs
-                             : spectrum.eigenvalues(speed, radius(speed), fewest).pairs;
+    [[nodiscard]] Solved turning(double speed) const {
+        if (hill)
+            return turning_hill(speed);
+        const auto spectrum =
+            tables ? std::make_shared<RotatingSpectrum>(d, speed, balancers, 0)
+                   : std::shared_ptr<RotatingSpectrum>(rotating.get(), [](auto *) {});
+        return {spectrum->eigenvalues(speed, radius(speed), fewest).pairs, [this, spectrum, speed] {
+                    const assembly::RotatingSystem &s = spectrum->system();
+                    return RayleighFunctional(Sparse(s.M.view()), Sparse(s.damping(speed).view()),
+                                              Sparse(s.stiffness(speed).view()),
+                                              structure(s.M.size()));
+                }};
+    }
+
+    [[nodiscard]] Solved turning_hill(double speed) const {
+        HillMotions::Found found = hill->at(speed);
+        if (speed == 0)
+            return {std::move(found.pairs), nullptr};
+        return {std::move(found.pairs), [this, speed, N = found.harmonics] {
+                    const assembly::RotatingSystem &s = hill->spectrum(speed, N).system();
+                    const assembly::SystemAtSpeed big = assembly::hill_system(
+                        s, assembly::turning_supports(d, tables ? speed : 0, s.M.size()), speed, N);
+                    // Half the rows of the harmonics: what couples them to the constant term, once
+                    // with 1 and once with 1/2, becomes symmetric.
+                    Eigen::VectorXd half = Eigen::VectorXd::Constant(big.M.size(), 0.5);
+                    half.head(s.M.size()).setOnes();
+                    const auto weighted = [&half](const Matrix &A) {
+                        return Sparse(half.asDiagonal() * Sparse(A.view()));
+                    };
+                    return RayleighFunctional(weighted(big.M), weighted(big.D), weighted(big.K),
+                                              structure(s.M.size()));
+                }};
     }
 
     [[nodiscard]] static double radius(double speed) { return radius_over_speed * std::abs(speed); }
 
     /// Without the zeros of free rigid motions, which rounding blurs.
-    [[nodiscard]] std::vector<ComplexPair> fixed_pairs(double speed) const {
+    [[nodiscard]] Solved still(double speed) const {
         const assembly::FixedSystem now =
             tables ? assembly::assemble_fixed(d, speed) : assembly::FixedSystem{};
         const assembly::FixedSystem &s = tables ? now : fixed;
         const Matrix D = Matrix::sum(1, s.C, speed, s.G);
         const Matrix K = Matrix::sum(1, s.K, speed, s.Kc);
-        const int zeros = zero_modes(d, Form::general, s.M, D, K).eigenvalues;
+        const RayleighFunctional::Structure known = structure(s.M.size());
+        const auto functional = [M = Sparse(s.M.view()), D = Sparse(D.view()), K = Sparse(K.view()),
+                                 known] { return RayleighFunctional(M, D, K, known); };
+        const int zeros = zero_modes(d, Form::general, speed, speed).eigenvalues;
         linalg::QuadraticOptions options;
         options.zeros = zeros;
         options.shift = zeros > 0 ? 0.3 * elastic_scale(d) : 0;
@@ -112,8 +197,24 @@ struct MotionSolver::Data {
             });
             for (int skip = zeros; skip > 0 && !pairs.empty(); pairs.erase(pairs.begin()))
                 skip -= pairs.front().value.imag() != 0 ? 2 : 1;
-            return pairs;
+            return {std::move(pairs), functional};
         }
+    }
+
+    /// Displacements and velocities at the time zero, the same for every copy in Hill's series.
+    [[nodiscard]] Eigen::VectorXcd state_of(const ComplexPair &pair, double speed) const {
+        const Eigen::Index n = root_K.size();
+        Eigen::VectorXcd place = pair.vector.head(n);
+        Eigen::VectorXcd rate = pair.value * place;
+        for (Eigen::Index k = 1; (2 * k + 1) * n <= pair.vector.size(); ++k) {
+            const auto cosine = pair.vector.segment((2 * k - 1) * n, n);
+            const auto sine = pair.vector.segment(2 * k * n, n);
+            place += cosine;
+            rate += pair.value * cosine + 2 * static_cast<double>(k) * speed * sine;
+        }
+        Eigen::VectorXcd state(2 * n);
+        state << root_K.cwiseProduct(place), root_M.cwiseProduct(rate);
+        return state.normalized();
     }
 
     [[nodiscard]] Motion motion_of(const ComplexPair &pair, double speed) const {
@@ -122,23 +223,47 @@ struct MotionSolver::Data {
         const double size = std::abs(pair.value);
         motion.noise = (allowance * pair.rounding + 10 * pair.residual) * size +
                        always * std::max(size, std::abs(speed));
-        // Every term of a Hill series with its own frequency.
-        const Eigen::Index n = root_K.size();
-        motion.state.resize(2 * pair.vector.size());
-        for (Eigen::Index term = 0; term * n < pair.vector.size(); ++term) {
-            const Eigen::Index harmonic = (term + 1) / 2;
-            const double frequency = 2 * static_cast<double>(harmonic) * speed;
-            const std::complex<double> rate =
-                term == 0 ? pair.value : std::complex<double>(std::hypot(size, frequency));
-            for (Eigen::Index i = 0; i < n; ++i) {
-                const std::complex<double> x = pair.vector(term * n + i);
-                motion.state(2 * term * n + i) = root_K(i) * x;
-                motion.state((2 * term + 1) * n + i) = rate * root_M(i) * x;
-            }
-        }
-        motion.state.normalize();
-        motion.may_meet = !rotating || size <= radius(speed);
+        motion.state = state_of(pair, speed);
+        motion.may_meet = !rotating || hill || size <= radius(speed);
+        motion.repeats = hill ? 2 * std::abs(speed) : 0;
         return motion;
+    }
+
+    /// Real parts that the eigensolver cannot tell from zero, from the forms that they consist of.
+    void look_again(const Solved &solved, std::size_t index,
+                    std::optional<RayleighFunctional> &functional, Motion &motion) const {
+        const ComplexPair &pair = solved.pairs[index];
+        if (std::abs(pair.value.real()) > 3 * motion.noise || pair.value == 0.0 ||
+            !solved.functional)
+            return;
+        if (!functional)
+            functional.emplace(solved.functional());
+        const double residual = 10 * pair.residual + 1e-14;
+        const RayleighFunctional::Root root =
+            functional->root(pair, residual, admixtures(solved.pairs, index, residual));
+        if (root.noise < motion.noise && std::abs(root.value - pair.value) <= 10 * motion.noise) {
+            motion.value = root.value;
+            motion.noise = root.noise;
+        }
+    }
+
+    [[nodiscard]] std::vector<Motion> motions(double speed) const {
+        const Solved solved = rotating ? turning(speed) : still(speed);
+        std::optional<RayleighFunctional> functional;
+        std::vector<Motion> motions;
+        for (std::size_t i = 0; i < solved.pairs.size(); ++i) {
+            motions.push_back(motion_of(solved.pairs[i], speed));
+            look_again(solved, i, functional, motions.back());
+            if (solved.pairs[i].value.imag() == 0)
+                continue;
+            Motion conjugate = motions.back();
+            conjugate.value = std::conj(conjugate.value);
+            conjugate.state = conjugate.state.conjugate().eval();
+            motions.push_back(std::move(conjugate));
+        }
+        if (hill && speed != 0)
+            drop_copies(motions, speed);
+        return motions;
     }
 };
 
@@ -150,19 +275,7 @@ MotionSolver::~MotionSolver() = default;
 
 std::vector<Motion> MotionSolver::at(double speed) const {
     try {
-        const std::vector<ComplexPair> pairs =
-            _data->rotating ? _data->turning_pairs(speed) : _data->fixed_pairs(speed);
-        std::vector<Motion> motions;
-        for (const ComplexPair &pair : pairs) {
-            motions.push_back(_data->motion_of(pair, speed));
-            if (pair.value.imag() == 0)
-                continue;
-            Motion conjugate = motions.back();
-            conjugate.value = std::conj(conjugate.value);
-            conjugate.state = conjugate.state.conjugate().eval();
-            motions.push_back(std::move(conjugate));
-        }
-        return motions;
+        return _data->motions(speed);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(fmt::format(
             "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
@@ -172,8 +285,11 @@ std::vector<Motion> MotionSolver::at(double speed) const {
 }
 
 int MotionSolver::unknowns() const {
-    return static_cast<int>(_data->root_M.size()) * (2 * _data->harmonics + 1);
+    return static_cast<int>(_data->root_M.size()) *
+           (_data->hill ? 2 * _data->hill->harmonics() + 1 : 1);
 }
+
+int MotionSolver::harmonics() const { return _data->hill ? _data->hill->harmonics() : 0; }
 
 const assembly::Discretization &MotionSolver::discretization() const { return _data->d; }
 

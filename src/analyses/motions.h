@@ -18,6 +18,7 @@ struct Motion {
     Eigen::VectorXcd state;     ///< displacements and velocities, made comparable; length 1
     double noise = 0;           ///< how far Re l can be from the truth by rounding, 1/s
     bool may_meet = true;       ///< slow enough for a combination resonance at this speed
+    double repeats = 0;         ///< copies of l lie i times this apart, rad/s; 0: there are none
 };
 
 /// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
@@ -27,7 +28,8 @@ class MotionSolver {
     /// @param form       general, rotating or hill
     /// @param order      of the shaft elements
     /// @param arrangement  where the balls of each balancer stand
-    /// @param harmonics  of the Hill series (form hill)
+    /// @param harmonics  of the Hill series (form hill), to begin with: every speed is solved with
+    ///                   as many as it needs
     MotionSolver(const model::Rotor &rotor, Form form, int order, const Arrangement &arrangement,
                  int harmonics);
     ~MotionSolver();
@@ -36,12 +38,15 @@ class MotionSolver {
     MotionSolver(MotionSolver &&) = delete;
     MotionSolver &operator=(MotionSolver &&) = delete;
 
-    /// All motions with |l| up to a little above the spin speed, and at least `least` of them.
-    /// @throws model::AnalysisFailure where they cannot be found.
+    /// All motions with |l| up to a little above the spin speed, and at least `least` of them. With
+    /// Hill's series each once, at its place next to zero.
+    /// @throws model::AnalysisFailure where they cannot be found, or a Hill series does not settle.
     [[nodiscard]] std::vector<Motion> at(double speed) const;
 
-    /// Real unknowns of the eigenproblem.
+    /// Real unknowns of the eigenproblem, the largest so far.
     [[nodiscard]] int unknowns() const;
+    /// Most harmonics of the Hill series that a speed so far needed; 0 for other forms.
+    [[nodiscard]] int harmonics() const;
     [[nodiscard]] const assembly::Discretization &discretization() const;
 
     static constexpr int least = 8;

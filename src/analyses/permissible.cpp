@@ -1,5 +1,6 @@
 #include "analyses/permissible.h"
 
+#include "analyses/anisotropy_limit.h"
 #include "analyses/rigid_limit_anisotropy.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
@@ -81,6 +82,11 @@ class Varied {
         return low;
     }
 
+    [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
+        const MotionSolver solver = this->solver(dI);
+        return unstable_bands([&solver](double speed) { return solver.at(speed); }, speeds).empty();
+    }
+
   private:
     const model::Case &_scene;
     const StabilityModel &_model;
@@ -88,32 +94,70 @@ class Varied {
     std::size_t _index;
 };
 
-std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
-                                  const std::vector<double> &speeds) {
+/// The search by descent, and what became of it.
+struct Descent {
+    std::optional<double> dI; ///< none: stable up to the largest
+    double unstable = 0;      ///< least dI that was found to be unstable
+};
+
+Descent descend(const Varied &varied, double largest, const std::vector<double> &speeds) {
     constexpr int most_steps = 40;
+    Descent out;
     double dI = largest;
-    bool limited = false;
-    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
-        return 0;
     for (int step = 0; step < most_steps; ++step) {
         const MotionSolver solver = varied.solver(dI);
         const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
         const std::vector<SpeedInterval> bands = unstable_bands(at, speeds);
         if (bands.empty())
             break;
-        limited = true;
+        out.unstable = dI;
         double next = dI;
         for (const SpeedInterval &band : bands)
             next = std::min(next, varied.just_stable(strongest_speed(at, band), next));
         const bool settled = dI - next < 1e-11 * dI;
         dI = next;
+        out.dI = dI;
         if (settled || dI < 1e-9 * largest)
             break;
     }
     if (dI < 1e-7 * largest)
-        dI = 0; // the smallest anisotropy is too much
-    return limited ? std::optional(dI) : std::nullopt;
+        out.dI = 0; // the smallest anisotropy is too much
+    return out;
+}
+
+/// The band search has the last word: no band at what was found, one just above. Where it does not
+/// agree, halving by the band search itself.
+double verified(const Varied &varied, const Descent &found, const std::vector<double> &speeds) {
+    constexpr double margin = 1e-9; // of dI: bands that are just closed are still seen by rounding
+    constexpr double above = 1e-6;  // far enough that a band is seen
+    double stable = *found.dI * (1 - margin);
+    double unstable = found.unstable;
+    if (!varied.stable(stable, speeds)) {
+        unstable = stable;
+        for (stable *= 1 - above; stable > 0 && !varied.stable(stable, speeds); stable *= 0.5)
+            unstable = stable;
+    } else if (const double next = *found.dI * (1 + above);
+               next >= unstable || !varied.stable(next, speeds)) {
+        return *found.dI;
+    } else {
+        stable = next;
+    }
+    while (unstable - stable > above * unstable) {
+        const double middle = (stable + unstable) / 2;
+        (varied.stable(middle, speeds) ? stable : unstable) = middle;
+    }
+    return stable;
+}
+
+std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
+                                  const std::vector<double> &speeds) {
+    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
+        return 0;
+    const Descent found = descend(varied, largest, speeds);
+    if (!found.dI || *found.dI == 0)
+        return found.dI;
+    return verified(varied, found, speeds);
 }
 
 } // namespace
@@ -126,10 +170,16 @@ std::vector<PermissibleAnisotropy> permissible_anisotropies(const model::Case &s
     for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = scene.rotor.anisotropies[i];
         const double singular = singular_anisotropy(scene.rotor, i, model.order, arrangement);
+        const AnisotropyLimit limit =
+            anisotropy_limit(assembly::Discretization(scene.rotor, model.order), i);
+        const double largest = std::min(0.999 * singular, limit.dI);
         const Varied varied(scene, model, arrangement, i);
-        out.push_back({element.z, element.name,
-                       permissible(varied, 0.999 * singular, !scene.rotor.damped(), speeds),
-                       rigid_permissible_anisotropy(scene.rotor, speeds.front(), speeds.back())});
+        PermissibleAnisotropy entry{element.z, element.name, 0.0, {}, largest, limit.of_disc};
+        if (largest > 0)
+            entry.dI = permissible(varied, largest, !scene.rotor.damped(), speeds);
+        entry.closed_form =
+            rigid_permissible_anisotropy(scene.rotor, speeds.front(), speeds.back());
+        out.push_back(entry);
     }
     return out;
 }

@@ -58,8 +58,14 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
                                     entries[term].emplace_back(i, j, block.trace() / 2);
                                 });
     const auto matrix = [&](Term term) { return from_triplets(d.planar_size(), entries[term]); };
-    return {matrix(Term::mass), matrix(Term::gyroscopic), matrix(Term::stiffness),
-            0.01 * std::max(speed * speed, 1.0)};
+    PlanarPair pair{matrix(Term::mass), matrix(Term::gyroscopic), matrix(Term::stiffness), 0};
+    // At the least as much as holds a free rotor against the rounding of its stiffness.
+    constexpr double rounding = 1e-13;
+    pair.shift = 0.01 * speed * speed;
+    for (Eigen::Index i = 0; i < pair.M.rows(); ++i)
+        if (pair.M.coeff(i, i) > 0)
+            pair.shift = std::max(pair.shift, rounding * pair.K.coeff(i, i) / pair.M.coeff(i, i));
+    return pair;
 }
 
 /// Mass-orthonormal combinations of the columns that make the stiffness diagonal, ascending.

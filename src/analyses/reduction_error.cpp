@@ -68,11 +68,13 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Columns &pl
 std::vector<double> whirl_speeds(const ReducedRotor &reduced, double speed, double shift) {
     const Eigen::Index r = reduced.size();
     const Eigen::MatrixXd supports = reduced.supports_at(speed).stiffness;
+    // On (q, w q / |speed|), so that all entries are frequencies, whatever the unit of time.
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * r, 2 * r);
-    A.topRightCorner(r, r).setIdentity();
+    A.topRightCorner(r, r).diagonal().setConstant(std::abs(speed));
     A.bottomLeftCorner(r, r) =
         reduced.elastic + (supports.topLeftCorner(r, r) + supports.bottomRightCorner(r, r)) / 2;
     A.bottomLeftCorner(r, r).diagonal().array() += shift;
+    A.bottomLeftCorner(r, r) /= std::abs(speed);
     A.bottomRightCorner(r, r) = speed * reduced.gyroscopic;
     const Eigen::VectorXcd values = A.eigenvalues();
     std::vector<double> speeds;

@@ -115,7 +115,10 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
                                                       Keep keep) const {
     // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
-    const double slow = 0.31 * std::max(std::abs(speed), support_scale(_discretization));
+    const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
+    const double slow =
+        0.31 *
+        (near_zero ? std::abs(speed) : std::max(std::abs(speed), support_scale(_discretization)));
     const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
     try {
         return up_to(speed, radius, least, keep, slow);

@@ -35,6 +35,9 @@ class RotatingSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Eigenvalues copies(double speed, double radius, int least) const;
 
+    /// Number k of the harmonic 2 k speed of Hill's series in which a motion is largest.
+    [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
+
     struct Modes {
         /// Eigenvalue and shape of the dominant harmonic as seen from the fixed frame, where the
         /// motion is Re(shape exp(eigenvalue t)) over real unknowns (x, y).
@@ -68,7 +71,6 @@ class RotatingSpectrum {
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
-    [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
     [[nodiscard]] static Modes modes_of(const Eigenvalues &found, double speed);
 };
 

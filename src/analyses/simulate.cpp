@@ -1,6 +1,7 @@
 #include "analyses/simulate.h"
 
 #include "analyses/interruption.h"
+#include "analyses/linear_growth.h"
 #include "analyses/motion_outcome.h"
 #include "analyses/motion_recorder.h"
 #include "analyses/motion_restart.h"
@@ -30,14 +31,16 @@ constexpr double stiff_from = 300;
 double fastest_decay(const ReducedRotor &rotor, double speed) {
     const Eigen::Index r = rotor.size();
     const ReducedRotor::Supports at = rotor.supports_at(speed);
+    // On (q, q' / |speed|), so that all entries are frequencies, whatever the unit of time.
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * r, 4 * r);
-    A.topRightCorner(2 * r, 2 * r).setIdentity();
+    A.topRightCorner(2 * r, 2 * r).diagonal().setConstant(std::abs(speed));
     A.bottomLeftCorner(2 * r, 2 * r) = -at.stiffness;
     A.bottomRightCorner(2 * r, 2 * r) = -at.damping;
     for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
         A.block(2 * r + plane, plane, r, r) -= rotor.elastic;
         A.block(2 * r + plane, 2 * r + plane, r, r) -= rotor.internal;
     }
+    A.bottomLeftCorner(2 * r, 2 * r) /= std::abs(speed);
     A.block(2 * r, 3 * r, r, r) -= speed * rotor.gyroscopic;
     A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
     return -A.eigenvalues().real().minCoeff();
@@ -272,22 +275,48 @@ void describe_model(const model::Case &scene, const MotionScene &motion, Simulat
                         rotor.modes, std::max(rotor.response_error, rotor.frequency_error)));
 }
 
+/// Of each balancer, in the rotor, rad.
+std::vector<std::vector<double>> last_angles(const model::Case &scene, const MotionSeries &series) {
+    std::vector<std::vector<double>> angles;
+    std::size_t next = 0;
+    for (const model::Balancer &b : scene.rotor.balancers) {
+        angles.emplace_back();
+        for (int j = 0; j < (b.kind == model::BalancerKind::ball ? b.n : 2); ++j)
+            angles.back().push_back(series.angles[next++].back());
+    }
+    return angles;
+}
+
+/// A motion that grows beyond all numbers has an outcome all the same: what was followed is judged.
+void end_early(SimulateResult &result, const std::string &failure) {
+    constexpr std::size_t enough = 100; // points of the series
+    if (result.series.time.size() < enough)
+        throw model::AnalysisFailure(failure);
+    result.time = result.series.time.back();
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        result.balancers[i].amplitude = result.series.amplitude[i].back();
+    result.model.notes.push_back(
+        fmt::format("{}; it was followed for {:.6g} s", failure, result.time));
+}
+
 /// One motion, told apart where it was interrupted by result.restart.
 SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
                            const model::Restart *from) {
     SimulateResult result;
     describe_model(scene, motion, result);
     Run run(scene, motion);
+    std::string failure;
     try {
         if (!run.integrate(from))
             result.restart = run.restart();
     } catch (const linalg::SolverError &error) {
-        throw model::AnalysisFailure(std::string("the motion cannot be integrated: ") +
-                                     error.what());
+        failure = std::string("the motion cannot be integrated: ") + error.what();
     }
     run.fill(result);
     if (result.restart)
         return result;
+    if (!failure.empty())
+        end_early(result, failure);
     try {
         const std::vector<double> references =
             unbalanced_amplitudes(scene, motion.order, result.speed);
@@ -297,7 +326,12 @@ SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
         result.model.notes.push_back(
             fmt::format("{}; balanced is judged by the amplitude of a free rotor", none.what()));
     }
+    if (ends_at_constant_speed(result))
+        result.linear_growth =
+            linear_growth(scene, result.speed, last_angles(scene, result.series));
     classify(scene, result);
+    if (!failure.empty() && result.outcome != Outcome::growing)
+        throw model::AnalysisFailure(failure);
     return result;
 }
 

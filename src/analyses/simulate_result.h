@@ -14,10 +14,12 @@ enum class Outcome {
     balanced, ///< all stands still in the rotor and little of the unbalanced amplitude is left
     offset,   ///< all stands still in the rotor, which is not balanced
     lagging,  ///< balls turn slower (or faster) than the rotor
-    whirling  ///< balls or pendulums swing in the rotor without end
+    whirling, ///< balls or pendulums swing in the rotor without end
+    growing,  ///< the motion grows steadily, wherever it may end
+    undecided ///< the motion still changes, or what it looks like cannot last
 };
 
-/// "balanced", "offset", "lagging" or "whirling".
+/// "balanced", "offset", "lagging", "whirling", "growing" or "undecided".
 [[nodiscard]] std::string outcome_name(Outcome outcome);
 
 /// Over the output times.
@@ -65,6 +67,14 @@ struct SimulateResult {
     Outcome outcome = Outcome::whirling;
     std::string evidence; ///< the numbers behind the outcome, for readers
     std::optional<double> residual_ratio;
+    /// Rate at which the amplitude grows over the last half of the time, 1/s; none where the speed
+    /// changes.
+    std::optional<double> trend;
+    /// Largest real part of the balanced position's eigenvalues at the last speed, 1/s; none where
+    /// there is no such position (linear_growth.h) or the speed changes.
+    std::optional<double> linear_growth;
+    /// Time of the motion, s, with which an undecided outcome would be known.
+    std::optional<double> decision_time;
     double time = 0;        ///< s, at the end
     double speed = 0;       ///< rad/s, at the end
     double revolutions = 0; ///< from the start

@@ -1,6 +1,8 @@
 #include "analyses/stability.h"
 
 #include "analyses/balanced_position.h"
+#include "analyses/band_errors.h"
+#include "analyses/hill_motions.h"
 #include "analyses/permissible.h"
 #include "analyses/progress.h"
 #include "analyses/speeds.h"
@@ -168,20 +170,71 @@ int neutral_pairs(const model::Rotor &rotor) {
     return pairs;
 }
 
+Verdict verdict_of(const std::vector<Motion> &motions) {
+    const double growth = growth_of(motions);
+    if (growth <= 0)
+        return growth < 0 ? Verdict::stable : Verdict::neutral;
+    const bool real = std::any_of(motions.begin(), motions.end(), [growth](const Motion &motion) {
+        return motion.value.real() == growth && motion.value.imag() == 0;
+    });
+    return real ? Verdict::diverges : Verdict::unstable;
+}
+
+/// Speeds at which the Hill series does not settle, and all slower ones, are given up.
+void give_up_unsettled(const MotionsAt &at, std::vector<double> &grid, StabilityModel &model) {
+    if (model.form != Form::hill)
+        return;
+    double unsettled = -1;
+    for (const double speed : grid)
+        try {
+            (void)at(speed);
+        } catch (const NotSettled &) {
+            unsettled = std::max(unsettled, std::abs(speed));
+        }
+    if (unsettled < 0)
+        return;
+    model.from = std::numeric_limits<double>::infinity();
+    for (const double speed : grid)
+        if (std::abs(speed) > unsettled)
+            model.from = std::min(model.from, std::abs(speed));
+    grid = described(grid, model);
+}
+
+/// Bands, their errors, and where they may have been missed.
+void search_bands(const model::Case &scene, const StabilityModel &model,
+                  const Arrangement &arrangement, const MotionsAt &at,
+                  const std::vector<double> &grid, StabilityResult &result) {
+    const BandsFound found = find_bands(at, grid);
+    result.unstable = found.bands;
+    for (const auto &[from, to] : found.doubtful)
+        result.model.notes.push_back(
+            fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
+                        "unstable band narrower than that may be missing there",
+                        from, to));
+    result.unstable_error =
+        band_errors(at, scene.rotor, model, arrangement, found.bands, {grid.front(), grid.back()});
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
-void search(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
-    const std::vector<double> grid = described(search_speeds(*scene.speeds), model);
+void search(const model::Case &scene, StabilityModel &model, StabilityResult &result) {
+    std::vector<double> grid = described(search_speeds(*scene.speeds), model);
     const Arrangement arrangement = arrangement_at_balance(scene.rotor);
     const MotionSolver solver(scene.rotor, model.form, model.order, arrangement, model.harmonics);
-    result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     KeptMotions kept(solver, grid);
     const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    give_up_unsettled(at, grid, model);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const double speed : result.speeds)
-        result.growth.push_back(std::abs(speed) >= model.from ? growth_of(at(speed)) : unknown);
+    for (const double speed : result.speeds) {
+        const bool known = std::abs(speed) >= model.from;
+        const std::vector<Motion> motions = known ? at(speed) : std::vector<Motion>{};
+        result.growth.push_back(known ? growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : Verdict::unknown);
+    }
     if (grid.size() > 1)
-        result.unstable = unstable_bands(at, grid);
+        search_bands(scene, model, arrangement, at, grid, result);
+    result.model.unknowns = solver.unknowns();
+    result.harmonics = solver.harmonics();
     if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
         const auto &d = solver.discretization();
         bool failed = false;
@@ -211,14 +264,14 @@ void add_notes(const model::Case &scene, const StabilityModel &model, StabilityR
         notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");
     if (result.speeds.size() == 1)
-        notes.emplace_back("one speed: only its growth; bands need a range of [speeds]");
+        notes.emplace_back("one speed: stable or unstable there; bands need a range of [speeds]");
     if (model.form == Form::hill)
         result.model.notes.push_back(
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
     if (model.from > 0)
         notes.push_back(
-            fmt::format("below {:.6g} rad/s the Hill series does not settle (its "
+            fmt::format("below {:.6g} rad/s the Hill series does not settle at every speed (its "
                         "harmonics lie 2 x speed apart): nothing is said of these speeds",
                         model.from));
     if (in_rotating_axes(model.form) && !scene.rotor.damped() && !scene.rotor.balancers.empty())
@@ -237,19 +290,37 @@ void add_notes(const model::Case &scene, const StabilityModel &model, StabilityR
 
 } // namespace
 
+std::string verdict_name(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::stable:
+        return "stable";
+    case Verdict::neutral:
+        return "neutral";
+    case Verdict::unstable:
+        return "unstable";
+    case Verdict::diverges:
+        return "diverges";
+    default:
+        return {};
+    }
+}
+
 std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const model::Rotor &rotor,
                                              const Arrangement &arrangement) {
     model::Case varied = scene;
     varied.rotor = rotor;
     const std::vector<double> grid = search_speeds(required_speeds(varied));
-    const StabilityModel model = stability_model(varied, grid);
+    StabilityModel model = stability_model(varied, grid);
     if (model.conservative)
         return {};
     const MotionSolver solver(rotor, model.form, model.order, arrangement, model.harmonics);
-    const std::vector<double> known = described(grid, model);
+    std::vector<double> known = described(grid, model);
+    KeptMotions kept(solver, known);
+    const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    give_up_unsettled(at, known, model);
     std::vector<SpeedInterval> bands;
     if (known.size() > 1)
-        bands = unstable_bands([&solver](double speed) { return solver.at(speed); }, known);
+        bands = unstable_bands(at, known);
     if (known.empty() || known.front() > grid.front())
         bands.emplace_back(grid.front(), known.empty() ? grid.back() : known.front());
     if (!known.empty() && known.back() < grid.back())
@@ -261,13 +332,13 @@ StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     const auto start = std::chrono::steady_clock::now();
     StabilityResult result;
     result.speeds = required_speeds(scene).values();
-    const StabilityModel model = stability_model(scene, search_speeds(*scene.speeds));
+    StabilityModel model = stability_model(scene, search_speeds(*scene.speeds));
     result.model.formulation = model.formulation;
     result.model.order = model.order;
-    result.harmonics = model.harmonics;
     result.neutral_pairs = neutral_pairs(scene.rotor);
     if (model.conservative) {
         result.growth.assign(result.speeds.size(), 0.0);
+        result.verdict.assign(result.speeds.size(), Verdict::neutral);
         const assembly::Discretization d(scene.rotor, model.order);
         result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
         result.model.unknowns = 2 * d.planar_size();

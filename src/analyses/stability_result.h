@@ -14,9 +14,23 @@ namespace whirl::analyses {
 struct PermissibleAnisotropy {
     double z = 0; ///< m
     std::string name;
-    std::optional<double> dI;          ///< kg m2; none: stable up to a singular mass matrix
+    std::optional<double> dI;          ///< kg m2; none: stable up to `most`
     std::optional<double> closed_form; ///< of the rigid rotor, where one applies, kg m2
+    double most = 0;     ///< that a body can have: half its polar inertia, its diametral one, kg m2
+    bool of_disc = true; ///< the body is a disc at this place; else the whole rotor
 };
+
+/// What becomes of a small motion at one speed.
+enum class Verdict {
+    stable,   ///< every motion dies out
+    neutral,  ///< some motion neither grows nor dies out (no damping), none grows
+    unstable, ///< a whirl grows
+    diverges, ///< what grows most does not swing in the axes of the form: a real root
+    unknown   ///< no answer at this speed
+};
+
+/// "stable", "neutral", "unstable" or "diverges"; empty: no answer.
+[[nodiscard]] std::string verdict_name(Verdict verdict);
 
 /// What follows from the choice that n >= 3 balls have among their balanced positions.
 struct ArrangementFamily {
@@ -40,9 +54,12 @@ struct StabilityMap {
 
 struct StabilityResult {
     ModelSummary model;
-    std::vector<double> speeds; ///< rad/s
-    std::vector<double> growth; ///< largest real part at each, 1/s; NaN: no answer
+    std::vector<double> speeds;   ///< rad/s
+    std::vector<double> growth;   ///< largest real part at each, 1/s; NaN: no answer
+    std::vector<Verdict> verdict; ///< at each speed
     std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
+    /// Error of both ends of each, rad/s (band_errors.h).
+    std::vector<std::pair<double, double>> unstable_error;
     /// Forward critical speeds in the range, balls held in place, rad/s (rotating form).
     std::vector<double> critical_speeds;
     /// Speeds in the range at which a root is zero with the balls free: the rotor's critical

@@ -12,7 +12,7 @@ namespace whirl::analyses {
 
 SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretization, bool planar,
                                      double bearing_speed)
-    : _discretization(discretization), _planar(planar) {
+    : _discretization(discretization), _planar(planar), _bearing_speed(bearing_speed) {
     if (planar) {
         assembly::PlanarSystem system = assembly::assemble_planar(discretization, bearing_speed);
         _M = std::move(system.M);
@@ -25,8 +25,8 @@ SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretizat
         const linalg::Matrix coupling = assembly::hyperbolic_coupling(discretization);
         _S = linalg::Matrix::sum(-1, coupling, 0, coupling);
     }
-    _supported = zero_modes(discretization, planar ? Form::planar : Form::hyperbolic, _M, _S, _K)
-                     .eigenvalues == 0;
+    const Form form = planar ? Form::planar : Form::hyperbolic;
+    _supported = zero_modes(discretization, form, bearing_speed, 0).eigenvalues == 0;
     if (!_supported)
         return;
     try {
@@ -67,13 +67,12 @@ std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const 
 }
 
 std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) const {
-    const linalg::Matrix D = linalg::Matrix::sum(speed, _S, 0, _S);
-    const ZeroModes zeros =
-        zero_modes(_discretization, _planar ? Form::planar : Form::hyperbolic, _M, D, _K);
+    const Form form = _planar ? Form::planar : Form::hyperbolic;
+    const ZeroModes zeros = zero_modes(_discretization, form, _bearing_speed, speed);
     std::vector<WhirlMode> out = zeros.modes;
     // In real form every mode stands twice, as +w and -w.
     linalg::ShiftedOptions options;
-    options.nullity = static_cast<int>(zeros.motions.cols());
+    options.null_space = zeros.motions;
     options.s = speed;
     options.shift = 0.3 * elastic_scale(_discretization);
     options.wanted = std::min(2 * _M.size() - 1, (_planar ? wanted : 2 * wanted) + 2);

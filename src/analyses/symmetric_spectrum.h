@@ -27,6 +27,7 @@ class SymmetricSpectrum {
   private:
     const assembly::Discretization &_discretization;
     bool _planar;
+    double _bearing_speed;
     linalg::Matrix _M, _K, _S;
     bool _supported; ///< no rigid motion is free: K is positive definite
     std::unique_ptr<linalg::DefinitePencil> _pencil;

@@ -1,5 +1,6 @@
 #include "analyses/zero_modes.h"
 
+#include "analyses/free_motions.h"
 #include "elements/section.h"
 
 #include <Eigen/Dense>
@@ -11,62 +12,11 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Translation and tilt about the centre of mass as columns, over the unknowns of one plane.
-Eigen::MatrixXd planar_motions(const assembly::Discretization &d, const Eigen::VectorXd &Mt,
-                               int stride) {
-    const int n = d.planar_size();
-    Eigen::MatrixXd R(n, 2);
-    for (int tilt = 0; tilt < 2; ++tilt)
-        R.col(tilt) = Eigen::Map<const Eigen::VectorXd>(d.rigid_motion(tilt == 1).data(), n);
-    const Eigen::VectorXd weights = Mt(Eigen::seqN(0, n, stride));
-    R.col(1) -= R.col(0) * (weights.dot(R.col(1)) / weights.dot(R.col(0)));
-    return R;
-}
-
-/// The same in real form, for x (plane 0) or y (plane 1).
-Eigen::MatrixXd in_plane(const Eigen::MatrixXd &planar, int plane) {
-    Eigen::MatrixXd R = Eigen::MatrixXd::Zero(2 * planar.rows(), planar.cols());
-    R(Eigen::seqN(plane, planar.rows(), 2), Eigen::all) = planar;
-    return R;
-}
-
-/// The combinations of the columns of R that K does not resist: singular values below what
-/// rounding leaves of the sums of its entries.
-Eigen::MatrixXd free_combinations(const linalg::Matrix &K, const Eigen::MatrixXd &R) {
-    const Eigen::MatrixXd absR = R.cwiseAbs();
-    const Eigen::MatrixXd entries = absR.transpose() * (K.view().cwiseAbs() * absR);
-    const Eigen::VectorXd scale = entries.diagonal().cwiseSqrt().cwiseMax(1e-300);
-    const Eigen::MatrixXd unit = R * scale.cwiseInverse().asDiagonal();
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit.transpose() * (K.view() * unit),
-                                                Eigen::ComputeFullV);
-    const auto dimension = (svd.singularValues().array() < 1e-13).count();
-    if (dimension == R.cols())
-        return R;
-    return unit * svd.matrixV().rightCols(dimension);
-}
-
 int rank(const Eigen::MatrixXd &A, double scale) {
+    if (A.size() == 0 || scale == 0)
+        return 0;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A);
     return static_cast<int>((svd.singularValues().array() > 1e-9 * scale).count());
-}
-
-/// Columns of x and y in turn where both planes are free alike, else whatever is free.
-Eigen::MatrixXd real_motions(const linalg::Matrix &K, const Eigen::MatrixXd &planar) {
-    const Eigen::MatrixXd x = free_combinations(K, in_plane(planar, 0));
-    const Eigen::MatrixXd y = free_combinations(K, in_plane(planar, 1));
-    Eigen::MatrixXd both(2 * planar.rows(), 2 * planar.cols());
-    both << in_plane(planar, 0), in_plane(planar, 1);
-    const Eigen::MatrixXd all = free_combinations(K, both);
-    if (x.cols() != y.cols() || x.cols() + y.cols() != all.cols())
-        return all;
-    Eigen::MatrixXd out(x.rows(), 2 * x.cols());
-    for (Eigen::Index i = 0; i < x.cols(); ++i) {
-        // The same motion in the other plane (the basis may differ by a sign or a turn).
-        out.col(2 * i) = x.col(i);
-        out.col(2 * i + 1).setZero();
-        out(Eigen::seqN(1, planar.rows(), 2), 2 * i + 1) = x(Eigen::seqN(0, planar.rows(), 2), i);
-    }
-    return out;
 }
 
 /// Circular whirl, forward or backward, of a motion in x and the same in y, in a form's unknowns.
@@ -108,22 +58,15 @@ void make_modes(ZeroModes &zeros, Form form, int count) {
 } // namespace
 
 ZeroModes zero_modes(const assembly::Discretization &discretization, Form form,
-                     const linalg::Matrix &M, const linalg::Matrix &D, const linalg::Matrix &K) {
-    const bool planar = form == Form::planar;
-    const int n = discretization.planar_size();
-    Eigen::VectorXd translation = Eigen::VectorXd::Zero(M.size());
-    translation(Eigen::seqN(0, n, planar ? 1 : 2)) =
-        Eigen::Map<const Eigen::VectorXd>(discretization.rigid_motion(false).data(), n);
-    const Eigen::MatrixXd R =
-        planar_motions(discretization, M.view() * translation, planar ? 1 : 2);
+                     double bearing_speed, double spin_speed) {
+    const FreeMotions free = free_motions(discretization, form, bearing_speed, spin_speed);
     ZeroModes out;
-    out.motions = planar ? free_combinations(K, R) : real_motions(K, R);
+    out.motions = free.motions;
     const auto dimension = static_cast<int>(out.motions.cols());
     if (dimension == 0)
         return out;
-    const Eigen::MatrixXd damping = out.motions.transpose() * (D.view() * out.motions);
-    const Eigen::MatrixXd size = out.motions.cwiseAbs();
-    const double scale = std::max((size.transpose() * (D.view().cwiseAbs() * size)).norm(), 1e-300);
+    const Eigen::MatrixXd &damping = free.damping;
+    const double scale = damping.cwiseAbs().maxCoeff();
     const int rank_all = rank(damping, scale);
     out.eigenvalues = 2 * dimension - rank_all;
     int whirl_modes = out.eigenvalues;

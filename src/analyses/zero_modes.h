@@ -2,7 +2,6 @@
 
 #include "analyses/whirl_mode.h"
 #include "assembly/discretization.h"
-#include "linalg/matrix.h"
 
 #include <Eigen/Core>
 
@@ -21,11 +20,13 @@ struct ZeroModes {
     std::vector<WhirlMode> modes; ///< the whirl modes of zero frequency that they make
 };
 
-/// Zero modes of l^2 M + l D + K. Planar: unknowns of one plane, D = speed S, each eigenvalue is
-/// one whirl mode. Hyperbolic and general: pairs x, y, two eigenvalues make one whirl mode.
+/// Zero modes of the free motions there are (free_motions.h) with their damping and gyroscopic
+/// coupling. Planar: unknowns of one plane, each eigenvalue is one whirl mode. Hyperbolic and
+/// general: pairs x, y, two eigenvalues make one whirl mode.
+/// @param bearing_speed  rad/s, of the bearings' coefficients
+/// @param spin_speed     rad/s, of the gyroscopic coupling
 [[nodiscard]] ZeroModes zero_modes(const assembly::Discretization &discretization, Form form,
-                                   const linalg::Matrix &M, const linalg::Matrix &D,
-                                   const linalg::Matrix &K);
+                                   double bearing_speed, double spin_speed);
 
 /// A frequency of the order of the first one of the rigid rotor on its supports, rad/s;
 /// elastic_scale where no support resists a translation.

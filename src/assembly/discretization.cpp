@@ -2,7 +2,31 @@
 
 #include "elements/beam.h"
 
+#include <algorithm>
+
 namespace whirl::assembly {
+
+namespace {
+
+/// A span is short below this share of the mean length of the spans: two digits of the others would
+/// be lost under its stiffness.
+constexpr double short_share = 1.0 / 64;
+/// Longest row of nodes that depart one from another: the motion of the last one is that of all.
+constexpr int longest_row = 16;
+
+void add_to(Combination &sum, const Combination &terms, double factor) {
+    for (const auto &[unknown, value] : terms) {
+        const auto same = std::find_if(sum.begin(), sum.end(), [index = unknown](const auto &term) {
+            return term.first == index;
+        });
+        if (same == sum.end())
+            sum.emplace_back(unknown, factor * value);
+        else
+            same->second += factor * value;
+    }
+}
+
+} // namespace
 
 Discretization::Discretization(const model::Rotor &rotor, int order, int refinement)
     : _rotor(rotor), _mesh(mesh::make_mesh(rotor, refinement)), _order(order),
@@ -11,28 +35,93 @@ Discretization::Discretization(const model::Rotor &rotor, int order, int refinem
     _size = rigid() ? 2 : node_base(last) + 2;
     for (const model::Bearing &bearing : _rotor.bearings)
         _pedestals.push_back(bearing.pedestal ? _size++ : -1);
-    for (const mesh::Span &span : _mesh.spans)
-        _beams.push_back(elements::beam_matrices(elements::beam_of(_rotor.shaft, span), order));
+    if (!rigid())
+        make_motions();
+    for (int span = 0; span < last; ++span) {
+        const mesh::Span &geometry = _mesh.spans[static_cast<std::size_t>(span)];
+        elements::PlanarMatrices beam =
+            elements::beam_matrices(elements::beam_of(_rotor.shaft, geometry), order);
+        _beams.push_back(rigid() ? std::move(beam) : over_unknowns(std::move(beam), span));
+    }
+}
+
+void Discretization::make_motions() {
+    const double mean = _rotor.shaft.length() / static_cast<double>(_mesh.spans.size());
+    int row = 0;
+    for (std::size_t node = 0; node < _mesh.nodes.size(); ++node) {
+        const double h = node > 0 ? _mesh.spans[node - 1].length : mean;
+        row = h < short_share * mean && row < longest_row ? row + 1 : 0;
+        const int base = node_base(static_cast<int>(node));
+        NodeMotion motion{{{base, 1.0}}, {{base + 1, 1.0}}};
+        if (row > 0) {
+            add_to(motion.deflection, _motions.back().deflection, 1);
+            add_to(motion.deflection, _motions.back().slope, h);
+            add_to(motion.slope, _motions.back().slope, 1);
+        }
+        _motions.push_back(std::move(motion));
+        _relative.push_back(row > 0);
+    }
+}
+
+/// Columns of T: beam_unknowns(span); rows: unknowns of the element. What a short span is strained
+/// by is the departure of its second node alone: its stiffness is written down, not formed by
+/// differences.
+elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices beam,
+                                                       int span) const {
+    const auto node = static_cast<std::size_t>(span);
+    if (!_relative[node] && !_relative[node + 1])
+        return beam;
+    const std::vector<int> unknowns = beam_unknowns(span);
+    const auto column = [&unknowns](int unknown) {
+        return std::find(unknowns.begin(), unknowns.end(), unknown) - unknowns.begin();
+    };
+    Eigen::MatrixXd T =
+        Eigen::MatrixXd::Zero(4 + _internal, static_cast<Eigen::Index>(unknowns.size()));
+    for (int end = 0; end < 2; ++end) {
+        for (const auto &[unknown, value] : deflection_at_node(span + end))
+            T(2 * end, column(unknown)) = value;
+        for (const auto &[unknown, value] : slope_at_node(span + end))
+            T(2 * end + 1, column(unknown)) = value;
+    }
+    for (int i = 0; i < _internal; ++i)
+        T(4 + i, column(node_base(span) + 2 + i)) = 1;
+    Eigen::MatrixXd strained = T;
+    if (_relative[node + 1])
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+            if (unknowns[i] < node_base(span) + 2 || // not internal: a motion of the first node
+                (unknowns[i] >= node_base(span + 1) + 2))
+                strained.col(static_cast<Eigen::Index>(i)).setZero();
+    const auto through = [](const Eigen::MatrixXd &A, const Eigen::MatrixXd &by) {
+        return Eigen::MatrixXd(by.transpose() * A * by);
+    };
+    return {through(beam.M, T), through(beam.G, T), through(beam.K, strained),
+            through(beam.K_axial, T), through(beam.K_bending, strained)};
 }
 
 std::vector<int> Discretization::beam_unknowns(int span) const {
-    const int first = node_base(span);
-    const int second = node_base(span + 1);
-    std::vector<int> unknowns{first, first + 1, second, second + 1};
+    std::vector<int> unknowns;
+    for (int end = 0; end < 2; ++end)
+        for (const Combination &motion :
+             {deflection_at_node(span + end), slope_at_node(span + end)})
+            for (const auto &[unknown, value] : motion)
+                if (std::find(unknowns.begin(), unknowns.end(), unknown) == unknowns.end())
+                    unknowns.push_back(unknown);
     for (int i = 0; i < _internal; ++i)
-        unknowns.push_back(first + 2 + i);
+        unknowns.push_back(node_base(span) + 2 + i);
     return unknowns;
 }
 
 Combination Discretization::deflection_at_node(int node) const {
     if (!rigid())
-        return {{node_base(node), 1.0}};
+        return _motions[static_cast<std::size_t>(node)].deflection;
     const double arm = _mesh.nodes[static_cast<std::size_t>(node)] - _rotor.shaft.length() / 2;
     return {{0, 1.0}, {1, arm}};
 }
 
 Combination Discretization::slope_at_node(int node) const {
-    return {{rigid() ? 1 : node_base(node) + 1, 1.0}};
+    if (!rigid())
+        return _motions[static_cast<std::size_t>(node)].slope;
+    return {{1, 1.0}};
 }
 
 Combination Discretization::deflection_at(double z) const {
@@ -52,10 +141,39 @@ Combination Discretization::deflection_inside(int span, double xi) const {
     const elements::ShapeValues values =
         elements::beam_shapes(elements::beam_of(_rotor.shaft, s), _order, xi);
     Combination out;
-    const std::vector<int> unknowns = beam_unknowns(span);
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        out.emplace_back(unknowns[i], values.w(static_cast<int>(i)));
+    for (int end = 0; end < 2; ++end) {
+        add_to(out, deflection_at_node(span + end), values.w(2 * end));
+        add_to(out, slope_at_node(span + end), values.w(2 * end + 1));
+    }
+    for (int i = 0; i < _internal; ++i)
+        out.emplace_back(node_base(span) + 2 + i, values.w(4 + i));
     return out;
+}
+
+std::vector<int> Discretization::places_in(const Discretization &finer) const {
+    std::vector<int> places(static_cast<std::size_t>(_size));
+    const auto set = [&places](int unknown, int place) {
+        places[static_cast<std::size_t>(unknown)] = place;
+    };
+    const auto nodes = static_cast<int>(_mesh.nodes.size());
+    for (int node = 0; node < nodes && !rigid(); ++node) {
+        set(node_base(node), finer.node_base(node));
+        set(node_base(node) + 1, finer.node_base(node) + 1);
+        if (node + 1 == nodes)
+            break;
+        const std::vector<int> internal = elements::internal_places(
+            elements::beam_of(_rotor.shaft, _mesh.spans[static_cast<std::size_t>(node)]), _order,
+            finer._order);
+        for (int i = 0; i < _internal; ++i)
+            set(node_base(node) + 2 + i,
+                finer.node_base(node) + 2 + internal[static_cast<std::size_t>(i)]);
+    }
+    for (int i = 0; i < 2 && rigid(); ++i)
+        set(i, i);
+    for (std::size_t b = 0; b < _pedestals.size(); ++b)
+        if (_pedestals[b] >= 0)
+            set(_pedestals[b], finer._pedestals[b]);
+    return places;
 }
 
 std::vector<double> Discretization::rigid_motion(bool tilt) const {
@@ -69,8 +187,8 @@ std::vector<double> Discretization::rigid_motion(bool tilt) const {
     } else {
         for (std::size_t node = 0; node < _mesh.nodes.size(); ++node) {
             const int base = node_base(static_cast<int>(node));
-            set(base, tilt ? _mesh.nodes[node] : 1);
-            set(base + 1, tilt ? 1 : 0);
+            set(base, _relative[node] ? 0 : (tilt ? _mesh.nodes[node] : 1));
+            set(base + 1, tilt && !_relative[node] ? 1 : 0);
         }
     }
     for (std::size_t b = 0; b < _pedestals.size(); ++b)

@@ -17,6 +17,10 @@ using Combination = std::vector<std::pair<int, double>>;
 /// Planar unknowns: at each node (w, phi), between nodes the internal unknowns of the element, at
 /// the end one w for each pedestal. For a rigid shaft: w at the centre of the shaft and phi, then
 /// the pedestals. In real form planar unknown i becomes 2 i (x) and 2 i + 1 (y).
+///
+/// A node at the end of a span far shorter than the mean (a disc beside a station) has the two
+/// unknowns by which it departs from the rigid motion of the node before it: the large stiffness of
+/// such a span then stands on their diagonal alone, and no digits of the others are lost under it.
 class Discretization {
   public:
     /// @param order       of the shaft elements (1: classical)
@@ -29,11 +33,13 @@ class Discretization {
     [[nodiscard]] bool rigid() const { return _rotor.shaft.rigid; }
     [[nodiscard]] int planar_size() const { return _size; }
 
-    /// Element matrices of span i over beam_unknowns(i).
+    /// Element matrices of span i over beam_unknowns(i) (rigid shaft: over the unknowns of the
+    /// element, elements/beam.h).
     [[nodiscard]] const elements::PlanarMatrices &beam(int span) const {
         return _beams[static_cast<std::size_t>(span)];
     }
-    /// Planar unknowns of span i, elastic shaft: w0, phi0, w1, phi1, internal.
+    /// Planar unknowns of span i, elastic shaft: those its nodes move with (w0, phi0, w1, phi1;
+    /// more beside short spans), internal.
     [[nodiscard]] std::vector<int> beam_unknowns(int span) const;
 
     [[nodiscard]] Combination deflection_at_node(int node) const;
@@ -47,6 +53,10 @@ class Discretization {
     /// Rigid motion of all (translation: tilt = false; unit slope about z = 0: true) as unknowns.
     [[nodiscard]] std::vector<double> rigid_motion(bool tilt) const;
 
+    /// Planar unknowns among those of a discretization of higher order on the same mesh, whose
+    /// functions contain these.
+    [[nodiscard]] std::vector<int> places_in(const Discretization &finer) const;
+
   private:
     model::Rotor _rotor;
     mesh::ShaftMesh _mesh;
@@ -55,8 +65,16 @@ class Discretization {
     int _size = 0;
     std::vector<int> _pedestals;
     std::vector<elements::PlanarMatrices> _beams;
+    struct NodeMotion {
+        Combination deflection, slope;
+    };
+    std::vector<NodeMotion> _motions; ///< of the nodes, elastic shaft
+    std::vector<bool> _relative;      ///< the node departs from the rigid motion of the one before
 
     [[nodiscard]] int node_base(int node) const { return node * (2 + _internal); }
+    void make_motions();
+    [[nodiscard]] elements::PlanarMatrices over_unknowns(elements::PlanarMatrices beam,
+                                                         int span) const;
 };
 
 } // namespace whirl::assembly

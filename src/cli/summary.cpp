@@ -62,9 +62,10 @@ std::string summary(const model::Case &scene, const analyses::CriticalResult &re
     Table table({"", "rpm", "rad/s", "Hz", "whirl", "error"});
     int number = 0;
     for (const analyses::CriticalSpeed &critical : result.critical_speeds)
-        table.add({std::to_string(++number), readable(critical.speed * rpm),
-                   precise(critical.speed), readable(critical.speed * hertz),
-                   analyses::whirl_name(critical.whirl), rough(critical.error)});
+        table.add(
+            {std::to_string(++number), readable(critical.speed * rpm), precise(critical.speed),
+             readable(critical.speed * hertz), analyses::whirl_name(critical.whirl),
+             rough(std::isfinite(critical.error) ? std::optional(critical.error) : std::nullopt)});
     text += table.empty() ? "  none found\n" : table.text();
     return text + model_text(result.model);
 }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace whirl::cli {
@@ -20,8 +21,19 @@ std::string bands_text(const std::vector<analyses::SpeedBand> &bands, double fac
     return text.empty() ? "none" : text;
 }
 
+/// Largest error of an end.
+std::string errors_text(const analyses::BalanceBands &of) {
+    double largest = 0;
+    for (const auto &[at_from, at_to] : of.errors) {
+        if (!at_from || !at_to)
+            return "not known";
+        largest = std::max({largest, *at_from, *at_to});
+    }
+    return of.errors.empty() ? "-" : fmt::format("{:.1e}", largest);
+}
+
 void add(Table &table, const std::string &name, const analyses::BalanceBands &of) {
-    table.add({name, bands_text(of.bands, rpm), bands_text(of.bands, 1),
+    table.add({name, bands_text(of.bands, rpm), bands_text(of.bands, 1), errors_text(of),
                of.rigid_bands ? bands_text(*of.rigid_bands, 1) : "-"});
 }
 
@@ -64,7 +76,7 @@ std::string pendulum_text(const analyses::PendulumBalance &p) {
 } // namespace
 
 std::string balance_text(const analyses::BalanceResult &result) {
-    Table table({"planes", "balanced, rpm", "rad/s", "rigid closed form, rad/s"});
+    Table table({"planes", "balanced, rpm", "rad/s", "error, rad/s", "rigid closed form, rad/s"});
     for (std::size_t i = 0; i < result.planes.size(); ++i)
         add(table,
             fmt::format("{} z = {:.4g} m",
@@ -76,7 +88,7 @@ std::string balance_text(const analyses::BalanceResult &result) {
         add(table, "all together", result.joint.bands);
     if (result.balanced_position)
         table.add({"real balancers, stable", bands_text(result.balanced_position->bands, rpm),
-                   bands_text(result.balanced_position->bands, 1), "-"});
+                   bands_text(result.balanced_position->bands, 1), "-", "-"});
     std::string text = table.text();
     for (const auto &run : result.simulated)
         text += fmt::format(

@@ -32,6 +32,12 @@ std::string summary(const model::Case &scene, const analyses::SimulateResult &re
     if (result.residual_ratio)
         text +=
             fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
+    if (result.linear_growth)
+        text += fmt::format("  by its eigenvalues the balanced position is {}: {:.4g} 1/s\n",
+                            *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
+                            *result.linear_growth);
+    if (result.decision_time)
+        text += fmt::format("  a motion of {:.3g} s would decide\n", *result.decision_time);
     Table table({"balancer", "kind", "capacity E", "amplitude m", "without balls m",
                  "final angles in the rotor, deg"});
     for (const analyses::BalancerMotion &b : result.balancers)

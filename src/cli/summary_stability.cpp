@@ -20,6 +20,41 @@ std::string bands_text(const std::string &title,
     return title + ":\n" + table.text();
 }
 
+/// Unstable bands with the errors of their ends.
+std::string unstable_text(const analyses::StabilityResult &result) {
+    if (result.unstable.empty())
+        return "Unstable: none in this range\n";
+    Table table({"from rad/s", "to rad/s", "from rpm", "to rpm", "width rad/s", "error of from",
+                 "error of to"});
+    for (std::size_t i = 0; i < result.unstable.size(); ++i) {
+        const auto &[from, to] = result.unstable[i];
+        const bool known = i < result.unstable_error.size();
+        const auto error = known ? result.unstable_error[i] : std::pair(0.0, 0.0);
+        table.add({precise(from), precise(to), readable(from * rpm), readable(to * rpm),
+                   readable(to - from), rough(known ? std::optional(error.first) : std::nullopt),
+                   rough(known ? std::optional(error.second) : std::nullopt)});
+    }
+    return "Unstable:\n" + table.text();
+}
+
+/// Of one speed: what becomes of a small motion there.
+std::string verdict_text(const analyses::StabilityResult &result) {
+    const std::string growth = readable(result.growth.front());
+    switch (result.verdict.front()) {
+    case analyses::Verdict::stable:
+        return fmt::format("Stable: every motion dies out, the slowest with {} 1/s\n", growth);
+    case analyses::Verdict::neutral:
+        return "Neither stable nor unstable: no motion grows, some do not die out either (no "
+               "damping)\n";
+    case analyses::Verdict::unstable:
+        return fmt::format("Unstable: a whirl grows with {} 1/s\n", growth);
+    case analyses::Verdict::diverges:
+        return fmt::format("Unstable: it diverges, a real root of +{} 1/s\n", growth);
+    default:
+        return "No answer at this speed\n";
+    }
+}
+
 std::string speeds_text(const std::string &title, const std::vector<double> &speeds) {
     std::string text = title + ":";
     for (const double speed : speeds)
@@ -31,7 +66,7 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 
 std::string summary(const model::Case &scene, const analyses::StabilityResult &result) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
-    text += bands_text("Unstable", result.unstable);
+    text += result.speeds.size() == 1 ? verdict_text(result) : unstable_text(result);
     text += speeds_text("Critical speeds, balls held", result.critical_speeds);
     text +=
         speeds_text("Additional speeds (rotor pinned at the balancers)", result.additional_speeds);
@@ -44,9 +79,12 @@ std::string summary(const model::Case &scene, const analyses::StabilityResult &r
         text += bands_text("Critical speeds over the arrangements", family.critical_speeds);
     }
     if (!result.permissible.empty()) {
-        Table table({"anisotropy at", "largest dI kg m2", "rigid closed form"});
+        Table table(
+            {"anisotropy at", "largest dI kg m2", "most there can be", "rigid closed form"});
         for (const auto &entry : result.permissible)
-            table.add({place(entry.name, entry.z), precise(entry.dI), precise(entry.closed_form)});
+            table.add({place(entry.name, entry.z),
+                       entry.dI ? precise(entry.dI) : "stable up to the most", precise(entry.most),
+                       precise(entry.closed_form)});
         text += "\nPermissible inertial anisotropy over this range:\n" + table.text();
     }
     return text + model_text(result.model);

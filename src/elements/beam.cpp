@@ -66,32 +66,46 @@ Legendre legendre(int degree, double xi) {
     return out;
 }
 
-/// Order-p element: slope of degree p, deflection of degree p + 1, as
-///  - four cubic Hermite functions (no shear strain),
-///  - bending functions w = h^2 II L_k, phi = w', k = 2..p-1 (no shear strain; orthogonal
-///    curvature, zero w and phi at the nodes; only products of unequal k stay off the diagonal
-///    for a cone),
-///  - slope functions w = 0, phi = h I L_k, k = 1..p-1 (shear strain -phi),
-///  - two functions with shear strain 1 and 2 xi - 1 and no slope at the nodes.
-Shapes order_p_shapes(double xi, double h, int p) {
+/// Order-p element: slope of degree p, deflection of degree p + 1. The first four functions are
+/// those of the classical element with the true shear parameter: the same space as with any other
+/// Phi, but a short thick element is then as soft as shear makes it, where functions without shear
+/// strain would have entries larger by Phi and lose as many digits to them. The rest vanishes at
+/// both nodes, for k = 1..p-1:
+///  - slope functions w = 0, phi = h I L_k (shear strain -phi),
+/// and of two sets that span the same space the one that is nearly orthogonal in energy. Where
+/// bending is softer than shear (Phi < 1):
+///  - bending functions w = h^2 II L_k, phi = w', k = 2..p-1 (no shear strain, orthogonal
+///    curvature; only products of unequal k stay off the diagonal for a cone),
+///  - two functions with shear strain 1 and 2 xi - 1 and no slope at the nodes;
+/// else, where the two sets above would be nearly the same motion:
+///  - deflection functions w = h I L_k, phi = 0, k = 1..p (shear strain L_k).
+Shapes order_p_shapes(double xi, double h, double Phi, int p) {
     const int n = 4 + internal_unknowns(p);
-    const Shapes hermite = classical_shapes(xi, h, 0);
+    const Shapes nodal = classical_shapes(xi, h, Phi);
     Shapes s{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
              Eigen::VectorXd::Zero(n)};
-    s.w.head(4) = hermite.w;
-    s.phi.head(4) = hermite.phi;
-    s.curvature.head(4) = hermite.curvature;
+    s.w.head(4) = nodal.w;
+    s.phi.head(4) = nodal.phi;
+    s.curvature.head(4) = nodal.curvature;
+    s.shear.head(4) = nodal.shear;
     const Legendre l = legendre(p, xi);
     int i = 4;
-    for (std::size_t k = 2; k < static_cast<std::size_t>(p); ++k, ++i) {
-        s.w(i) = h * l.I2[k];
-        s.phi(i) = l.I1[k];
-        s.curvature(i) = l.L[k] / h;
-    }
     for (std::size_t k = 1; k < static_cast<std::size_t>(p); ++k, ++i) {
         s.phi(i) = l.I1[k];
         s.curvature(i) = l.L[k] / h;
         s.shear(i) = -l.I1[k];
+    }
+    if (Phi >= 1) {
+        for (std::size_t k = 1; k <= static_cast<std::size_t>(p); ++k, ++i) {
+            s.w(i) = h * l.I1[k];
+            s.shear(i) = l.L[k];
+        }
+        return s;
+    }
+    for (std::size_t k = 2; k < static_cast<std::size_t>(p); ++k, ++i) {
+        s.w(i) = h * l.I2[k];
+        s.phi(i) = l.I1[k];
+        s.curvature(i) = l.L[k] / h;
     }
     // shear 1: phi = 6 (xi^2 - xi), w' = 1 + phi; shear 2 xi - 1: phi = 0, w' = 2 xi - 1.
     s.w(i) = h * (xi - 3 * xi * xi + 2 * xi * xi * xi);
@@ -104,7 +118,7 @@ Shapes order_p_shapes(double xi, double h, int p) {
     return s;
 }
 
-/// Shear parameter of the classical element from the mean stiffnesses along the span.
+/// Shear parameter of the nodal functions from the mean stiffnesses along the span.
 double shear_parameter(const Beam &beam) {
     const Quadrature &rule = gauss_legendre(8);
     double EI = 0;
@@ -119,7 +133,7 @@ double shear_parameter(const Beam &beam) {
 
 Shapes shapes_at(const Beam &beam, int order, double Phi, double xi) {
     return order == 1 ? classical_shapes(xi, beam.span.length, Phi)
-                      : order_p_shapes(xi, beam.span.length, order);
+                      : order_p_shapes(xi, beam.span.length, Phi, order);
 }
 
 /// Points for exact integration: w^2 has degree 2p + 2, a cone adds 2 (area) or 4 (inertia); the
@@ -135,10 +149,25 @@ int quadrature_points(const Beam &beam, int order) {
 
 int internal_unknowns(int order) { return order == 1 ? 0 : 2 * order - 1; }
 
+std::vector<int> internal_places(const Beam &beam, int order, int higher) {
+    std::vector<int> places;
+    if (order == 1)
+        return places;
+    for (int k = 1; k < order; ++k) // slope functions
+        places.push_back(k - 1);
+    const bool short_and_thick = shear_parameter(beam) >= 1;
+    const int rest = short_and_thick ? order : order - 2; // deflection or bending functions
+    for (int k = 0; k < rest; ++k)
+        places.push_back(higher - 1 + k);
+    for (int last = 2; last > 0 && !short_and_thick; --last) // of constant and linear shear
+        places.push_back(internal_unknowns(higher) - last);
+    return places;
+}
+
 PlanarMatrices beam_matrices(const Beam &beam, int order) {
     const int n = 4 + internal_unknowns(order);
     const double h = beam.span.length;
-    const double Phi = order == 1 ? shear_parameter(beam) : 0;
+    const double Phi = shear_parameter(beam);
     const Quadrature &rule = gauss_legendre(quadrature_points(beam, order));
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, n);
     PlanarMatrices out{zero, zero, zero, zero, zero};
@@ -158,7 +187,7 @@ PlanarMatrices beam_matrices(const Beam &beam, int order) {
 }
 
 ShapeValues beam_shapes(const Beam &beam, int order, double xi) {
-    const double Phi = order == 1 ? shear_parameter(beam) : 0;
+    const double Phi = shear_parameter(beam);
     const Shapes s = shapes_at(beam, order, Phi, xi);
     return {s.w, s.phi};
 }

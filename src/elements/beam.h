@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace whirl::elements {
 
 /// Unknowns of a beam element in one plane: w0, phi0, w1, phi1 at its two nodes, then
@@ -14,6 +16,10 @@ namespace whirl::elements {
 /// (Przemieniecki 1968, ch. 11; shear parameter Phi = 12 EI / (kappa G A h^2)).
 /// order p >= 2: phi of degree p, w of degree p + 1, see beam.cpp.
 [[nodiscard]] int internal_unknowns(int order);
+
+/// Places of the internal unknowns of one order among those of a higher one, whose functions
+/// contain them.
+[[nodiscard]] std::vector<int> internal_places(const Beam &beam, int order, int higher);
 
 /// Element matrices over (w0, phi0, w1, phi1, internal...), integrated exactly for polynomials:
 /// energies 1/2 int EI phi'^2 + kappa G A (w' - phi)^2, 1/2 int rho A w'^2 + rho I phi'^2 (time

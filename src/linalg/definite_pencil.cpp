@@ -16,12 +16,14 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// M may have empty rows (a support without mass); they get a mass far below rounding.
-Sparse with_positive_diagonal(Sparse M) {
-    const double mean = M.diagonal().sum() / static_cast<double>(M.rows());
+/// M may have empty rows (a support without mass); they get a mass that is below rounding in every
+/// mode: against the stiffness of the row, as the slowest unknown's.
+Sparse with_positive_diagonal(Sparse M, const Sparse &K) {
+    const Eigen::VectorXd stiffness = K.diagonal();
+    const double slowest = M.diagonal().cwiseQuotient(stiffness).maxCoeff();
     for (Eigen::Index i = 0; i < M.rows(); ++i)
         if (M.coeff(i, i) == 0)
-            M.coeffRef(i, i) = 1e-15 * mean;
+            M.coeffRef(i, i) = 1e-15 * slowest * stiffness(i);
     return M;
 }
 
@@ -95,7 +97,7 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
     : _factors(std::make_unique<Factors>()) {
     Factors &f = *_factors;
     f.K = K.view();
-    f.M = with_positive_diagonal(M.view());
+    f.M = with_positive_diagonal(M.view(), f.K);
     f.S = S.view();
     f.absK = f.K.cwiseAbs();
     f.absM = f.M.cwiseAbs();

@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/handles.h"
+#include "linalg/unit_scales.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +25,8 @@ struct Entry {
     Factor factor;
 };
 
-void add_term(std::vector<Entry> &entries, const Matrix *term, Factor factor) {
+void add_term(std::vector<Entry> &entries, const Matrix *term, Factor factor,
+              const Eigen::VectorXd &scales) {
     if (term == nullptr)
         return;
     const bool imaginary = factor == i_speed || factor == i_speed_squared;
@@ -33,7 +35,7 @@ void add_term(std::vector<Entry> &entries, const Matrix *term, Factor factor) {
         for (SparseView::InnerIterator entry(view, row); entry; ++entry) {
             const PetscInt i = 2 * row;
             const auto j = static_cast<PetscInt>(2 * entry.col());
-            const double a = entry.value();
+            const double a = scales(row) * entry.value() * scales(entry.col());
             if (a == 0)
                 continue;
             entries.push_back({i, imaginary ? j + 1 : j, imaginary ? -a : a, factor});
@@ -81,7 +83,8 @@ VecOwner vector_over_foreign_memory(PetscInt n) {
 } // namespace
 
 struct HarmonicSolver::Data {
-    int size = 0; ///< complex unknowns
+    int size = 0;           ///< complex unknowns
+    Eigen::VectorXd scales; ///< of the unknowns, powers of two
     std::vector<Entry> entries;
     std::vector<PetscScalar> values;
     MatOwner A;
@@ -139,11 +142,12 @@ struct HarmonicSolver::Data {
 HarmonicSolver::HarmonicSolver(const HarmonicTerms &terms) : _data(std::make_unique<Data>()) {
     Data &d = *_data;
     d.size = terms.K->size();
-    add_term(d.entries, terms.K, one);
-    add_term(d.entries, terms.Kc, speed_once);
-    add_term(d.entries, terms.M, minus_speed_squared);
-    add_term(d.entries, terms.C, i_speed);
-    add_term(d.entries, terms.G, i_speed_squared);
+    d.scales = unit_scales(*terms.K, terms.M);
+    add_term(d.entries, terms.K, one, d.scales);
+    add_term(d.entries, terms.Kc, speed_once, d.scales);
+    add_term(d.entries, terms.M, minus_speed_squared, d.scales);
+    add_term(d.entries, terms.C, i_speed, d.scales);
+    add_term(d.entries, terms.G, i_speed_squared, d.scales);
     const PetscInt n = 2 * d.size;
     for (PetscInt i = 0; i < n; ++i)
         d.entries.push_back({i, i, 0, one}); // the factorisation needs the whole diagonal
@@ -187,11 +191,12 @@ HarmonicSolution HarmonicSolver::solve(double speed, const Eigen::MatrixXcd &for
     out.displacements.resize(forces.rows(), forces.cols());
     for (Eigen::Index column = 0; column < forces.cols(); ++column) {
         Eigen::VectorXd f(2 * size());
-        f(Eigen::seqN(0, size(), 2)) = forces.col(column).real();
-        f(Eigen::seqN(1, size(), 2)) = forces.col(column).imag();
+        const Eigen::ArrayXd scales = _data->scales.array();
+        f(Eigen::seqN(0, size(), 2)) = forces.col(column).real().array() * scales;
+        f(Eigen::seqN(1, size(), 2)) = forces.col(column).imag().array() * scales;
         const Eigen::VectorXd q = _data->solve_checked(f, out);
-        out.displacements.col(column).real() = q(Eigen::seqN(0, size(), 2));
-        out.displacements.col(column).imag() = q(Eigen::seqN(1, size(), 2));
+        out.displacements.col(column).real() = q(Eigen::seqN(0, size(), 2)).array() * scales;
+        out.displacements.col(column).imag() = q(Eigen::seqN(1, size(), 2)).array() * scales;
     }
     if (!(out.residual <= residual_allowed))
         throw SolverError("the linear system of the forced motion left a large residual");

@@ -22,8 +22,9 @@ struct HarmonicTerms {
 struct HarmonicSolution {
     Eigen::MatrixXcd displacements;
     double residual = 0; ///< largest |f - A q| over the largest |A| |q| + |f|, of all columns
-    double rounding = 0; ///< estimated relative error of q by rounding of the entries of A; large
-                         ///< where A is singular (an undamped resonance)
+    double rounding = 0; ///< estimated relative error of q by rounding of the entries of A, in
+                         ///< comparable unknowns (unit_scales.h); large where A is singular (an
+                         ///< undamped resonance)
 };
 
 /// Solves A(s) q = f, A(s) = K + s Kc - s^2 M + i s (C + s G), for many speeds s: the steady

@@ -7,12 +7,16 @@
 
 namespace whirl::linalg {
 
-SemidefinitePair::SemidefinitePair(const Sparse &K, const Sparse &A) : _K(K), _A(A) {
-    if (_K.rows() > 0)
-        _factors.analyzePattern(_K.cwiseAbs() + _A.cwiseAbs());
+template <class Scalar>
+CountedPair<Scalar>::CountedPair(const Sparse &K, const Sparse &A) : _K(K), _A(A) {
+    if (_K.rows() == 0)
+        return;
+    // Moduli, so that nothing cancels in the pattern.
+    const Eigen::SparseMatrix<double> pattern = _K.cwiseAbs() + _A.cwiseAbs();
+    _factors.analyzePattern(pattern.template cast<Scalar>());
 }
 
-void SemidefinitePair::factorise(double w) const {
+template <class Scalar> void CountedPair<Scalar>::factorise(double w) const {
     // A pivot that is exactly zero stops the factorisation; at a neighbouring speed it is not.
     for (const double nudge : {0.0, 1e-14, -3e-14}) {
         const double at = w * (1 + nudge);
@@ -23,27 +27,29 @@ void SemidefinitePair::factorise(double w) const {
     throw SolverError("an inertia count met a zero pivot");
 }
 
-int SemidefinitePair::count_below(double w) const {
+template <class Scalar> int CountedPair<Scalar>::count_below(double w) const {
     if (_K.rows() == 0)
         return 0;
     factorise(w);
-    return static_cast<int>((_factors.vectorD().array() < 0).count());
+    return static_cast<int>((_factors.vectorD().real().array() < 0).count());
 }
 
 /// The root between the two speeds by inverse iteration and Rayleigh's quotient; none where the
 /// iteration leaves the interval.
-std::optional<double> SemidefinitePair::refined(double from, double to) const {
-    Eigen::VectorXd x = deterministic_vector(static_cast<int>(_K.rows()));
+template <class Scalar>
+std::optional<double> CountedPair<Scalar>::refined(double from, double to) const {
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    Vector x = deterministic_vector(static_cast<int>(_K.rows())).template cast<Scalar>();
     double w = (from + to) / 2;
     double last_step = to - from;
     for (int iteration = 0; iteration < 15; ++iteration) {
         factorise(w);
         for (int repeat = 0; repeat < (iteration == 0 ? 4 : 1); ++repeat) {
-            x = _factors.solve(Eigen::VectorXd(_A * x));
+            x = _factors.solve(Vector(_A * x));
             x /= x.norm();
         }
-        const double kinetic = x.dot(_A * x);
-        const double elastic = x.dot(_K * x);
+        const double kinetic = std::real(x.dot(_A * x));
+        const double elastic = std::real(x.dot(_K * x));
         if (!(kinetic > 0) || !(elastic > 0))
             return std::nullopt;
         const double next = std::sqrt(elastic / kinetic);
@@ -59,8 +65,9 @@ std::optional<double> SemidefinitePair::refined(double from, double to) const {
     return std::nullopt;
 }
 
-void SemidefinitePair::split(double from, int below, double to, int above,
-                             std::vector<double> &roots) const {
+template <class Scalar>
+void CountedPair<Scalar>::split(double from, int below, double to, int above,
+                                std::vector<double> &roots) const {
     const int inside = above - below;
     if (inside <= 0)
         return;
@@ -80,11 +87,15 @@ void SemidefinitePair::split(double from, int below, double to, int above,
     split(middle, at, to, above, roots);
 }
 
-std::vector<double> SemidefinitePair::roots(double from, double to) const {
+template <class Scalar>
+std::vector<double> CountedPair<Scalar>::roots(double from, double to) const {
     std::vector<double> out;
     if (_K.rows() > 0 && to > from)
         split(from, count_below(from), to, count_below(to), out);
     return out;
 }
+
+template class CountedPair<double>;
+template class CountedPair<std::complex<double>>;
 
 } // namespace whirl::linalg

@@ -4,40 +4,79 @@
 #include "linalg/symmetric_eigen.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <vector>
 
 namespace whirl::linalg {
 
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-using NaturalLdlt = Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
-/// L with A = L L^T for a positive semidefinite A: the `nullity` pivots that are smallest against
-/// their diagonal entries are zero but for rounding, and so are their columns.
-Sparse semidefinite_factor(const Sparse &A, int nullity) {
-    NaturalLdlt ldlt;
-    ldlt.setShift(0, 1 + 2 * std::numeric_limits<double>::epsilon()); // no pivot exactly zero
-    ldlt.compute(A);
-    if (ldlt.info() != Eigen::Success)
-        throw SolverError("the factorisation of a semidefinite matrix failed");
-    const Eigen::VectorXd pivots = ldlt.vectorD();
-    const Eigen::VectorXd relative = pivots.cwiseQuotient(A.diagonal().cwiseMax(1e-300));
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(pivots.size()));
-    std::iota(order.begin(), order.end(), Eigen::Index{0});
-    std::partial_sort(order.begin(), order.begin() + nullity, order.end(),
-                      [&](Eigen::Index a, Eigen::Index b) { return relative(a) < relative(b); });
-    Eigen::VectorXd roots = pivots.cwiseMax(0).cwiseSqrt();
-    for (int i = 0; i < nullity; ++i)
-        roots(order[static_cast<std::size_t>(i)]) = 0;
-    Sparse L = ldlt.matrixL();
-    return L * roots.asDiagonal();
+/// L with A = L L^T, A positive definite.
+Sparse factor(const Sparse &A) {
+    const Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> llt(A);
+    if (llt.info() != Eigen::Success)
+        throw SolverError("a mass or stiffness matrix is not positive definite");
+    return llt.matrixL();
+}
+
+/// L with K = L L^T for a positive semidefinite K whose null space N is known: as many unknowns as
+/// N has columns, those by which its motions differ most, depend on the others in what strains, K =
+/// B K_rr B^T with B = [1; W], W = -N_p^-T N_r^T. Small pivots need not be told from zeros.
+Sparse semidefinite_factor(const Sparse &K, const Eigen::MatrixXd &N) {
+    if (N.cols() == 0)
+        return factor(K);
+    const Eigen::Index n = K.rows();
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(N.transpose());
+    std::vector<Eigen::Index> pinned;
+    std::vector<int> place(static_cast<std::size_t>(n), 0); // among the others, or -1
+    for (Eigen::Index i = 0; i < N.cols(); ++i) {
+        pinned.push_back(qr.colsPermutation().indices()(i));
+        place[static_cast<std::size_t>(pinned.back())] = -1;
+    }
+    std::vector<Eigen::Index> others;
+    for (Eigen::Index i = 0; i < n; ++i)
+        if (place[static_cast<std::size_t>(i)] == 0) {
+            place[static_cast<std::size_t>(i)] = static_cast<int>(others.size());
+            others.push_back(i);
+        }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index j = 0; j < n; ++j)
+        for (Sparse::InnerIterator it(K, j); it; ++it) {
+            const int row = place[static_cast<std::size_t>(it.row())];
+            const int column = place[static_cast<std::size_t>(j)];
+            if (row >= 0 && column >= 0)
+                entries.emplace_back(row, column, it.value());
+        }
+    Sparse Krr(std::ssize(others), std::ssize(others));
+    Krr.setFromTriplets(entries.begin(), entries.end());
+    const Sparse Lrr = factor(Krr);
+    const Eigen::MatrixXd W = -Eigen::MatrixXd(N(pinned, Eigen::all))
+                                   .transpose()
+                                   .partialPivLu()
+                                   .solve(Eigen::MatrixXd(N(others, Eigen::all)).transpose());
+    const Eigen::MatrixXd dependent = W * Lrr;
+    entries.clear();
+    for (Eigen::Index j = 0; j < Lrr.cols(); ++j) {
+        const auto column = static_cast<int>(others[static_cast<std::size_t>(j)]);
+        for (Sparse::InnerIterator it(Lrr, j); it; ++it)
+            entries.emplace_back(static_cast<int>(others[static_cast<std::size_t>(it.row())]),
+                                 column, it.value());
+        for (std::size_t i = 0; i < pinned.size(); ++i)
+            entries.emplace_back(static_cast<int>(pinned[i]), column,
+                                 dependent(static_cast<Eigen::Index>(i), j));
+    }
+    Sparse L(n, n);
+    L.setFromTriplets(entries.begin(), entries.end());
+    return L;
 }
 
 /// Scales of the unknowns that make the diagonal of K 1: pivots are then not chosen by units.
@@ -55,8 +94,8 @@ class Shifted {
     Shifted(const Matrix &K, const Matrix &M, const Matrix &S, const ShiftedOptions &options)
         : _scale(unit_diagonal(K)), _K(scaled(_scale, K)), _M(scaled(_scale, M)),
           _S(scaled(_scale, S)), _s(options.s), _shift(options.shift),
-          _L(semidefinite_factor(_K, options.nullity)), _F(semidefinite_factor(_M, 0)),
-          _Lt(_L.transpose()), _Ft(_F.transpose()) {
+          _L(semidefinite_factor(_K, _scale.cwiseInverse().asDiagonal() * options.null_space)),
+          _F(factor(_M)), _Lt(_L.transpose()), _Ft(_F.transpose()) {
         _lu.compute(at(_shift));
         if (_lu.info() != Eigen::Success)
             throw SolverError("the matrix at the shift is singular");
@@ -95,6 +134,13 @@ class Shifted {
         const double theta_error = (Tz - theta * z).norm() / (z.norm() * std::abs(theta));
         const double size = std::max(std::abs(pair.value), 1e-300);
         pair.residual = theta_error * std::abs(pair.value - _shift) / size;
+        // A zero of K alone, (0, g) with L g = 0: there is no motion behind it, only its place
+        // among the eigenvalues.
+        if (z.head(n).squaredNorm() < 1e-16 * z.squaredNorm()) {
+            pair.value = 0;
+            pair.vector = Eigen::VectorXd::Zero(n);
+            return pair;
+        }
         // One step of the inverse iteration gives x from (F^T x, L^T y).
         const Eigen::VectorXd x =
             _lu.solve(Eigen::VectorXd(_shift * (_F * z.head(n)) + _L * z.tail(n)));

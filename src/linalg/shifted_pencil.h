@@ -9,10 +9,10 @@ namespace whirl::linalg {
 
 /// What ShiftedPencil is asked for.
 struct ShiftedOptions {
-    int nullity = 0;  ///< dimension of the null space of K
-    double s = 0;     ///< the parameter (spin speed)
-    double shift = 0; ///< real, not an eigenvalue, rad/s
-    int wanted = 0;   ///< eigenvalues of least modulus, zeros included
+    Eigen::MatrixXd null_space; ///< of K, one vector a column
+    double s = 0;               ///< the parameter (spin speed)
+    double shift = 0;           ///< real, not an eigenvalue, rad/s
+    int wanted = 0;             ///< eigenvalues of least modulus, zeros included
 };
 
 /// Eigenvalues w of Q(w) x = (K + w s S - w^2 M) x = 0 as in DefinitePencil, but with K singular:

@@ -18,6 +18,8 @@ std::string band_rows(const std::string &which, const std::string &z,
     std::string csv;
     for (const auto &band : of.bands)
         csv += fmt::format("band,{},{},,{},{},,\n", which, z, cell(band.from), cell(band.to));
+    for (const auto &[at_from, at_to] : of.errors)
+        csv += fmt::format("band_error,{},{},,{},{},,\n", which, z, cell(at_from), cell(at_to));
     if (of.rigid_bands)
         for (const auto &band : *of.rigid_bands)
             csv += fmt::format("rigid_band,{},{},,{},{},,\n", which, z, cell(band.from),

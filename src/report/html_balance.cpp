@@ -31,7 +31,8 @@ std::string plane_name(const analyses::BalancePlane &plane, std::size_t index) {
 void add_ends(Rows &rows, const std::string &name, const analyses::BalanceBands &of) {
     for (const auto &end : of.ends)
         rows.push_back({name, end.upper ? "upper" : "lower", readable(end.speed, 10),
-                        readable(end.speed * rpm, 8), end.pinned ? readable(*end.pinned, 10) : "–",
+                        readable(end.speed * rpm, 8), end.error ? readable(*end.error, 2) : "–",
+                        end.pinned ? readable(*end.pinned, 10) : "–",
                         end.rigid ? readable(*end.rigid, 10) : "–",
                         end.relative_difference ? readable(*end.relative_difference, 3) : "–"});
 }
@@ -79,8 +80,8 @@ balance_sections(const analyses::BalanceResult &result) {
                           html_table({"Planes", "Flexible", "Rigid closed form"}, bands));
     if (!ends.empty())
         sections.emplace_back("Ends of the bands",
-                              html_table({"Planes", "End", "rad/s", "rpm", "Pinned critical speed",
-                                          "Rigid", "Relative difference"},
+                              html_table({"Planes", "End", "rad/s", "rpm", "Error (rad/s)",
+                                          "Pinned critical speed", "Rigid", "Relative difference"},
                                          ends));
     if (result.placement)
         sections.emplace_back("Best places", placement(*result.placement));

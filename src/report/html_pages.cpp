@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::report {
 
@@ -85,7 +86,7 @@ std::string to_html(const model::Case &scene, const analyses::CriticalResult &re
         rows.push_back({std::to_string(rows.size() + 1), readable(critical.speed * rpm, 10),
                         readable(critical.speed, 10), readable(critical.speed * hertz, 10),
                         analyses::whirl_name(critical.whirl), readable(critical.real, 5),
-                        readable(critical.error, 2)});
+                        std::isfinite(critical.error) ? readable(critical.error, 2) : "–"});
     parts.sections.emplace_back("Table", html_table({"No.", "rpm", "rad/s", "Hz", "Whirl",
                                                      "Real part (1/s)", "Relative error"},
                                                     rows));

@@ -24,6 +24,12 @@ std::string result_table(const analyses::SimulateResult &result) {
                        {"Evidence", result.evidence},
                        {"Amplitude left over that without balls",
                         result.residual_ratio ? readable(*result.residual_ratio, 5) : "–"},
+                       {"Growth of the amplitude over the last half (1/s)",
+                        result.trend ? readable(*result.trend, 4) : "–"},
+                       {"Growth at the balanced position by its eigenvalues (1/s)",
+                        result.linear_growth ? readable(*result.linear_growth, 4) : "–"},
+                       {"Time that would decide (s)",
+                        result.decision_time ? readable(*result.decision_time, 3) : "–"},
                        {"Time", readable(result.time, 6) + " s, " +
                                     readable(result.revolutions, 6) + " revolutions"},
                        {"Speed at the end", readable(result.speed * rpm, 7) + " rpm"}});

@@ -13,15 +13,33 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string bands_table(const std::vector<std::pair<double, double>> &bands) {
+/// @param errors  of both ends, or empty
+std::string bands_table(const std::vector<std::pair<double, double>> &bands,
+                        const std::vector<std::pair<double, double>> &errors = {}) {
     Rows rows;
     for (const auto &[from, to] : bands)
         rows.push_back({readable(from, 10), readable(to, 10), readable(from * rpm, 8),
                         readable(to * rpm, 8), readable(to - from, 4)});
     if (rows.empty())
         return "<p>None in this range.</p>\n";
-    return html_table({"From (rad/s)", "to (rad/s)", "from (rpm)", "to (rpm)", "width (rad/s)"},
-                      rows);
+    std::vector<std::string> heads{"From (rad/s)", "to (rad/s)", "from (rpm)", "to (rpm)",
+                                   "width (rad/s)"};
+    if (errors.size() == bands.size()) {
+        heads.insert(heads.end(), {"error of from (rad/s)", "error of to (rad/s)"});
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            rows[i].insert(rows[i].end(),
+                           {readable(errors[i].first, 2), readable(errors[i].second, 2)});
+    }
+    return html_table(heads, rows);
+}
+
+/// Of one speed: what becomes of a small motion there.
+std::string verdict_text(const analyses::StabilityResult &result) {
+    const std::string name = verdict_name(result.verdict.front());
+    if (name.empty())
+        return "<p>No answer at this speed.</p>\n";
+    return fmt::format("<p>{} at {} rad/s: largest growth {} 1/s.</p>\n", name,
+                       readable(result.speeds.front()), readable(result.growth.front(), 8));
 }
 
 std::string speeds_table(const analyses::StabilityResult &result) {
@@ -41,8 +59,11 @@ std::string permissible_table(const analyses::StabilityResult &result) {
         return value ? readable(*value, 8) : "–";
     };
     for (const auto &entry : result.permissible)
-        rows.push_back({entry.name, readable(entry.z), text(entry.dI), text(entry.closed_form)});
-    return html_table({"Element", "z (m)", "largest dI (kg m²)", "rigid closed form (kg m²)"},
+        rows.push_back({entry.name, readable(entry.z),
+                        entry.dI ? text(entry.dI) : "stable up to the most there can be",
+                        readable(entry.most, 8), text(entry.closed_form)});
+    return html_table({"Element", "z (m)", "largest dI (kg m²)", "most there can be (kg m²)",
+                       "rigid closed form (kg m²)"},
                       rows);
 }
 
@@ -52,7 +73,11 @@ std::string to_html(const model::Case &scene, const analyses::StabilityResult &r
                     const std::string &picture) {
     PageContent parts{
         "stability", "Stability", plot_script("stability"), picture, to_json(scene, result), {}};
-    parts.sections.emplace_back("Unstable spin speeds", bands_table(result.unstable));
+    if (result.speeds.size() == 1)
+        parts.sections.emplace_back("Stability at this speed", verdict_text(result));
+    else
+        parts.sections.emplace_back("Unstable spin speeds",
+                                    bands_table(result.unstable, result.unstable_error));
     if (!result.critical_speeds.empty() || !result.additional_speeds.empty())
         parts.sections.emplace_back("Speeds at which something stands still in rotating axes",
                                     speeds_table(result));

@@ -25,12 +25,16 @@ Json bands(const std::optional<std::vector<analyses::SpeedBand>> &list) {
 
 void add_bands(Json &json, const analyses::BalanceBands &of) {
     json["bands"] = bands(of.bands);
+    json["band_errors"] = Json::array();
+    for (const auto &[at_from, at_to] : of.errors)
+        json["band_errors"].push_back({json_number(at_from), json_number(at_to)});
     json["rigid_bands"] = bands(of.rigid_bands);
     json["pinned_critical_speeds"] = of.pinned;
     json["ends"] = Json::array();
     for (const auto &end : of.ends)
         json["ends"].push_back({{"speed", end.speed},
                                 {"end", end.upper ? "upper" : "lower"},
+                                {"error", json_number(end.error)},
                                 {"rigid", json_number(end.rigid)},
                                 {"relative_difference", json_number(end.relative_difference)},
                                 {"pinned", json_number(end.pinned)}});

@@ -63,6 +63,9 @@ std::string to_json(const model::Case &scene, const analyses::SimulateResult &re
     json["outcome"] = analyses::outcome_name(result.outcome);
     json["evidence"] = result.evidence;
     json["residual_ratio"] = json_number(result.residual_ratio);
+    json["trend"] = json_number(result.trend);
+    json["linear_growth"] = json_number(result.linear_growth);
+    json["decision_time"] = json_number(result.decision_time);
     json["time"] = result.time;
     json["speed"] = result.speed;
     json["revolutions"] = result.revolutions;

@@ -15,6 +15,15 @@ Json family_json(const analyses::ArrangementFamily &family) {
             {"anisotropy", json_bands(family.anisotropy)}};
 }
 
+Json verdicts_json(const std::vector<analyses::Verdict> &verdicts) {
+    Json items = Json::array();
+    for (const analyses::Verdict verdict : verdicts) {
+        const std::string name = verdict_name(verdict);
+        items.push_back(name.empty() ? Json(nullptr) : Json(name));
+    }
+    return items;
+}
+
 Json map_json(const analyses::StabilityMap &map) {
     return {{"x", {{"path", map.x.path}, {"values", map.x_values}}},
             {"y", {{"path", map.y.path}, {"values", map.y_values}}},
@@ -27,7 +36,9 @@ std::string to_json(const model::Case &scene, const analyses::StabilityResult &r
     Json json = json_envelope("stability", scene, result.model);
     json["speeds"] = result.speeds;
     json["growth"] = result.growth;
+    json["verdict"] = verdicts_json(result.verdict);
     json["unstable"] = json_bands(result.unstable);
+    json["unstable_error"] = json_bands(result.unstable_error);
     json["critical_speeds"] = result.critical_speeds;
     json["additional_speeds"] = result.additional_speeds;
     json["permissible"] = Json::array();
@@ -35,7 +46,9 @@ std::string to_json(const model::Case &scene, const analyses::StabilityResult &r
         json["permissible"].push_back({{"z", entry.z},
                                        {"name", entry.name},
                                        {"dI", json_number(entry.dI)},
-                                       {"closed_form", json_number(entry.closed_form)}});
+                                       {"closed_form", json_number(entry.closed_form)},
+                                       {"most", entry.most},
+                                       {"of_disc", entry.of_disc}});
     json["neutral_pairs"] = result.neutral_pairs;
     json["harmonics"] = result.harmonics;
     json["family"] = result.family ? family_json(*result.family) : Json(nullptr);

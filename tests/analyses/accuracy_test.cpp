@@ -1,4 +1,5 @@
 #include "analyses/accuracy.h"
+#include "analyses/error_estimate.h"
 
 #include "analyses/scenes.h"
 #include "closed_form/beam_frequencies.h"
@@ -43,8 +44,9 @@ TEST(Accuracy, classical_elements_converge_with_the_square_of_their_length) {
         const double rate =
             std::log2(*classical.at(elements).true_error / *classical.at(2 * elements).true_error);
         EXPECT_NEAR(rate, 2, 0.1) << elements;
-        EXPECT_NEAR(*classical.at(elements).error_estimate / *classical.at(elements).true_error, 1,
-                    0.1);
+        // Order 5 on the same elements is as good as the truth: what is left is the safety.
+        EXPECT_NEAR(*classical.at(elements).error_estimate / *classical.at(elements).true_error,
+                    analyses::estimate_safety, 0.01);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -156,8 +157,22 @@ TEST(RotatingSystem, FrozenBallsLeaveTheirMassesAlone) {
     EXPECT_TRUE(same(dense(frozen.stiffness(speed)), dense(free.stiffness(speed))));
 }
 
+/// Stiffness of a one-element shaft in one plane, seen from its two nodes: what lies between them
+/// is eliminated, so that it does not matter by which functions it is described.
+MatrixXd nodal_stiffness(const MatrixXd &K, int plane) {
+    const auto n = K.rows() / 2;
+    const MatrixXd in_plane = K(Eigen::seqN(plane, n, 2), Eigen::seqN(plane, n, 2));
+    std::vector<Eigen::Index> nodes{0, 1, n - 2, n - 1};
+    std::vector<Eigen::Index> between;
+    for (Eigen::Index i = 2; i < n - 2; ++i)
+        between.push_back(i);
+    const MatrixXd across = in_plane(between, nodes);
+    return in_plane(nodes, nodes) -
+           across.transpose() * MatrixXd(in_plane(between, between)).ldlt().solve(across);
+}
+
 // An asymmetric segment is a circular one of other stiffness in each of its two planes, where the
-// shape functions of the element do not depend on that stiffness (order 2 and higher).
+// functions of the element span the same motions whatever that stiffness (order 2 and higher).
 TEST(RotatingSystem, AsymmetricSegmentHasTwoBendingStiffnesses) {
     model::Rotor rotor = tests::uniform_shaft(0.6, 0.03);
     rotor.shaft.shear = model::ShearFormula::given;
@@ -166,7 +181,7 @@ TEST(RotatingSystem, AsymmetricSegmentHasTwoBendingStiffnesses) {
         model::Rotor other = rotor;
         other.shaft.segments[0].material.E *= share; // G A kappa stays
         const assembly::Discretization d(other, 4);
-        return dense(assembly::assemble_rotating(d, 0, {}).K);
+        return nodal_stiffness(dense(assembly::assemble_rotating(d, 0, {}).K), 0);
     };
     const MatrixXd stiff = stiffness_of(1.3);
     const MatrixXd soft = stiffness_of(0.7);
@@ -174,12 +189,11 @@ TEST(RotatingSystem, AsymmetricSegmentHasTwoBendingStiffnesses) {
     const assembly::Discretization d(rotor, 4);
     const MatrixXd K = dense(assembly::assemble_rotating(d, 0, {}).K);
     const double size = K.cwiseAbs().maxCoeff();
+    EXPECT_LT((nodal_stiffness(K, 0) - stiff).cwiseAbs().maxCoeff(), 1e-14 * size);
+    EXPECT_LT((nodal_stiffness(K, 1) - soft).cwiseAbs().maxCoeff(), 1e-14 * size);
     for (Eigen::Index i = 0; i < K.rows(); i += 2)
-        for (Eigen::Index j = 0; j < K.cols(); j += 2) {
-            EXPECT_NEAR(K(i, j), stiff(i, j), 1e-14 * size);
-            EXPECT_NEAR(K(i + 1, j + 1), soft(i + 1, j + 1), 1e-14 * size);
-            EXPECT_EQ(K(i, j + 1), 0);
-        }
+        for (Eigen::Index j = 1; j < K.cols(); j += 2)
+            EXPECT_EQ(K(i, j), 0);
 }
 
 /// Bearings that differ between x and y, couple them and are damped.

@@ -1,0 +1,117 @@
+#include "analyses/finer_model.h"
+
+#include "assembly/planar_mass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::analyses {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+double relative(std::complex<double> coarse, std::complex<double> fine) {
+    const double size = std::abs(coarse);
+    return size == 0 ? 0 : estimate_safety * std::abs(coarse - fine) / size;
+}
+
+/// Modes of one sense, by their place; in real symmetric form all are of one kind.
+std::vector<std::complex<double>> of_sense(const Spectrum &spectrum, bool planar, Whirl sense) {
+    std::vector<std::complex<double>> out;
+    for (const WhirlMode &mode : spectrum.modes)
+        if (!planar || mode.whirl == sense)
+            out.push_back(mode.eigenvalue);
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+    return out;
+}
+
+} // namespace
+
+FinerModel::FinerModel(const model::Rotor &rotor, const SpectrumSolver &coarse, int refinement)
+    : _coarse(coarse),
+      _fine(std::make_unique<SpectrumSolver>(rotor, coarse.form(),
+                                             finer_order(coarse.discretization().order()),
+                                             refinement, SpectrumSolver::hill_harmonics + 2)),
+      _places(coarse.discretization().places_in(_fine->discretization())),
+      _mass(assembly::planar_mass(_fine->discretization())) {}
+
+std::vector<double> FinerModel::errors(const Spectrum &coarse) const {
+    const Form form = _coarse.form();
+    return form == Form::planar || form == Form::hyperbolic ? errors_by_place(coarse)
+                                                            : errors_by_shape(coarse);
+}
+
+std::vector<double> FinerModel::errors_by_place(const Spectrum &coarse) const {
+    const bool planar = _coarse.form() == Form::planar;
+    const auto count = [&](Whirl sense) { return of_sense(coarse, planar, sense).size(); };
+    Spectrum fine;
+    // The lowest modes of the finer model may have another share of either sense.
+    for (auto ask = coarse.modes.size();; ask *= 2) {
+        fine = _fine->at(coarse.speed, static_cast<int>(ask));
+        const bool enough =
+            of_sense(fine, planar, Whirl::forward).size() >= count(Whirl::forward) &&
+            of_sense(fine, planar, Whirl::backward).size() >= count(Whirl::backward);
+        if (enough || fine.modes.size() < ask)
+            break;
+    }
+    std::vector<double> errors;
+    for (const WhirlMode &mode : coarse.modes) {
+        const auto ours = of_sense(coarse, planar, mode.whirl);
+        const auto theirs = of_sense(fine, planar, mode.whirl);
+        const auto place = std::find(ours.begin(), ours.end(), mode.eigenvalue) - ours.begin();
+        errors.push_back(place < std::ssize(theirs)
+                             ? relative(mode.eigenvalue, theirs[static_cast<std::size_t>(place)])
+                             : unknown);
+    }
+    return errors;
+}
+
+/// Of the modes of the finer model that resemble it nearly as much as the one most like it, the
+/// farthest counts: where shapes do not tell which is which, the larger error is stated.
+std::vector<double> FinerModel::errors_by_shape(const Spectrum &coarse) const {
+    constexpr double nearly = 0.5;
+    const Spectrum fine = _fine->at(
+        coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));
+    const Eigen::Index n = 2 * _mass.rows();
+    const auto plane = [n](const Eigen::VectorXcd &shape, int which) {
+        return Eigen::VectorXcd(shape(Eigen::seqN(which, n / 2, 2)));
+    };
+    const auto product = [&](const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+        std::complex<double> sum = 0;
+        for (const int which : {0, 1})
+            sum += plane(a, which).dot(Eigen::VectorXcd(_mass * plane(b, which)));
+        return sum;
+    };
+    std::vector<double> size;
+    for (const WhirlMode &mode : fine.modes)
+        size.push_back(std::abs(product(mode.shape, mode.shape)));
+    std::vector<double> errors;
+    for (const WhirlMode &mode : coarse.modes) {
+        const Eigen::VectorXcd shape = embedded(mode.shape);
+        std::vector<double> likeness;
+        for (std::size_t i = 0; i < fine.modes.size(); ++i)
+            likeness.push_back(
+                size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i] : 0);
+        const double best =
+            likeness.empty() ? 0 : *std::max_element(likeness.begin(), likeness.end());
+        double error = best > 0 ? 0 : unknown;
+        for (std::size_t i = 0; i < likeness.size() && best > 0; ++i)
+            if (likeness[i] > nearly * best)
+                error = std::max(error, relative(mode.eigenvalue, fine.modes[i].eigenvalue));
+        errors.push_back(error);
+    }
+    return errors;
+}
+
+Eigen::VectorXcd FinerModel::embedded(const Eigen::VectorXcd &shape) const {
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2 * _mass.rows());
+    for (std::size_t i = 0; i < _places.size(); ++i)
+        for (const int which : {0, 1})
+            out(2 * _places[i] + which) = shape(2 * static_cast<Eigen::Index>(i) + which);
+    return out;
+}
+
+} // namespace whirl::analyses

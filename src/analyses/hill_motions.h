@@ -1,0 +1,61 @@
+#pragma once
+
+#include "analyses/rotating_spectrum.h"
+#include "model/errors.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// The Hill series does not settle at a speed.
+class NotSettled : public model::AnalysisFailure {
+  public:
+    using AnalysisFailure::AnalysisFailure;
+};
+
+/// Free motions by Hill's series with as many harmonics as each speed needs.
+///
+/// Every motion has copies 2 i speed apart; the series is cut where the motions that count, at the
+/// copy next to zero, do not change any more: with one harmonic more each of the old ones has its
+/// partner and each of the new ones too, to 1e-8 of the spin speed. A motion whose largest term has
+/// the number k is seen next to zero with more than k harmonics only, so that the fast ones that
+/// bearings drive set a least number.
+class HillMotions {
+  public:
+    /// @param driven  bearings can feed energy into any motion
+    /// @param least   harmonics to begin with
+    HillMotions(const assembly::Discretization &discretization,
+                std::vector<elements::BalancerElement> balancers, bool driven, int least);
+
+    struct Found {
+        std::vector<linalg::ComplexPair> pairs; ///< Im >= 0, vectors over all terms of the series
+        int harmonics = 0;
+    };
+    /// @throws NotSettled, linalg::SolverError
+    [[nodiscard]] Found at(double speed) const;
+
+    /// The most that any speed so far needed.
+    [[nodiscard]] int harmonics() const { return _most; }
+    [[nodiscard]] const RotatingSpectrum &spectrum(double speed, int harmonics) const;
+
+  private:
+    const assembly::Discretization &_discretization;
+    std::vector<elements::BalancerElement> _balancers;
+    bool _driven;
+    bool _tables;
+    int _limit; ///< harmonics that are tried at most
+    mutable int _most;
+    mutable int _last; ///< enough at the speed before
+    mutable std::map<int, std::unique_ptr<RotatingSpectrum>> _spectra;
+    mutable double _spectra_speed = 0; ///< with tables: whose bearings they have
+
+    struct Reach {
+        double radius = 0; ///< modulus up to which copies are looked for, 1/s
+        int terms = 1;     ///< largest number of the largest term of a motion that counts
+    };
+    [[nodiscard]] Reach reach(double signed_speed) const;
+};
+
+} // namespace whirl::analyses

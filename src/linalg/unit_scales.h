@@ -1,0 +1,16 @@
+#pragma once
+
+#include "linalg/matrix.h"
+
+#include <Eigen/Core>
+
+namespace whirl::linalg {
+
+/// Powers of two s such that unknowns q = s q' of different kinds (deflections in m, slopes in rad)
+/// are of one size: diagonal entries of s K s as large as the first of K, within a factor of 4;
+/// of s M s (nullptr: none) where K has none. In other units of length, mass and time (a power of
+/// two apart) the scaled matrices have the same digits, so that pivots, norms and shares do not
+/// depend on units.
+[[nodiscard]] Eigen::VectorXd unit_scales(const Matrix &K, const Matrix *M);
+
+} // namespace whirl::linalg

@@ -1,0 +1,70 @@
+// Internal damping on undamped, isotropic bearings: forward whirl at w loses energy by the damping
+// of the shaft as long as the rotor turns more slowly, and gains it beyond. Instability begins
+// exactly at the first forward critical speed, at whatever mesh, and however small the growth.
+
+#include "analyses/critical.h"
+#include "analyses/motions.h"
+#include "analyses/unstable_bands.h"
+#include "support/rotating_scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace whirl;
+
+struct Mesh {
+    double z = 0; ///< of the disc, m
+    int elements = 1, order = 4;
+};
+
+void PrintTo(const Mesh &mesh, std::ostream *out) {
+    *out << mesh.z << " m, " << mesh.elements << " elements of order " << mesh.order;
+}
+
+model::Rotor jeffcott_rotor(const Mesh &mesh, double internal_damping) {
+    model::Rotor rotor;
+    const model::Material steel{"steel", 2.1e11, 2.1e11 / 2.6, 7850};
+    const model::Segment half{0.5, 0.05, 0.05, 0, 0, steel, mesh.elements};
+    rotor.shaft.segments = {half, half};
+    rotor.shaft.order = mesh.order;
+    rotor.shaft.internal_damping = internal_damping;
+    rotor.discs = {tests::disc(mesh.z, 20, 0.2, 0.3)};
+    rotor.bearings = {tests::round_bearing(0, 1e6), tests::round_bearing(1, 1e6)};
+    return rotor;
+}
+
+/// Of the same mesh without damping, by the definite symmetric form.
+double first_forward_critical_speed(const Mesh &mesh) {
+    const auto result = analyses::critical(tests::scene_of(jeffcott_rotor(mesh, 0), 0, 400, 3));
+    for (const analyses::CriticalSpeed &critical : result.critical_speeds)
+        if (critical.whirl == analyses::Whirl::forward)
+            return critical.speed;
+    return 0;
+}
+
+class Onset : public testing::TestWithParam<Mesh> {};
+
+TEST_P(Onset, IsTheFirstForwardCriticalSpeed) {
+    // The growth just above the onset is eta w (W - w)/2 = 4e-10 1/s at 1e-8 above it.
+    for (const double eta : {1e-6, 1e-8}) {
+        const analyses::MotionSolver solver(jeffcott_rotor(GetParam(), eta),
+                                            analyses::Form::general, GetParam().order, {}, 0);
+        const auto bands = analyses::unstable_bands(
+            [&solver](double speed) { return solver.at(speed); }, {150, 190, 230, 300, 400});
+        const double critical = first_forward_critical_speed(GetParam());
+        ASSERT_EQ(bands.size(), 1U);
+        EXPECT_NEAR(bands[0].first, critical, 1e-8 * critical);
+        EXPECT_EQ(bands[0].second, 400);
+        EXPECT_NEAR(critical, 195.89, GetParam().order == 1 ? 0.3 : 0.01);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Meshes, Onset,
+                         testing::Values(Mesh{0.5, 1, 1}, Mesh{0.5, 1, 4}, Mesh{0.5, 20, 4},
+                                         Mesh{0.5, 50, 2}, Mesh{0.5, 100, 1}, Mesh{0.5, 5, 10},
+                                         Mesh{0.501, 1, 4}, Mesh{0.501, 2, 6}, Mesh{0.501, 20, 1},
+                                         Mesh{0.5003, 1, 4}, Mesh{0.5003, 1, 10},
+                                         Mesh{0.5003, 10, 3}));
+
+} // namespace
