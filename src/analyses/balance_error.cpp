@@ -128,8 +128,7 @@ void note_lonely(const std::string &which, const std::vector<double> &ends,
 
 void judge_band_ends(const BalanceScene &scene, BalanceForm &form, BalanceResult &result) {
     const bool rigid = scene.rotor.shaft.rigid;
-    const assembly::Discretization d(scene.rotor,
-                                     rigid ? scene.order : finer_order(scene.order));
+    const assembly::Discretization d(scene.rotor, rigid ? scene.order : finer_order(scene.order));
     BalanceForm finer(d, scene.formulation.form, scene.places(d), scene.plane_positions());
     std::vector<std::string> &notes = result.model.notes;
     const auto judge_one = [&](const std::string &which, BalanceBands &of, auto &&value) {

@@ -99,9 +99,9 @@ std::vector<std::optional<double>> critical_errors(const assembly::Discretizatio
             continue;
         const WhirlMode &mode = modes.modes[i];
         const WhirlMode &other = finer_modes.modes[*partners[i]];
-        errors.back() =
-            estimate_safety * std::abs(mode.eigenvalue - other.eigenvalue) / other.eigenvalue.imag() +
-            mode.residual + mode.rounding + other.residual + other.rounding;
+        errors.back() = estimate_safety * std::abs(mode.eigenvalue - other.eigenvalue) /
+                            other.eigenvalue.imag() +
+                        mode.residual + mode.rounding + other.residual + other.rounding;
     }
     return errors;
 }

@@ -15,8 +15,8 @@ class Conditioning : public ::testing::TestWithParam<int> {};
 
 /// With the first node held and unknowns scaled to unit diagonal. Where the two sets of internal
 /// functions change places (Phi = 1), slope and bending functions of degree k differ in energy by a
-/// share of 12 |I L_k|^2 / |L_k|^2, about 3/k^2 of which the couplings leave a part: 1e-4 up to order
-/// 8, where functions without shear strain leave h^2/d^2.
+/// share of 12 |I L_k|^2 / |L_k|^2, about 3/k^2 of which the couplings leave a part: 1e-4 up to
+/// order 8, where functions without shear strain leave h^2/d^2.
 TEST_P(Conditioning, BoundedWhateverTheLength) {
     for (const double length : {1e-9, 1e-6, 1e-4, 1e-3, 1e-2, 0.03, 0.1, 0.3, 1.0, 10.0, 1000.0}) {
         elements::Beam beam = tests::beam_of(tests::solid_cylinder());

@@ -73,8 +73,8 @@ TEST_P(Gap, DampedOrthotropic) {
     ASSERT_GE(found.modes.size(), 6U);
     for (const auto &mode : found.modes) {
         const std::complex<double> l = mode.eigenvalue;
-        const auto root = oracles::eigenvalue_near(exact, {oracles::Motion::both, speed},
-                                                   {l.real(), l.imag()});
+        const auto root =
+            oracles::eigenvalue_near(exact, {oracles::Motion::both, speed}, {l.real(), l.imag()});
         ASSERT_TRUE(root.has_value());
         const std::complex<double> truth(static_cast<double>(root->real()),
                                          static_cast<double>(root->imag()));
@@ -106,6 +106,61 @@ TEST(ShortSpans, RowOfStationsInACluster) {
         EXPECT_NEAR(mode.eigenvalue.imag() / w, 1, 1e-9);
     }
     EXPECT_EQ(next, truth.size());
+}
+
+/// Largest relative distance of the modes found from the continuum's eigenvalues next to them.
+double worst_distance(const Spectrum &found, const oracles::Continuum &exact, double spin) {
+    double worst = 0;
+    for (const auto &mode : found.modes) {
+        const std::complex<double> l = mode.eigenvalue;
+        const auto root =
+            oracles::eigenvalue_near(exact, {oracles::Motion::both, spin}, {l.real(), l.imag()});
+        if (!root)
+            return 1;
+        const std::complex<double> truth(static_cast<double>(root->real()),
+                                         static_cast<double>(root->imag()));
+        worst = std::max(worst, std::abs(l - truth) / std::abs(truth));
+    }
+    return worst;
+}
+
+/// One segment of 0.4 mm at the end of three metres, damped.
+TEST(ShortSpans, TinyLastSegment) {
+    model::Rotor rotor;
+    rotor.shaft.segments = {tests::cylinder(3, 0.1, 10), tests::cylinder(0.0004, 0.1)};
+    rotor.bearings = {tests::bearing(0.3, 1e8, 1e8, 0, 1e4), tests::bearing(2.7, 1e8, 1e8, 0, 1e4)};
+    oracles::SteppedRotor same;
+    same.shaft = {{3.0004, 0.1, 0, 211e9, 81.2e9, 7810, 0}};
+    for (const double z : {0.3, 2.7})
+        same.supports.push_back({z, {{{1e8, 0}, {0, 1e8}}}, {{{1e4, 0}, {0, 1e4}}}, {}, {}});
+    for (const int order : {4, 8}) {
+        const Spectrum found = tests::spectrum_of(rotor, Form::general, order, 300, 8);
+        ASSERT_GE(found.modes.size(), 8U);
+        // Ten elements of order 4 leave 4e-9 in the fourth pair.
+        EXPECT_LT(worst_distance(found, oracles::Continuum(same), 300), order == 4 ? 1e-8 : 1e-9);
+    }
+}
+
+/// Like a multistage pump: 123 steps of diameter, the shortest of them 0.5 mm, damped bearings.
+TEST(ShortSpans, HundredAndTwentyThreeSteps) {
+    model::Rotor rotor;
+    oracles::SteppedRotor same;
+    double length = 0;
+    for (int i = 0; i < 123; ++i) {
+        const double h = 0.0005 + 0.02 * ((i * 37) % 101) / 101;
+        const double d = 0.08 + 0.06 * ((i * 53) % 97) / 97;
+        rotor.shaft.segments.push_back(tests::cylinder(h, d));
+        same.shaft.push_back({h, d, 0, 211e9, 81.2e9, 7810, 0});
+        length += h;
+    }
+    for (const double z : {0.1 * length, 0.9 * length}) {
+        rotor.bearings.push_back(tests::bearing(z, 5e7, 8e7, 0, 2e4));
+        same.supports.push_back({z, {{{5e7, 0}, {0, 8e7}}}, {{{2e4, 0}, {0, 2e4}}}, {}, {}});
+    }
+    const Spectrum found = tests::spectrum_of(rotor, Form::general, 4, 300, 8);
+    ASSERT_GE(found.modes.size(), 8U);
+    // 125 elements as stiff as short against supports leave rounding of 1e-9 at most.
+    EXPECT_LT(worst_distance(found, oracles::Continuum(same), 300), 1e-8);
 }
 
 /// The error printed with a mode covers what rounding leaves at every mesh.
