@@ -16,7 +16,9 @@ class InvarianceScene {
   public:
     explicit InvarianceScene(int number);
 
+    /// At one speed of its range.
     [[nodiscard]] const model::Case &scene() const { return _scene; }
+    [[nodiscard]] const model::SpeedRange &range() const { return _range; }
     [[nodiscard]] Draw &draw() { return _draw; }
     const analyses::CampbellResult &campbell();
     const analyses::CriticalResult &critical();
@@ -27,6 +29,7 @@ class InvarianceScene {
 
   private:
     model::Case _scene;
+    model::SpeedRange _range;
     Draw _draw;
     std::optional<analyses::CampbellResult> _campbell;
     std::optional<analyses::CriticalResult> _critical;

@@ -26,7 +26,8 @@ struct CommandOutput {
 
 /// Differences between an answer and the one in other units: words, and digits. Numbers of one key
 /// must all differ by the same power of two.
-[[nodiscard]] std::vector<std::string> scaling_differences(const CommandOutput &here,
-                                                           const CommandOutput &there);
+/// @param digits  relative difference of the numbers that is rounding
+[[nodiscard]] std::vector<std::string>
+scaling_differences(const CommandOutput &here, const CommandOutput &there, double digits);
 
 } // namespace whirl::properties
