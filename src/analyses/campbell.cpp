@@ -29,20 +29,9 @@ std::vector<Line> wanted_lines(std::vector<Line> lines, int modes) {
     return lines;
 }
 
-/// A gap in a line is overdamping when the mode next to it was strongly damped already, else the
-/// mode has merely left the computed part of the spectrum.
-bool left_spectrum(const Line &line, const std::vector<Spectrum> &spectra) {
-    for (std::size_t k = 0; k < line.place.size(); ++k) {
-        if (line.place[k] == Line::absent)
-            continue;
-        const bool gap = (k > 0 && line.place[k - 1] == Line::absent) ||
-                         (k + 1 < line.place.size() && line.place[k + 1] == Line::absent);
-        const std::complex<double> l =
-            spectra[k].modes[static_cast<std::size_t>(line.place[k])].eigenvalue;
-        if (gap && std::abs(l.real()) < 0.7 * std::abs(l))
-            return true;
-    }
-    return false;
+/// Where a line leaves the computed part of the spectrum more modes find it again.
+bool left_spectrum(const Line &line) {
+    return std::count(line.absence.begin(), line.absence.end(), Absence::beyond) > 0;
 }
 
 CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
@@ -99,21 +88,69 @@ void name_modes(std::vector<CampbellMode> &modes) {
     }
 }
 
-void add_notes(ModelSummary &model, const std::vector<CampbellMode> &modes,
-               const std::vector<Spectrum> &spectra, int wanted) {
-    for (const CampbellMode &mode : modes)
-        if (std::any_of(mode.frequency.begin(), mode.frequency.end(),
-                        [](const auto &f) { return !f.has_value(); }))
-            model.notes.push_back(
-                fmt::format("mode {} is overdamped at some speeds and has no whirl frequency there",
-                            mode.label));
+/// What the absence of a mode at some speeds means.
+std::string absence_note(const std::string &label, Absence why) {
+    switch (why) {
+    case Absence::overdamped:
+        return fmt::format("mode {} is overdamped at some speeds and has no whirl frequency there",
+                           label);
+    case Absence::divergent:
+        return fmt::format("mode {} diverges at some speeds: its eigenvalue is real and positive "
+                           "there, it grows without whirling",
+                           label);
+    case Absence::beyond:
+        return fmt::format("mode {} lies beyond the computed modes at some speeds", label);
+    default:
+        return fmt::format("mode {} could not be followed to some speeds; it goes on there as "
+                           "another line",
+                           label);
+    }
+}
+
+void note_absent(CampbellResult &result, const std::vector<Line> &lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        for (const Absence why :
+             {Absence::overdamped, Absence::divergent, Absence::beyond, Absence::lost})
+            if (std::count(lines[i].absence.begin(), lines[i].absence.end(), why) > 0)
+                result.model.notes.push_back(absence_note(result.modes[i].label, why));
+}
+
+void note_gaps(ModelSummary &model, const std::vector<Gap> &gaps, const std::string &what) {
+    for (const Gap &gap : gaps)
+        model.notes.push_back(fmt::format("between {:.6g} and {:.6g} rad/s {} (near {:.6g} rad/s)",
+                                          gap.from, gap.to, what, gap.frequency));
+}
+
+/// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
+void note_real(CampbellResult &result, const std::vector<Spectrum> &spectra) {
     std::size_t overdamped = 0;
-    for (const Spectrum &spectrum : spectra)
-        overdamped = std::max(overdamped, spectrum.overdamped.size());
+    std::size_t diverging = 0;
+    double worst = 0;
+    double at = 0;
+    for (const Spectrum &spectrum : spectra) {
+        overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
+        if (spectrum.growing.empty())
+            continue;
+        ++diverging;
+        const double largest = *std::max_element(spectrum.growing.begin(), spectrum.growing.end());
+        if (largest > worst) {
+            worst = largest;
+            at = spectrum.speed;
+        }
+    }
+    if (diverging > 0)
+        result.model.notes.push_back(
+            fmt::format("divergence (static instability) at {} of {} speeds: a real eigenvalue of "
+                        "{:+.6g} 1/s at {:.6g} rad/s, motion grows without whirling",
+                        diverging, spectra.size(), worst, at));
     if (overdamped > 0)
-        model.notes.push_back(fmt::format("up to {} real eigenvalues (overdamped motion, no whirl) "
-                                          "lie among the ones computed at a speed",
-                                          overdamped));
+        result.model.notes.push_back(
+            fmt::format("up to {} real eigenvalues (overdamped motion, no whirl) lie among the "
+                        "ones computed at a speed",
+                        overdamped));
+}
+
+void note_few(ModelSummary &model, const std::vector<Spectrum> &spectra, int wanted) {
     const bool few = std::any_of(spectra.begin(), spectra.end(), [wanted](const Spectrum &s) {
         return static_cast<int>(s.modes.size()) < wanted;
     });
@@ -126,22 +163,22 @@ void add_notes(ModelSummary &model, const std::vector<CampbellMode> &modes,
 }
 
 /// Spectra with enough modes that no wanted line leaves them. Collective.
-std::vector<Line> followed_lines(const SpectrumSolver &solver, const std::vector<double> &speeds,
-                                 int modes, std::vector<Spectrum> &spectra) {
+Tracking followed_lines(const SpectrumSolver &solver, const std::vector<double> &speeds, int modes,
+                        std::vector<Spectrum> &spectra) {
     int computed = modes + 2;
-    std::vector<Line> lines;
+    Tracking tracking;
     for (int attempt = 0;; ++attempt) {
         spectra = spectra_at(solver, speeds, computed);
         std::vector<char> more(1, 0);
         if (linalg::process_rank() == 0) {
-            lines = wanted_lines(track(solver, spectra, modes), modes);
-            more[0] = attempt < 3 && std::any_of(lines.begin(), lines.end(), [&](const Line &l) {
-                          return left_spectrum(l, spectra);
-                      });
+            tracking = track(solver, spectra, modes);
+            tracking.lines = wanted_lines(std::move(tracking.lines), modes);
+            more[0] = attempt < 3 &&
+                      std::any_of(tracking.lines.begin(), tracking.lines.end(), left_spectrum);
         }
         linalg::broadcast(more);
         if (more[0] == 0)
-            return lines;
+            return tracking;
         computed += std::max(4, modes / 2);
     }
 }
@@ -161,17 +198,24 @@ CampbellResult campbell(const model::Case &scene) {
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::vector<Spectrum> spectra;
-    const std::vector<Line> lines =
-        followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
+    const Tracking tracking = followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
     if (linalg::process_rank() != 0)
         return result;
-    const LineErrors errors = line_errors(scene.rotor, solver, lines, spectra);
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    const LineErrors errors =
+        line_errors(scene.rotor, solver, tracking.lines, spectra);
+    for (std::size_t i = 0; i < tracking.lines.size(); ++i)
         result.modes.push_back(
-            mode_along(lines[i], spectra, errors[i], in_rotating_axes(solver.form())));
+            mode_along(tracking.lines[i], spectra, errors[i], in_rotating_axes(solver.form())));
     name_modes(result.modes);
-    add_notes(result.model, result.modes, spectra, scene.campbell.modes);
-    result.crossings = crossings(solver, lines, spectra, scene.campbell.multiples);
+    Crossings crossed = crossings(solver, tracking, spectra, scene.campbell.multiples);
+    result.crossings = std::move(crossed.found);
+    note_absent(result, tracking.lines);
+    note_real(result, spectra);
+    note_few(result.model, spectra, scene.campbell.modes);
+    note_gaps(result.model, tracking.gaps, "a mode could not be followed");
+    note_gaps(result.model, crossed.unsettled,
+              "a frequency changes sides of a multiple of the spin speed without a crossing that "
+              "could be verified");
     result.model.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

@@ -1,130 +1,412 @@
 #include "analyses/crossings.h"
 
+#include "analyses/crossing_step.h"
+#include "assembly/discretization.h"
+
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <set>
 
 namespace whirl::analyses {
 
 namespace {
 
-/// Frequency minus a multiple of the spin speed along one line between two grid speeds.
-class Gap {
-  public:
-    Gap(const SpectrumSolver &solver, const Spectrum &from, int place, double multiple)
-        : _solver(solver), _multiple(multiple), _wanted(static_cast<int>(from.modes.size())),
-          _near(solver.energy_basis({from.modes[static_cast<std::size_t>(place)]})) {}
+constexpr int no_line = -1;
 
-    /// The mode at this speed that overlaps most with the one last looked at.
-    double operator()(double speed) {
-        const Spectrum spectrum = _solver.at(speed, _wanted);
-        const EnergyBasis basis = _solver.energy_basis(spectrum.modes);
-        Eigen::Index best = 0;
-        overlaps(_near, basis).row(0).maxCoeff(&best);
-        const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(best)];
-        _near = _solver.energy_basis({mode});
-        return mode.eigenvalue.imag() - _multiple * speed;
+/// A distance is zero below this share of the frequency, and a step too short to be split below
+/// this share of the speed: eigenvalues are known to some 1e-12.
+constexpr double resolved = 1e-11;
+
+/// A spectrum with the line of each of its modes.
+struct Node {
+    Snapshot snapshot;
+    std::vector<int> lines;
+};
+
+/// Two modes that continue each other from one node to the next.
+struct Link {
+    std::size_t from, to;
+    int line;
+};
+
+const WhirlMode &mode_at(const Node &node, std::size_t place) {
+    return node.snapshot.spectrum.modes[place];
+}
+
+/// The whirl of an asymmetric rotor turns exactly with it over a band of speeds.
+bool locked(const WhirlMode &mode, double speed) {
+    return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
+}
+
+StepEnd end_of(const Spectrum &spectrum, const Rates &rates, std::size_t place, double multiple,
+               bool towards_higher) {
+    const WhirlMode &mode = spectrum.modes[place];
+    const double target = multiple * std::abs(spectrum.speed);
+    const double turn = std::signbit(spectrum.speed) ? -multiple : multiple;
+    const auto i = static_cast<Eigen::Index>(place);
+    const double rate = (towards_higher ? rates.above : rates.below)(i).imag();
+    return {spectrum.speed, mode.eigenvalue.imag() - target, rate - turn,
+            resolved * std::max(target, mode.eigenvalue.imag())};
+}
+
+/// Crossings of all lines with one multiple.
+class CrossingSearch {
+  public:
+    CrossingSearch(const SpectrumSolver &solver, double multiple, Crossings &out)
+        : _solver(solver), _multiple(multiple), _out(out) {}
+
+    /// A node given by the sweep: roots that lie on it.
+    void visit(const Node &node) {
+        for (std::size_t i = 0; i < node.lines.size(); ++i)
+            if (node.lines[i] != no_line)
+                take_if_root(node, i);
+    }
+
+    void search(const Node &a, const Node &b, const std::vector<Link> &links, int depth = 0) {
+        for (const Link &link : links) {
+            const std::optional<double> speed = look(a, b, link, depth);
+            if (!speed)
+                continue;
+            split(a, b, links, *speed, depth);
+            return;
+        }
+    }
+
+    /// A line that is there at one node and real at the other.
+    void follow_to_zero(Node there, Node gone, int line) {
+        for (int halves = 0; halves < 20; ++halves) {
+            const auto place = std::find(there.lines.begin(), there.lines.end(), line);
+            const auto at = static_cast<std::size_t>(place - there.lines.begin());
+            if (place == there.lines.end() || end(there, at, true).distance <= 0)
+                return;
+            const double from = there.snapshot.spectrum.speed;
+            const double to = gone.snapshot.spectrum.speed;
+            Node middle = node_at((from + to) / 2, there, gone);
+            const auto now = std::find(middle.lines.begin(), middle.lines.end(), line);
+            if (now == middle.lines.end()) {
+                gone = std::move(middle);
+                continue;
+            }
+            const Link link{at, static_cast<std::size_t>(now - middle.lines.begin()), line};
+            if (from < to)
+                search(there, middle, {link});
+            else
+                search(middle, there, {{link.to, link.from, line}});
+            there = std::move(middle);
+        }
+    }
+
+    [[nodiscard]] Node node_at(double speed, const Node &a, const Node &b) const {
+        const auto wanted = static_cast<int>(
+            std::max(a.snapshot.spectrum.modes.size(), b.snapshot.spectrum.modes.size()));
+        Spectrum spectrum = _solver.at(speed, wanted);
+        ModeBasis basis = _solver.basis(spectrum);
+        Node node{{std::move(spectrum), std::move(basis)}, {}};
+        node.lines.assign(node.snapshot.spectrum.modes.size(), no_line);
+        for (const Link &link : links_between(b, node, b.lines))
+            node.lines[link.to] = link.line;
+        for (const Link &link : links_between(a, node, a.lines))
+            node.lines[link.to] = link.line;
+        return node;
+    }
+
+    /// Modes of two nodes linked by their vectors, with the lines given for those of `a`.
+    [[nodiscard]] static std::vector<Link> links_between(const Node &a, const Node &b,
+                                                         const std::vector<int> &lines) {
+        const auto count = static_cast<int>(lines.size());
+        Matching matching = match_by_vectors(a.snapshot, b.snapshot, count);
+        if (matching.ambiguous)
+            matching = match_by_groups(a.snapshot, b.snapshot);
+        std::vector<Link> out;
+        for (std::size_t i = 0; i < matching.to.size(); ++i)
+            if (matching.to[i] != Matching::none && lines[i] != no_line)
+                out.push_back({i, static_cast<std::size_t>(matching.to[i]), lines[i]});
+        return out;
     }
 
   private:
     const SpectrumSolver &_solver;
     double _multiple;
-    int _wanted;
-    EnergyBasis _near;
+    Crossings &_out;
+
+    [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const {
+        const ModeBasis &basis = node.snapshot.basis;
+        return end_of(node.snapshot.spectrum, {basis.rate_below, basis.rate_above}, place,
+                      _multiple, towards_higher);
+    }
+
+    [[nodiscard]] bool held(const Node &node, std::size_t place) const {
+        return _multiple == 1 && locked(mode_at(node, place), node.snapshot.spectrum.speed);
+    }
+
+    /// Where a motion held by the rotor at one node leaves it on the way to the other. Its vectors
+    /// coalesce with another's there, so it is known by its eigenvalue in rotating axes.
+    [[nodiscard]] double end_of_lock(const Node &held, std::size_t held_place, const Node &free,
+                                     std::size_t free_place) const {
+        const auto seen = [](const WhirlMode &mode) {
+            return std::complex<double>(mode.eigenvalue.real(), mode.frequency_rotating);
+        };
+        std::complex<double> inside = seen(mode_at(held, held_place));
+        std::complex<double> outside = seen(mode_at(free, free_place));
+        double locked_at = held.snapshot.spectrum.speed;
+        double free_at = free.snapshot.spectrum.speed;
+        const auto wanted = static_cast<int>(
+            std::max(held.snapshot.spectrum.modes.size(), free.snapshot.spectrum.modes.size()));
+        while (std::abs(free_at - locked_at) > resolved * std::abs(free_at)) {
+            const double middle = (free_at + locked_at) / 2;
+            const Spectrum between = _solver.at(middle, wanted);
+            const auto distance = [&](const WhirlMode &mode) {
+                return std::min(std::abs(seen(mode) - inside), std::abs(seen(mode) - outside));
+            };
+            const auto nearest =
+                std::min_element(between.modes.begin(), between.modes.end(),
+                                 [&](const WhirlMode &one, const WhirlMode &other) {
+                                     return distance(one) < distance(other);
+                                 });
+            if (nearest == between.modes.end())
+                break;
+            const bool still = locked(*nearest, middle);
+            (still ? locked_at : free_at) = middle;
+            (still ? inside : outside) = seen(*nearest);
+        }
+        return locked_at;
+    }
+
+    /// Of the two whirls of a motion in rotating axes, at the spin speed plus and minus the
+    /// frequency seen from the rotor, the first: where the larger one changes the frequency jumps.
+    [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const {
+        if (!in_rotating_axes(_solver.form()))
+            return true;
+        const WhirlMode &mode = mode_at(node, place);
+        const double speed = node.snapshot.spectrum.speed;
+        const bool positive = (mode.whirl == Whirl::forward) == (speed > 0);
+        return (positive ? mode.eigenvalue.imag() : -mode.eigenvalue.imag()) >= speed;
+    }
+
+    /// A node may lie within the tolerance of a root found before.
+    void take(int line, double speed) {
+        const bool known =
+            std::any_of(_out.found.begin(), _out.found.end(), [&](const Crossing &other) {
+                return other.multiple == _multiple && other.mode == line &&
+                       std::abs(other.speed - speed) <= 1e2 * resolved * std::abs(speed);
+            });
+        if (!known)
+            _out.found.push_back({_multiple, speed, _multiple * std::abs(speed), line});
+    }
+
+    void take_if_root(const Node &node, std::size_t place) {
+        if (held(node, place) || mode_at(node, place).eigenvalue.imag() == 0)
+            return;
+        const StepEnd here = end(node, place, true);
+        if (std::abs(here.distance) > here.tolerance)
+            return;
+        // One Newton step more where the line is not parallel to the multiple.
+        const double step = here.distance / here.slope;
+        const bool sound = std::abs(step) < 1e3 * resolved * std::abs(here.speed);
+        take(node.lines[place], here.speed - (sound ? step : 0));
+    }
+
+    /// Where this link has to be looked at, or none.
+    std::optional<double> look(const Node &a, const Node &b, const Link &link, int depth) {
+        const StepEnd from = end(a, link.from, true);
+        const StepEnd to = end(b, link.to, false);
+        const double width = to.speed - from.speed;
+        if (mode_at(a, link.from).eigenvalue.imag() == 0 ||
+            mode_at(b, link.to).eigenvalue.imag() == 0)
+            return std::nullopt;
+        const bool short_enough =
+            width <= resolved * std::max(std::abs(from.speed), std::abs(to.speed));
+        const bool hold_a = held(a, link.from);
+        const bool hold_b = held(b, link.to);
+        if (hold_a != hold_b)
+            take(link.line, hold_a ? end_of_lock(a, link.from, b, link.to)
+                                   : end_of_lock(b, link.to, a, link.from));
+        if (hold_a || hold_b)
+            return std::nullopt;
+        const std::optional<double> speed = where_to_look(from, to, depth);
+        // At the spin speed itself one goes over into the other without a jump.
+        if (speed && _multiple != 1 && upper_whirl(a, link.from) != upper_whirl(b, link.to))
+            return depth < 12 ? std::optional((from.speed + to.speed) / 2) : std::nullopt;
+        if (speed && (short_enough || depth > 70)) {
+            settle_short(a, link, from, to);
+            return std::nullopt;
+        }
+        // A cubic that fails again and again is that of a jump: halves find it.
+        return speed && depth > 8 && depth % 2 == 0 ? (from.speed + to.speed) / 2 : speed;
+    }
+
+    /// Nothing is left to split: a root to the accuracy of the eigenvalues, or a jump, where the
+    /// larger whirl of an asymmetric rotor changes (no crossing) or two lines change places.
+    void settle_short(const Node &a, const Link &link, const StepEnd &from, const StepEnd &to) {
+        const StepEnd &best = std::abs(from.distance) <= std::abs(to.distance) ? from : to;
+        if (std::abs(best.distance) <= 1e3 * best.tolerance)
+            take(link.line, best.speed);
+        else if (!in_rotating_axes(_solver.form()))
+            _out.unsettled.push_back(
+                {from.speed, to.speed, mode_at(a, link.from).eigenvalue.imag()});
+    }
+
+    void split(const Node &a, const Node &b, const std::vector<Link> &links, double speed,
+               int depth) {
+        Node middle = node_at(speed, a, b);
+        // Lines that came through this step but are in neither pairing keep out of it.
+        std::set<int> wanted;
+        for (const Link &link : links)
+            wanted.insert(link.line);
+        for (int &line : middle.lines)
+            if (wanted.count(line) == 0)
+                line = no_line;
+        visit(middle);
+        search(a, middle, links_between(a, middle, a.lines), depth + 1);
+        search(middle, b, links_between(middle, b, middle.lines), depth + 1);
+    }
 };
 
-/// Root of a function that changes sign between a and b, by the Illinois form of false position
-/// (Dowell and Jarratt 1971), which keeps the bracket.
-template <class Function>
-double bracketed_root(Function &&f, double a, double fa, double b, double fb) {
-    const double tolerance = 1e-11 * std::max(std::abs(a), std::abs(b));
-    double last = a;
-    for (int step = 0; step < 60; ++step) {
-        const double c = (a * fb - b * fa) / (fb - fa);
-        if (std::abs(c - last) <= tolerance || std::abs(b - a) <= tolerance)
-            return c;
-        const double fc = f(c);
-        if (fc == 0)
-            return c;
-        if ((fc > 0) != (fb > 0)) {
-            a = b;
-            fa = fb;
-        } else {
-            fa /= 2;
-        }
-        b = c;
-        fb = fc;
-        last = c;
-    }
-    return b;
+/// Speeds strictly inside a step at which a frequency may have a kink: rows of bearing tables,
+/// rest.
+std::vector<double> kinks(const model::Rotor &rotor, double from, double to) {
+    std::set<double> out;
+    for (const model::Bearing &bearing : rotor.bearings)
+        out.insert(bearing.speeds.begin(), bearing.speeds.end());
+    out.insert(0);
+    return {out.upper_bound(std::min(from, to)), out.lower_bound(std::max(from, to))};
 }
 
-/// Where a frequency that equals the multiple at `locked` (an asymmetric rotor holds it there over
-/// a band of speeds) leaves it on the way to `free`.
-double end_of_lock(Gap &&gap, double locked, double free) {
-    for (int step = 0; step < 60 && std::abs(free - locked) > 1e-11 * std::abs(free); ++step) {
-        const double middle = (free + locked) / 2;
-        (gap(middle) == 0 ? locked : free) = middle;
-    }
-    return locked;
-}
+/// The steps of the sweep, looked into where a line may cross.
+class Sweep {
+  public:
+    Sweep(const SpectrumSolver &solver, const Tracking &tracking,
+          const std::vector<Spectrum> &spectra)
+        : _solver(solver), _tracking(tracking), _spectra(spectra) {}
 
-std::optional<double> frequency_at(const Line &line, const std::vector<Spectrum> &spectra,
-                                   std::size_t k) {
-    if (line.place[k] == Line::absent)
-        return std::nullopt;
-    const double f = spectra[k].modes[static_cast<std::size_t>(line.place[k])].eigenvalue.imag();
-    return f > 0 ? std::optional(f) : std::nullopt;
-}
-
-/// Speeds at which one line crosses a multiple of the spin speed; of a band of speeds over which it
-/// stays there the two ends.
-std::vector<double> crossings_of(const SpectrumSolver &solver, const Line &line,
-                                 const std::vector<Spectrum> &spectra, double multiple) {
-    std::vector<double> out;
-    const auto gap_from = [&](std::size_t k) {
-        return Gap(solver, spectra[k], line.place[k], multiple);
-    };
-    std::optional<double> before; // gap at the speed before, where the line has one
-    for (std::size_t k = 0; k < spectra.size(); ++k) {
-        const double speed = spectra[k].speed;
-        const auto frequency = frequency_at(line, spectra, k);
-        if (!frequency) {
-            before.reset();
-            continue;
+    void run(double multiple, Crossings &out) const {
+        CrossingSearch search(_solver, multiple, out);
+        for (std::size_t k = 0; k < _spectra.size(); ++k) {
+            search.visit(bare_node(k));
+            if (k + 1 == _spectra.size())
+                return;
+            const std::vector<double> rows =
+                kinks(_solver.discretization().rotor(), _spectra[k].speed, _spectra[k + 1].speed);
+            const std::vector<Link> links = links_of(k);
+            emerge(search, k, multiple);
+            if (rows.empty() && !any_look(k, links, multiple))
+                continue;
+            step(search, k, rows, links);
         }
-        const double here = *frequency - multiple * speed;
-        if (!before) {
-            if (here == 0)
-                out.push_back(speed);
-        } else if (*before == 0 && here != 0) {
-            const double end = end_of_lock(gap_from(k - 1), spectra[k - 1].speed, speed);
-            if (out.empty() || end - out.back() > 1e-9 * std::abs(end)) // no mere crossing
-                out.push_back(end);
-        } else if (*before != 0 && here == 0) {
-            out.push_back(end_of_lock(gap_from(k), speed, spectra[k - 1].speed));
-        } else if ((*before > 0) != (here > 0)) {
-            out.push_back(
-                bracketed_root(gap_from(k - 1), spectra[k - 1].speed, *before, speed, here));
-        }
-        before = here;
     }
-    return out;
-}
+
+  private:
+    const SpectrumSolver &_solver;
+    const Tracking &_tracking;
+    const std::vector<Spectrum> &_spectra;
+
+    [[nodiscard]] std::vector<int> lines_at(std::size_t k) const {
+        std::vector<int> out(_spectra[k].modes.size(), no_line);
+        for (std::size_t line = 0; line < _tracking.lines.size(); ++line)
+            if (_tracking.lines[line].place[k] != Line::absent)
+                out[static_cast<std::size_t>(_tracking.lines[line].place[k])] =
+                    static_cast<int>(line);
+        return out;
+    }
+
+    [[nodiscard]] Node bare_node(std::size_t k) const {
+        ModeBasis basis;
+        basis.rate_below = _tracking.rates[k].below;
+        basis.rate_above = _tracking.rates[k].above;
+        return {{_spectra[k], std::move(basis)}, lines_at(k)};
+    }
+
+    [[nodiscard]] Node full_node(std::size_t k) const {
+        return {{_spectra[k], _solver.basis(_spectra[k])}, lines_at(k)};
+    }
+
+    [[nodiscard]] std::vector<Link> links_of(std::size_t k) const {
+        std::vector<Link> out;
+        for (std::size_t line = 0; line < _tracking.lines.size(); ++line) {
+            const int a = _tracking.lines[line].place[k];
+            const int b = _tracking.lines[line].place[k + 1];
+            if (a != Line::absent && b != Line::absent)
+                out.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b),
+                               static_cast<int>(line)});
+        }
+        return out;
+    }
+
+    [[nodiscard]] bool any_look(std::size_t k, const std::vector<Link> &links,
+                                double multiple) const {
+        return std::any_of(links.begin(), links.end(), [&](const Link &link) {
+            const WhirlMode &a = _spectra[k].modes[link.from];
+            const WhirlMode &b = _spectra[k + 1].modes[link.to];
+            if (multiple == 1 && locked(a, _spectra[k].speed) != locked(b, _spectra[k + 1].speed))
+                return true;
+            const bool rising = _spectra[k + 1].speed > _spectra[k].speed;
+            const StepEnd here =
+                end_of(_spectra[k], _tracking.rates[k], link.from, multiple, rising);
+            const StepEnd there =
+                end_of(_spectra[k + 1], _tracking.rates[k + 1], link.to, multiple, !rising);
+            return where_to_look(rising ? here : there, rising ? there : here, 0).has_value();
+        });
+    }
+
+    /// Lines that turn real within a step come down to zero frequency there, and through every
+    /// multiple that they were above.
+    void emerge(CrossingSearch &search, std::size_t k, double multiple) const {
+        for (std::size_t line = 0; line < _tracking.lines.size(); ++line) {
+            const Line &l = _tracking.lines[line];
+            const bool first = l.place[k] != Line::absent;
+            if (first == (l.place[k + 1] != Line::absent))
+                continue;
+            const Absence why = l.absence[first ? k + 1 : k];
+            const std::size_t present = first ? k : k + 1;
+            const auto place = static_cast<std::size_t>(l.place[present]);
+            const StepEnd end =
+                end_of(_spectra[present], _tracking.rates[present], place, multiple, first);
+            if ((why == Absence::overdamped || why == Absence::divergent) && end.distance > 0)
+                search.follow_to_zero(full_node(present), full_node(first ? k + 1 : k),
+                                      static_cast<int>(line));
+        }
+    }
+
+    void step(CrossingSearch &search, std::size_t k, std::vector<double> rows,
+              const std::vector<Link> &links) const {
+        const Node a = full_node(k);
+        const Node b = full_node(k + 1);
+        const bool rising = a.snapshot.spectrum.speed < b.snapshot.spectrum.speed;
+        const Node &low = rising ? a : b;
+        const Node &high = rising ? b : a;
+        if (rows.empty()) {
+            std::vector<Link> upwards = links;
+            if (!rising)
+                for (Link &link : upwards)
+                    std::swap(link.from, link.to);
+            search.search(low, high, upwards);
+            return;
+        }
+        std::vector<Node> nodes{low};
+        for (const double row : rows) {
+            nodes.push_back(search.node_at(row, nodes.back(), high));
+            search.visit(nodes.back());
+        }
+        nodes.push_back(high);
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            search.search(
+                nodes[i - 1], nodes[i],
+                CrossingSearch::links_between(nodes[i - 1], nodes[i], nodes[i - 1].lines));
+    }
+};
 
 } // namespace
 
-std::vector<Crossing> crossings(const SpectrumSolver &solver, const std::vector<Line> &lines,
-                                const std::vector<Spectrum> &spectra,
-                                const std::vector<double> &multiples) {
-    std::vector<Crossing> out;
+Crossings crossings(const SpectrumSolver &solver, const Tracking &tracking,
+                    const std::vector<Spectrum> &spectra, const std::vector<double> &multiples) {
+    Crossings out;
+    const Sweep sweep(solver, tracking, spectra);
     for (const double multiple : multiples) {
-        const std::size_t first = out.size();
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            for (const double speed : crossings_of(solver, lines[i], spectra, multiple))
-                out.push_back({multiple, speed, multiple * speed, static_cast<int>(i)});
-        std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
-                  [](const Crossing &a, const Crossing &b) { return a.speed < b.speed; });
+        const auto first = std::ssize(out.found);
+        sweep.run(multiple, out);
+        std::stable_sort(out.found.begin() + first, out.found.end(),
+                         [](const Crossing &a, const Crossing &b) { return a.speed < b.speed; });
     }
     return out;
 }

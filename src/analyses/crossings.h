@@ -6,12 +6,20 @@
 
 namespace whirl::analyses {
 
-/// Spin speeds at which a line's frequency equals a multiple of the spin speed, refined as roots
-/// with the model itself (relative 1e-11), ascending by speed within each multiple. A line at
-/// zero frequency (a free rigid motion) crosses nothing.
-[[nodiscard]] std::vector<Crossing> crossings(const SpectrumSolver &solver,
-                                              const std::vector<Line> &lines,
-                                              const std::vector<Spectrum> &spectra,
-                                              const std::vector<double> &multiples);
+struct Crossings {
+    std::vector<Crossing> found; ///< ascending by speed within each multiple
+    /// Steps in which a frequency changed sides of a multiple of the spin speed without a root
+    /// that could be verified.
+    std::vector<Gap> unsettled;
+};
+
+/// Spin speeds at which a line's frequency equals a multiple of the spin speed: roots, verified
+/// with the model itself (relative 1e-11). Steps are split at the rows of bearing tables, and where
+/// a line turns back within a step; of a band of speeds over which an asymmetric rotor holds a
+/// frequency at the multiple the two ends are given. A line at zero frequency (a free rigid motion)
+/// crosses nothing.
+[[nodiscard]] Crossings crossings(const SpectrumSolver &solver, const Tracking &tracking,
+                                  const std::vector<Spectrum> &spectra,
+                                  const std::vector<double> &multiples);
 
 } // namespace whirl::analyses

@@ -24,8 +24,9 @@ void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode 
         Y.col(i) = solver.y_at(group[i], stations);
     }
     const std::complex<double> j(0, 1);
-    const Eigen::MatrixXcd with = (X + j * Y) / 2.0;
-    const Eigen::MatrixXcd against = (X - j * Y) / 2.0;
+    const Eigen::VectorXd weights = stations.masses().cwiseSqrt();
+    const Eigen::MatrixXcd with = weights.asDiagonal() * (X + j * Y) / 2.0;
+    const Eigen::MatrixXcd against = weights.asDiagonal() * (X - j * Y) / 2.0;
     const Eigen::MatrixXcd area = with.adjoint() * with - against.adjoint() * against;
     Eigen::MatrixXcd size2 = with.adjoint() * with + against.adjoint() * against;
     if (solver.form() == Form::hyperbolic) {

@@ -17,6 +17,11 @@ namespace {
 /// overdamped motion of an isotropic rotor a minute frequency.)
 constexpr double real_axis = 0.02;
 
+/// Positive by more than residual and rounding of the entries explain.
+bool grows(const linalg::ComplexPair &pair) {
+    return pair.value.real() > 10 * (pair.residual + pair.rounding) * std::abs(pair.value);
+}
+
 } // namespace
 
 GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
@@ -58,6 +63,8 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
         } else if (pair.value.imag() <=
                    std::max(real_axis, 10 * pair.residual) * std::abs(pair.value)) {
             out.overdamped.push_back(pair.value.real());
+            if (grows(pair))
+                out.growing.push_back(pair.value.real());
         } else {
             WhirlMode mode;
             mode.eigenvalue = pair.value;

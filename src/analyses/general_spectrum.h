@@ -16,6 +16,7 @@ class GeneralSpectrum {
     struct Modes {
         std::vector<WhirlMode> modes;   ///< Im > 0 or zero modes; whirl not set, unsorted
         std::vector<double> overdamped; ///< real eigenvalues, 1/s
+        std::vector<double> growing;    ///< those of them that are positive beyond their error
         double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
     };
 

@@ -74,6 +74,11 @@ ModesResult mode_shapes(const model::Case &scene) {
         result.modes.push_back(shape_of(solver, stations, mode));
         result.modes.back().label = fmt::format("{}{}", ++counted[mode.whirl], letter(mode.whirl));
     }
+    for (const double root : spectrum.growing)
+        result.model.notes.push_back(
+            fmt::format("divergence (static instability): a real eigenvalue of {:+.6g} 1/s, motion "
+                        "grows without whirling",
+                        root));
     if (static_cast<int>(result.modes.size()) < scene.campbell.modes)
         result.model.notes.push_back(
             fmt::format("{} modes were asked for, the rotor has {} that oscillate",

@@ -1,9 +1,49 @@
 #include "analyses/orbits.h"
 
+#include "elements/section.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace whirl::analyses {
+
+namespace {
+
+/// Gauss's three points on [0, 1] with their weights: exact to degree 5 in each piece.
+constexpr std::array<std::pair<double, double>, 3> gauss{{
+    {0.11270166537925831, 5.0 / 18},
+    {0.5, 8.0 / 18},
+    {0.88729833462074169, 5.0 / 18},
+}};
+
+/// Pieces of the whole length: a mode of sixteen half waves has three pieces to each.
+constexpr double pieces_of_length = 48;
+
+/// Where the mass per length or the shape may have a kink: ends of segments, attached parts.
+std::vector<double> kinks(const model::Rotor &rotor) {
+    std::vector<double> out{0};
+    for (const model::Segment &segment : rotor.shaft.segments)
+        out.push_back(out.back() + segment.length);
+    for (const model::Disc &disc : rotor.discs)
+        out.push_back(disc.z);
+    for (const model::Bearing &bearing : rotor.bearings)
+        out.push_back(bearing.z);
+    for (const model::Balancer &balancer : rotor.balancers)
+        out.push_back(balancer.z);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+/// Of the balls or the four pendulums, and of the imbalance where it is a point mass.
+double mass_of(const model::Balancer &balancer) {
+    const int parts = balancer.kind == model::BalancerKind::ball ? balancer.n : 4;
+    return parts * balancer.mass +
+           (balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0);
+}
+
+} // namespace
 
 Stations::Stations(const assembly::Discretization &d, int per_span) {
     const auto &mesh = d.shaft_mesh();
@@ -20,8 +60,44 @@ Stations::Stations(const assembly::Discretization &d, int per_span) {
     _rows.push_back(d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
 }
 
-Stations Stations::for_orbits(const assembly::Discretization &discretization) {
-    return {discretization, discretization.shaft_mesh().spans.size() > 60 ? 0 : 3};
+void Stations::add(double z, assembly::Combination row, double mass, std::vector<double> &masses) {
+    _z.push_back(z);
+    _rows.push_back(std::move(row));
+    masses.push_back(mass);
+}
+
+void Stations::add_shaft(const assembly::Discretization &d, std::vector<double> &masses) {
+    const std::vector<mesh::Span> &spans = d.shaft_mesh().spans;
+    const std::vector<double> ends = kinks(d.rotor());
+    const double piece = ends.back() / pieces_of_length;
+    std::size_t span = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const double length = ends[i] - ends[i - 1];
+        const int pieces =
+            length > 0 ? std::max(1, static_cast<int>(std::ceil(length / piece))) : 0;
+        for (int k = 0; k < pieces; ++k)
+            for (const auto &[point, weight] : gauss) {
+                const double z = ends[i - 1] + (k + point) * length / pieces;
+                while (span + 1 < spans.size() && z > spans[span + 1].z)
+                    ++span;
+                const double xi = std::clamp((z - spans[span].z) / spans[span].length, 0.0, 1.0);
+                const double rhoA = elements::beam_of(d.rotor().shaft, spans[span]).at(xi).rhoA;
+                add(z, d.deflection_inside(static_cast<int>(span), xi),
+                    rhoA * weight * length / pieces, masses);
+            }
+    }
+}
+
+Stations Stations::for_orbits(const assembly::Discretization &d) {
+    Stations out;
+    std::vector<double> masses;
+    out.add_shaft(d, masses);
+    for (const model::Disc &disc : d.rotor().discs)
+        out.add(disc.z, d.deflection_at(disc.z), disc.mass, masses);
+    for (const model::Balancer &balancer : d.rotor().balancers)
+        out.add(balancer.z, d.deflection_at(balancer.z), mass_of(balancer), masses);
+    out._masses = Eigen::Map<const Eigen::VectorXd>(masses.data(), std::ssize(masses));
+    return out;
 }
 
 Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
@@ -35,6 +111,10 @@ Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
     return out;
 }
 
+double Stations::deflection_energy(const Eigen::VectorXcd &planar) const {
+    return _masses.dot(deflections(planar).cwiseAbs2());
+}
+
 Ellipse ellipse_of(std::complex<double> x, std::complex<double> y) {
     const std::complex<double> i(0, 1);
     // x(t) + i y(t) = 1/2 (x + i y) exp(i w t) + 1/2 conj(x - i y) exp(-i w t)
@@ -43,36 +123,30 @@ Ellipse ellipse_of(std::complex<double> x, std::complex<double> y) {
     return {with + against, with - against};
 }
 
-OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y, double spin_speed) {
-    // Orbits smaller than this share of the largest say nothing; narrower ones than the second
-    // share are straight lines to rounding and modelling accuracy.
-    constexpr double significant = 0.01;
+OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
+                       const Stations &stations, double spin_speed) {
+    // Ellipses narrower than the first share are straight lines to rounding and modelling accuracy.
+    // A sense with less than the second share of the swept areas is that of places that hardly
+    // move, beside the nodes of the mode.
     constexpr double straight = 1e-6;
-    double largest = 0;
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-        largest = std::max(largest, ellipse_of(x(i), y(i)).major);
+    constexpr double significant = 0.01;
     double forward = 0;
     double backward = 0;
-    double total = 0;
+    double size = 0;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
         const Ellipse orbit = ellipse_of(x(i), y(i));
-        if (orbit.major < significant * largest)
-            continue;
-        const double weight = orbit.major * orbit.major;
-        const double sense = spin_speed < 0 ? -orbit.minor : orbit.minor;
-        total += weight;
-        if (sense > straight * orbit.major)
-            forward += weight;
-        else if (sense < -straight * orbit.major)
-            backward += weight;
+        const double area = stations.masses()(i) * orbit.major * orbit.minor;
+        ((area > 0) == (spin_speed >= 0) ? forward : backward) += std::abs(area);
+        size += stations.masses()(i) * orbit.major * orbit.major;
     }
-    if (forward + backward == 0 || total == 0)
+    const double swept = forward + backward;
+    if (!(swept > straight * size))
         return {Whirl::mixed, 0.5};
-    const double fraction = forward / (forward + backward);
-    const Whirl whirl = backward == 0  ? Whirl::forward
-                        : forward == 0 ? Whirl::backward
-                                       : Whirl::mixed;
-    return {whirl, fraction};
+    const double share = forward / swept;
+    return {share >= 1 - significant ? Whirl::forward
+            : share <= significant   ? Whirl::backward
+                                     : Whirl::mixed,
+            share};
 }
 
 } // namespace whirl::analyses

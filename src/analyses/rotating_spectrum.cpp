@@ -29,7 +29,8 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
     : _discretization(discretization), _harmonics(harmonics),
       _system(assembly::assemble_rotating(discretization, bearing_speed, balancers)),
       _M(_system.M.view()), _C(_system.C.view()), _Cs(_system.Cs.view()), _K(_system.K.view()),
-      _Ks(_system.Ks.view()), _Kss(_system.Kss.view()) {
+      _Ks(_system.Ks.view()), _Kss(_system.Kss.view()),
+      _stations(Stations::for_orbits(discretization)) {
     // |D| = 1: both balls on one diameter, whose motion along it moves nothing: roots 0 and -h.
     for (const elements::BalancerElement &balancer : balancers)
         if (balancer.restoring == 0 && std::abs(std::abs(balancer.second_harmonic) - 1) < 1e-12)
@@ -38,14 +39,21 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
         _supports = assembly::turning_supports(discretization, bearing_speed, _system.M.size());
 }
 
+double RotatingSpectrum::motion_energy(const Eigen::VectorXcd &xy) const {
+    const Eigen::Index n = xy.size() / 2;
+    return _stations.deflection_energy(xy(Eigen::seqN(0, n, 2))) +
+           _stations.deflection_energy(xy(Eigen::seqN(1, n, 2)));
+}
+
 int RotatingSpectrum::largest_term(const Eigen::VectorXcd &vector) const {
     const Eigen::Index n = _system.M.size();
-    double most = vector.head(n).norm();
+    double most = motion_energy(vector.head(n));
     int term = 0;
     for (int k = 1; k <= _harmonics; ++k) {
         const Eigen::VectorXcd a = vector.segment((2 * k - 1) * n, n);
         const Eigen::VectorXcd b = vector.segment(2 * k * n, n);
-        const double size = std::max((a - i_unit * b).norm(), (a + i_unit * b).norm()) / 2;
+        const double size =
+            std::max(motion_energy(a - i_unit * b), motion_energy(a + i_unit * b)) / 4;
         if (size * equal_share > most) {
             most = size;
             term = k;
@@ -161,7 +169,9 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radi
     return up_to(speed, radius, least, Keep::accurate);
 }
 
-WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) {
+/// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
+/// Im + speed and Im - speed backwards, the one with the larger deflections.
+WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, double speed) const {
     // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
     const Eigen::Index n = pair.vector.size() / 2;
     const Eigen::VectorXcd X = pair.vector(Eigen::seqN(0, n, 2));
@@ -171,13 +181,17 @@ WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) {
     const double nu = pair.value.imag();
     WhirlMode mode;
     mode.frequency_rotating = nu;
+    if (_harmonics == 0) {
+        mode.rotating_value = pair.value;
+        mode.rotating_vector = pair.vector;
+    }
     mode.shape.resize(2 * n);
     double turn = 0; // rad/s, of the dominant whirl, positive with the spin
     if (speed == 0) {
         turn = nu; // both whirls have this frequency: the whole motion
         mode.shape = pair.vector;
     } else {
-        const bool first = p.squaredNorm() >= r.squaredNorm();
+        const bool first = _stations.deflection_energy(p) >= _stations.deflection_energy(r);
         turn = speed + (first ? nu : -nu);
         // w exp(i turn t) = x + i y with x = Re(w exp(i turn t)), y = Im: for a turn against the
         // positive sense x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
@@ -196,15 +210,18 @@ WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) {
     return mode;
 }
 
-RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) {
+RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
     Modes out;
     out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
     std::vector<WhirlMode> real; // two of these make up one motion
     for (const linalg::ComplexPair &pair : found.pairs) {
         WhirlMode mode = in_fixed_frame(pair, speed);
-        if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue))
-            out.overdamped.push_back(mode.eigenvalue.real());
-        else if (pair.value.imag() == 0)
+        if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
+            const double rate = mode.eigenvalue.real();
+            out.overdamped.push_back(rate);
+            if (rate > 10 * (pair.residual + pair.rounding) * std::abs(pair.value))
+                out.growing.push_back(rate);
+        } else if (pair.value.imag() == 0)
             real.push_back(std::move(mode));
         else
             out.modes.push_back(std::move(mode));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/orbits.h"
 #include "analyses/whirl_mode.h"
 #include "assembly/rotating_system.h"
 #include "linalg/eigenpair.h"
@@ -43,6 +44,7 @@ class RotatingSpectrum {
         /// motion is Re(shape exp(eigenvalue t)) over real unknowns (x, y).
         std::vector<WhirlMode> modes;
         std::vector<double> overdamped; ///< real parts of motions that do not whirl, 1/s
+        std::vector<double> growing;    ///< those of them that are positive beyond their error
         double complete_radius = 0;     ///< all modes of smaller frequency are known
     };
     /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all.
@@ -58,6 +60,7 @@ class RotatingSpectrum {
     assembly::RotatingSystem _system;
     std::optional<assembly::TurningSupports> _supports;
     Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
+    Stations _stations;
     int _zeros = 0; ///< eigenvalues that are zero: balls that can roll on without any effect
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
@@ -71,11 +74,10 @@ class RotatingSpectrum {
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
-    [[nodiscard]] static Modes modes_of(const Eigenvalues &found, double speed);
+    /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
+    [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
+    [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
+    [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
 };
-
-/// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
-/// Im + speed and Im - speed backwards, the one with the larger deflections.
-[[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed);
 
 } // namespace whirl::analyses

@@ -45,14 +45,20 @@ void put(Bytes &bytes, const Spectrum &spectrum) {
     bytes.put(spectrum.overdamped.size());
     bytes.put(spectrum.overdamped.data(), spectrum.overdamped.size());
     bytes.put(spectrum.modes.size());
+    bytes.put(spectrum.growing.size());
+    bytes.put(spectrum.growing.data(), spectrum.growing.size());
     for (const WhirlMode &mode : spectrum.modes) {
         bytes.put(mode.eigenvalue);
         bytes.put(mode.whirl);
         bytes.put(mode.forward_fraction);
         bytes.put(mode.residual);
         bytes.put(mode.rounding);
-        bytes.put(mode.shape.size());
-        bytes.put(mode.shape.data(), static_cast<std::size_t>(mode.shape.size()));
+        bytes.put(mode.frequency_rotating);
+        bytes.put(mode.rotating_value);
+        for (const Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector}) {
+            bytes.put(vector->size());
+            bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
+        }
     }
 }
 
@@ -63,14 +69,20 @@ Spectrum get_spectrum(Bytes &bytes) {
     spectrum.overdamped.resize(bytes.get<std::size_t>());
     bytes.get(spectrum.overdamped.data(), spectrum.overdamped.size());
     spectrum.modes.resize(bytes.get<std::size_t>());
+    spectrum.growing.resize(bytes.get<std::size_t>());
+    bytes.get(spectrum.growing.data(), spectrum.growing.size());
     for (WhirlMode &mode : spectrum.modes) {
         mode.eigenvalue = bytes.get<std::complex<double>>();
         mode.whirl = bytes.get<Whirl>();
         mode.forward_fraction = bytes.get<double>();
         mode.residual = bytes.get<double>();
         mode.rounding = bytes.get<double>();
-        mode.shape.resize(bytes.get<Eigen::Index>());
-        bytes.get(mode.shape.data(), static_cast<std::size_t>(mode.shape.size()));
+        mode.frequency_rotating = bytes.get<double>();
+        mode.rotating_value = bytes.get<std::complex<double>>();
+        for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector}) {
+            vector->resize(bytes.get<Eigen::Index>());
+            bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
+        }
     }
     return spectrum;
 }

@@ -2,38 +2,41 @@
 
 #include "analyses/arrangement.h"
 #include "analyses/degenerate.h"
+#include "analyses/form_matrices.h"
 #include "analyses/general_spectrum.h"
 #include "analyses/orbits.h"
 #include "analyses/rotating_spectrum.h"
 #include "analyses/symmetric_spectrum.h"
-#include "analyses/zero_modes.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace whirl::analyses {
 
 namespace {
 
-Eigen::MatrixXcd complex_product(const Eigen::SparseMatrix<double> &S, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(X.rows(), X.cols());
-    out.real() = S * X.real();
-    out.imag() = S * X.imag();
-    return out;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// v of the problem: signed and real in the symmetric forms.
+double real_value(const WhirlMode &mode, Form form, double speed) {
+    const bool negative = form == Form::planar && (mode.whirl == Whirl::forward) != (speed >= 0);
+    return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
 }
 
-/// Scales both so that each left column has length 1 in the energy product.
-template <class Dense> void normalise(Dense &left, Dense &right) {
-    for (Eigen::Index i = 0; i < left.cols(); ++i) {
-        const double energy = std::real(left.col(i).dot(right.col(i)));
-        const double scale = energy > 0 ? 1 / std::sqrt(energy) : 0;
-        left.col(i) *= scale;
-        right.col(i) *= scale;
-    }
+/// Change of the eigenvalue in the fixed frame from that of the value in rotating axes: the mode
+/// whirls at the spin speed plus or minus what is seen from the rotor.
+std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
+                                      std::complex<double> rate) {
+    if (speed == 0)
+        return unknown; // both whirls at once
+    const bool positive = (mode.whirl == Whirl::forward) == (speed > 0);
+    const double turn = positive ? mode.eigenvalue.imag() : -mode.eigenvalue.imag();
+    const double turn_rate = 1 + (turn >= speed ? rate.imag() : -rate.imag());
+    return {rate.real(), positive ? turn_rate : -turn_rate};
 }
 
 } // namespace
@@ -47,41 +50,21 @@ struct SpectrumSolver::Data {
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<elements::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
-    Eigen::SparseMatrix<double> K, M; // of the energy product
+    std::unique_ptr<FormMatrices> matrices;
 
     Data(const model::Rotor &rotor, Form which, int order, int refinement, int harmonics)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
           stations(Stations::for_orbits(d)) {
         if (in_rotating_axes(form)) {
-            prepare_rotating(rotor, which == Form::hill ? harmonics : 0);
-            return;
-        }
-        if (form == Form::general) {
+            balancers = balancer_elements(rotor, arrangement_at_balance(rotor));
+            rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers,
+                                                          form == Form::hill ? harmonics : 0);
+        } else if (form == Form::general && !tables) {
             general = std::make_unique<GeneralSpectrum>(d, 0);
-            const Eigen::SparseMatrix<double> full = general->system().K.view();
-            K = (full + Eigen::SparseMatrix<double>(full.transpose())) / 2;
-            M = general->system().M.view();
-        } else {
+        } else if (!tables) {
             symmetric = std::make_unique<SymmetricSpectrum>(d, form == Form::planar, 0);
-            K = symmetric->K().view();
-            M = symmetric->M().view();
         }
-        // Free rigid motions have no elastic energy; a share of the mass lets them be compared.
-        if (zero_modes(d, form, 0, 0).eigenvalues > 0)
-            K += std::pow(0.1 * elastic_scale(d), 2) * M;
-    }
-
-    /// Modes in rotating axes are handed on as seen from the fixed frame; the energy product is
-    /// that of mass and stiffness there, with a share of the mass as stiffness for motions (of
-    /// balls, or free ones) that have no elastic energy.
-    void prepare_rotating(const model::Rotor &rotor, int harmonics) {
-        balancers = balancer_elements(rotor, arrangement_at_balance(rotor));
-        rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, harmonics);
-        const Eigen::SparseMatrix<double> full = rotating->system().K.view();
-        const Eigen::SparseMatrix<double> mass = rotating->system().M.view();
-        M = (mass + Eigen::SparseMatrix<double>(mass.transpose())) / 2;
-        K = (full + Eigen::SparseMatrix<double>(full.transpose())) / 2 +
-            std::pow(0.1 * elastic_scale(d), 2) * M;
+        matrices = std::make_unique<FormMatrices>(d, form, balancers);
     }
 };
 
@@ -93,7 +76,7 @@ SpectrumSolver::~SpectrumSolver() = default;
 
 const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
 Form SpectrumSolver::form() const { return _data->form; }
-int SpectrumSolver::unknowns() const { return static_cast<int>(_data->M.rows()); }
+int SpectrumSolver::unknowns() const { return _data->matrices->size(); }
 
 Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     Spectrum spectrum;
@@ -109,7 +92,8 @@ Spectrum SpectrumSolver::general(double speed, int wanted) const {
     GeneralSpectrum::Modes found = _data->tables
                                        ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
                                        : _data->general->modes(speed, wanted);
-    return {speed, std::move(found.modes), std::move(found.overdamped), found.complete_radius};
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
@@ -118,7 +102,8 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
             ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
                   .modes(speed, wanted)
             : _data->rotating->modes(speed, wanted);
-    return {speed, std::move(found.modes), std::move(found.overdamped), found.complete_radius};
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
 }
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {
@@ -128,7 +113,8 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
     separate_degenerate(*this, _data->stations, spectrum.modes);
     for (WhirlMode &mode : spectrum.modes) {
         const OrbitSense sense =
-            orbit_sense(x_at(mode, _data->stations), y_at(mode, _data->stations), spectrum.speed);
+            orbit_sense(x_at(mode, _data->stations), y_at(mode, _data->stations), _data->stations,
+                        spectrum.speed);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }
@@ -157,45 +143,42 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
     }
 }
 
-EnergyBasis SpectrumSolver::energy_basis(const std::vector<WhirlMode> &modes) const {
-    const bool real = _data->form == Form::planar || _data->form == Form::hyperbolic;
-    const bool planar = _data->form == Form::planar;
-    const Eigen::Index n = _data->M.rows();
-    const auto count = static_cast<Eigen::Index>(modes.size());
-    EnergyBasis out;
-    Eigen::MatrixXcd X(real ? 0 : n, count);
-    Eigen::MatrixXd W(real ? n : 0, count);
-    Eigen::VectorXcd rates(count);
+ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
+    const Form form = _data->form;
+    const auto count = std::ssize(spectrum.modes);
+    const Eigen::Index n = _data->matrices->size();
+    const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
+        return spectrum.modes[static_cast<std::size_t>(i)];
+    };
+    if (form == Form::planar || form == Form::hyperbolic) {
+        Eigen::VectorXd values(count);
+        Eigen::MatrixXd X(n, count);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            values(i) = real_value(mode(i), form, spectrum.speed);
+            X.col(i) = mode(i).shape.real();
+        }
+        ModeBasis out = basis_of(_data->matrices->at(spectrum.speed), values, X);
+        for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+            for (Eigen::Index i = 0; i < count; ++i)
+                (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
+        return out;
+    }
+    const bool turning = form == Form::rotating;
+    Eigen::VectorXcd values(count);
+    Eigen::MatrixXcd X(n, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const WhirlMode &mode = modes[static_cast<std::size_t>(i)];
-        const bool negative = planar && mode.whirl == Whirl::backward;
-        rates(i) = real ? (negative ? -1.0 : 1.0) * mode.eigenvalue.imag() : mode.eigenvalue;
-        if (real)
-            W.col(i) = mode.shape.real();
-        else
-            X.col(i) = mode.shape;
+        values(i) = turning ? mode(i).rotating_value : mode(i).eigenvalue;
+        X.col(i) = turning ? mode(i).rotating_vector : mode(i).shape;
     }
-    if (real) {
-        out.left.resize(2 * n, count);
-        out.right.resize(2 * n, count);
-        out.left << W, W * rates.real().asDiagonal();
-        out.right << _data->K * W, (_data->M * W) * rates.real().asDiagonal();
-        normalise(out.left, out.right);
-    } else {
-        const Eigen::MatrixXcd V = X * rates.asDiagonal();
-        out.complex_left.resize(2 * n, count);
-        out.complex_right.resize(2 * n, count);
-        out.complex_left << X, V;
-        out.complex_right << complex_product(_data->K, X), complex_product(_data->M, V);
-        normalise(out.complex_left, out.complex_right);
-    }
+    if (form == Form::hill)
+        return dual_basis_of(_data->matrices->mass(), values, X);
+    ModeBasis out =
+        basis_of(_data->matrices->at(spectrum.speed), values, X, _data->matrices->mirrored());
+    out.conjugates = turning;
+    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+        for (Eigen::Index i = 0; turning && i < count; ++i)
+            (*rates)(i) = seen_from_ground(mode(i), spectrum.speed, (*rates)(i));
     return out;
-}
-
-Eigen::MatrixXd overlaps(const EnergyBasis &a, const EnergyBasis &b) {
-    if (a.complex_left.size() == 0)
-        return (a.left.transpose() * b.right).cwiseAbs2();
-    return (a.complex_left.adjoint() * b.complex_right).cwiseAbs2();
 }
 
 Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/biorthogonal.h"
 #include "analyses/whirl_mode.h"
 
 #include <complex>
@@ -19,19 +20,9 @@ struct Spectrum {
     double speed = 0; ///< rad/s
     std::vector<WhirlMode> modes;
     std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
+    std::vector<double> growing;    ///< those of them above zero by more than their error
     double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
 };
-
-/// Modes as columns (displacement, velocity), normalised, and the same times the energy product
-/// under which modes of one speed are orthogonal: overlaps are products left^H right.
-/// Real in the symmetric forms, complex in the general one; the other pair is empty.
-struct EnergyBasis {
-    Eigen::MatrixXd left, right;
-    Eigen::MatrixXcd complex_left, complex_right;
-};
-
-/// Modal assurance of the modes behind two bases, 0..1: rows of a, columns of b.
-[[nodiscard]] Eigen::MatrixXd overlaps(const EnergyBasis &a, const EnergyBasis &b);
 
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
 /// the speed is assembled and factorised once.
@@ -52,8 +43,9 @@ class SpectrumSolver {
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted) const;
 
-    /// For overlaps between modes of this rotor at any two speeds.
-    [[nodiscard]] EnergyBasis energy_basis(const std::vector<WhirlMode> &modes) const;
+    /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
+    /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
+    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
 
     /// Complex deflections of a mode at the stations: x(t) = Re(x exp(l t)).
     [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;

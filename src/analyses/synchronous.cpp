@@ -35,7 +35,8 @@ void set_sense(const Discretization &d, bool hyperbolic, std::vector<WhirlMode> 
         const Eigen::Index n = mode.shape.size() / 2;
         const Eigen::VectorXcd x = stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
         const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
-        const OrbitSense sense = orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, 1);
+        const OrbitSense sense =
+            orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, stations, 1);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }

@@ -1,130 +1,176 @@
 #include "analyses/tracking.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace whirl::analyses {
 
 namespace {
 
-/// An overlap above this cannot belong to two modes: overlaps of one mode with the orthogonal
-/// modes of another speed sum to 1.
-constexpr double sure = 0.7;
-/// Below this it is no continuation at all.
-constexpr double possible = 0.25;
+/// Halvings of a step: 1/256 of it tells a crossing from a veering as well as a picture can.
 constexpr int deepest = 8;
 
-struct Matching {
-    std::vector<int> to;
-    bool ambiguous = false;
-};
+/// Speeds solved within one step: five events.
+constexpr int most_in_step = 40;
 
-struct Snapshot {
-    const Spectrum &spectrum;
-    EnergyBasis basis;
-};
-
-bool is_zero(const Spectrum &spectrum, Eigen::Index i) {
-    return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue == 0.0;
-}
-
-/// Pairs in descending order of overlap; `important` bounds which ones must be sure.
-Matching pair_up(const Snapshot &a, const Snapshot &b, int important) {
-    Eigen::MatrixXd overlap = overlaps(a.basis, b.basis);
-    // Zero modes of a free rotor differ in nothing but their order, which is always the same.
-    for (Eigen::Index i = 0; i < std::min(overlap.rows(), overlap.cols()); ++i) {
-        if (!is_zero(a.spectrum, i) || !is_zero(b.spectrum, i))
-            break;
-        overlap.row(i).setZero();
-        overlap.col(i).setZero();
-        overlap(i, i) = 1;
-    }
-    std::vector<std::tuple<double, Eigen::Index, Eigen::Index>> pairs;
-    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
-        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
-            if (overlap(i, j) >= possible)
-                pairs.emplace_back(-overlap(i, j), i, j);
-    std::sort(pairs.begin(), pairs.end());
-    Matching out{std::vector<int>(static_cast<std::size_t>(overlap.rows()), Line::absent), false};
-    std::vector<bool> taken(static_cast<std::size_t>(overlap.cols()), false);
-    std::vector<double> strength(out.to.size(), 0);
-    for (const auto &[negative, i, j] : pairs) {
-        auto &to = out.to[static_cast<std::size_t>(i)];
-        if (to != Line::absent || taken[static_cast<std::size_t>(j)])
+/// Of two steps one after the other.
+ModeFollower::Followed joined(const ModeFollower::Followed &first,
+                              const ModeFollower::Followed &second) {
+    ModeFollower::Followed out;
+    out.to.assign(first.to.size(), Matching::none);
+    out.lost_from = first.lost_from;
+    out.lost_to = second.lost_to;
+    std::vector<int> origin(second.lost_from.size(), Matching::none); // of each mode between
+    for (std::size_t i = 0; i < first.to.size(); ++i) {
+        if (first.to[i] == Matching::none)
             continue;
-        to = static_cast<int>(j);
-        taken[static_cast<std::size_t>(j)] = true;
-        strength[static_cast<std::size_t>(i)] = -negative;
+        const auto middle = static_cast<std::size_t>(first.to[i]);
+        origin[middle] = static_cast<int>(i);
+        out.to[i] = second.to[middle];
+        if (out.to[i] == Matching::none)
+            out.lost_from[i] = second.lost_from[middle];
     }
-    for (std::size_t i = 0; i < out.to.size(); ++i) {
-        const bool matters =
-            static_cast<int>(i) < important || (out.to[i] != Line::absent && out.to[i] < important);
-        out.ambiguous = out.ambiguous || (matters && strength[i] < sure);
-    }
-    for (std::size_t j = 0; j < taken.size() && static_cast<int>(j) < important; ++j)
-        out.ambiguous = out.ambiguous || !taken[j];
+    for (std::size_t middle = 0; middle < origin.size(); ++middle)
+        if (origin[middle] == Matching::none && second.to[middle] != Matching::none)
+            out.lost_to[static_cast<std::size_t>(second.to[middle])] = first.lost_to[middle];
     return out;
 }
 
-std::vector<int> follow(const SpectrumSolver &solver, const Snapshot &a, const Snapshot &b,
-                        int important, int depth) {
-    Matching direct = pair_up(a, b, important);
-    if (!direct.ambiguous || depth == deepest)
-        return direct.to;
-    const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
-    const auto wanted =
-        static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
-    const Spectrum between = solver.at(middle, wanted);
-    const Snapshot mid{between, solver.energy_basis(between.modes)};
-    const std::vector<int> first = follow(solver, a, mid, important, depth + 1);
-    const std::vector<int> second = follow(solver, mid, b, important, depth + 1);
-    std::vector<int> to(first.size(), Line::absent);
-    for (std::size_t i = 0; i < first.size(); ++i)
-        if (first[i] != Line::absent)
-            to[i] = second[static_cast<std::size_t>(first[i])];
-    return to;
+ModeFollower::Followed plain(const Matching &matching, const Spectrum &a, const Spectrum &b) {
+    ModeFollower::Followed out;
+    out.to = matching.to;
+    out.lost_from.assign(matching.to.size(), Absence::none);
+    out.lost_to.assign(matching.from.size(), Absence::none);
+    for (std::size_t i = 0; i < matching.to.size(); ++i)
+        if (matching.to[i] == Matching::none)
+            out.lost_from[i] = fate(a, static_cast<int>(i), b);
+    for (std::size_t j = 0; j < matching.from.size(); ++j)
+        if (matching.from[j] == Matching::none)
+            out.lost_to[j] = fate(b, static_cast<int>(j), a);
+    return out;
 }
+
+/// Before its first and after its last speed a line is absent for the reason given there.
+void set_absence(Line &line, Absence before, Absence after) {
+    line.absence.assign(line.place.size(), Absence::none);
+    for (std::size_t k = 0; k < line.place.size() && line.place[k] == Line::absent; ++k)
+        line.absence[k] = before;
+    for (std::size_t k = line.place.size(); k > 0 && line.place[k - 1] == Line::absent; --k)
+        line.absence[k - 1] = after;
+}
+
+/// Lines while they grow from speed to speed.
+class GrowingLines {
+  public:
+    explicit GrowingLines(std::size_t speeds) : _speeds(speeds) {}
+
+    void begin(std::size_t speed, std::size_t place, Absence before) {
+        Line line;
+        line.place.assign(_speeds, Line::absent);
+        line.place[speed] = static_cast<int>(place);
+        _now.resize(std::max(_now.size(), place + 1));
+        _now[place] = _lines.size();
+        _lines.push_back(std::move(line));
+        _before.push_back(before);
+        _after.push_back(Absence::none);
+    }
+
+    void step(std::size_t speed, const ModeFollower::Followed &followed) {
+        const std::vector<std::size_t> last = std::move(_now);
+        _now.assign(followed.lost_to.size(), 0);
+        std::vector<bool> continued(followed.lost_to.size(), false);
+        for (std::size_t i = 0; i < followed.to.size(); ++i) {
+            if (followed.to[i] == Matching::none) {
+                _after[last[i]] = followed.lost_from[i];
+                continue;
+            }
+            const auto j = static_cast<std::size_t>(followed.to[i]);
+            _now[j] = last[i];
+            continued[j] = true;
+            _lines[last[i]].place[speed] = followed.to[i];
+        }
+        for (std::size_t j = 0; j < continued.size(); ++j)
+            if (!continued[j])
+                begin(speed, j, followed.lost_to[j]);
+    }
+
+    [[nodiscard]] std::vector<Line> finished() {
+        for (std::size_t i = 0; i < _lines.size(); ++i)
+            set_absence(_lines[i], _before[i], _after[i]);
+        return std::move(_lines);
+    }
+
+  private:
+    std::size_t _speeds;
+    std::vector<Line> _lines;
+    std::vector<Absence> _before, _after;
+    std::vector<std::size_t> _now; ///< line of each mode of the last speed
+};
 
 } // namespace
 
-std::vector<int> continuation(const SpectrumSolver &solver, const Spectrum &a, const Spectrum &b,
-                              int important) {
-    return follow(solver, {a, solver.energy_basis(a.modes)}, {b, solver.energy_basis(b.modes)},
-                  important, 0);
+Snapshot ModeFollower::snapshot(Spectrum spectrum) const {
+    ModeBasis basis = _solver.basis(spectrum);
+    return {std::move(spectrum), std::move(basis)};
 }
 
-std::vector<Line> track(const SpectrumSolver &solver, const std::vector<Spectrum> &spectra,
-                        int important) {
-    std::vector<Line> lines;
-    std::vector<std::size_t> line_of; // of each mode of the last speed
-    const auto begin_line = [&](std::size_t speed, int place) {
-        Line line{std::vector<int>(spectra.size(), Line::absent)};
-        line.place[speed] = place;
-        lines.push_back(std::move(line));
-        return lines.size() - 1;
+void ModeFollower::note_gaps(const Snapshot &a, const Snapshot &b, const Followed &followed) {
+    const auto note = [&](const Spectrum &spectrum, std::size_t i, Absence why) {
+        if (why == Absence::lost && static_cast<int>(i) < _important)
+            _gaps.push_back(
+                {a.spectrum.speed, b.spectrum.speed, spectrum.modes[i].eigenvalue.imag()});
     };
-    for (std::size_t i = 0; i < spectra.front().modes.size(); ++i)
-        line_of.push_back(begin_line(0, static_cast<int>(i)));
-    EnergyBasis basis = solver.energy_basis(spectra.front().modes);
+    for (std::size_t i = 0; i < followed.lost_from.size(); ++i)
+        note(a.spectrum, i, followed.lost_from[i]);
+    for (std::size_t j = 0; j < followed.lost_to.size(); ++j)
+        note(b.spectrum, j, followed.lost_to[j]);
+}
+
+ModeFollower::Followed ModeFollower::settle(const Snapshot &a, const Snapshot &b) {
+    Followed out = plain(match_by_groups(a, b), a.spectrum, b.spectrum);
+    note_gaps(a, b, out);
+    return out;
+}
+
+ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b, int depth) {
+    const Matching direct = match_by_vectors(a, b, _important);
+    if (!direct.ambiguous)
+        return plain(direct, a.spectrum, b.spectrum);
+    if (depth == deepest || _budget <= 0 || _left_in_step <= 0)
+        return settle(a, b);
+    --_budget;
+    --_left_in_step;
+    const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
+    const auto wanted =
+        static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
+    const Snapshot between = snapshot(_solver.at(middle, wanted));
+    const Followed first = follow(a, between, depth + 1);
+    return joined(first, follow(between, b, depth + 1));
+}
+
+ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b) {
+    _left_in_step = most_in_step;
+    return follow(a, b, 0);
+}
+
+Tracking track(const SpectrumSolver &solver, const std::vector<Spectrum> &spectra, int important) {
+    // Most steps need none; an event (modes veer, or turn real) needs eight.
+    const int budget = 100 + 4 * static_cast<int>(spectra.size());
+    ModeFollower follower(solver, important, budget);
+    GrowingLines lines(spectra.size());
+    Tracking out;
+    Snapshot a = follower.snapshot(spectra.front());
+    for (std::size_t i = 0; i < a.spectrum.modes.size(); ++i)
+        lines.begin(0, i, Absence::none);
+    out.rates.push_back({a.basis.rate_below, a.basis.rate_above});
     for (std::size_t k = 1; k < spectra.size(); ++k) {
-        EnergyBasis next = solver.energy_basis(spectra[k].modes);
-        const Snapshot a{spectra[k - 1], std::move(basis)};
-        const Snapshot b{spectra[k], std::move(next)};
-        const std::vector<int> to = follow(solver, a, b, important, 0);
-        std::vector<std::size_t> now(spectra[k].modes.size(), lines.max_size());
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            if (to[i] == Line::absent)
-                continue;
-            now[static_cast<std::size_t>(to[i])] = line_of[i];
-            lines[line_of[i]].place[k] = to[i];
-        }
-        for (std::size_t j = 0; j < now.size(); ++j)
-            if (now[j] == lines.max_size())
-                now[j] = begin_line(k, static_cast<int>(j));
-        line_of = std::move(now);
-        basis = b.basis;
+        Snapshot b = follower.snapshot(spectra[k]);
+        lines.step(k, follower.follow(a, b));
+        out.rates.push_back({b.basis.rate_below, b.basis.rate_above});
+        a = std::move(b);
     }
-    return lines;
+    out.lines = lines.finished();
+    out.gaps = follower.gaps();
+    return out;
 }
 
 } // namespace whirl::analyses

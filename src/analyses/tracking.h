@@ -1,26 +1,77 @@
 #pragma once
 
-#include "analyses/spectrum.h"
+#include "analyses/mode_matching.h"
 
+#include <Eigen/Core>
+
+#include <map>
 #include <vector>
 
 namespace whirl::analyses {
 
 /// A whirl mode followed over the spin speeds: its place in the spectrum of each speed, or
-/// `absent` where it is overdamped or beyond the computed modes.
+/// `absent`, and then why.
 struct Line {
     static constexpr int absent = -1;
     std::vector<int> place;
+    std::vector<Absence> absence;
 };
 
-/// Follows modes from speed to speed by their overlap in the energy product, so through crossings
-/// and veerings. Where the overlap of a mode among the `important` lowest is ambiguous, speeds in
-/// between are solved, down to 1/256 of the step.
-[[nodiscard]] std::vector<Line> track(const SpectrumSolver &solver,
-                                      const std::vector<Spectrum> &spectra, int important);
+/// Modes that could not be followed between two speeds.
+struct Gap {
+    double from = 0; ///< rad/s
+    double to = 0;
+    double frequency = 0; ///< of the mode, rad/s
+};
 
-/// For each mode of `a` its continuation in `b` (or Line::absent).
-[[nodiscard]] std::vector<int> continuation(const SpectrumSolver &solver, const Spectrum &a,
-                                            const Spectrum &b, int important);
+/// Changes of the eigenvalues with speed at one speed, as in ModeBasis.
+struct Rates {
+    Eigen::VectorXcd below, above;
+};
+
+struct Tracking {
+    std::vector<Line> lines;
+    std::vector<Rates> rates; ///< of the modes of each speed
+    std::vector<Gap> gaps;
+};
+
+/// Follows modes from one speed to another, with more speeds in between where it must.
+class ModeFollower {
+  public:
+    /// @param important  that many of the lowest modes must be followed
+    /// @param budget     speeds that may be solved beside those given, in all
+    ModeFollower(const SpectrumSolver &solver, int important, int budget)
+        : _solver(solver), _important(important), _budget(budget) {}
+
+    /// With the vectors of its modes.
+    [[nodiscard]] Snapshot snapshot(Spectrum spectrum) const;
+
+    struct Followed {
+        std::vector<int> to;            ///< places, or Matching::none
+        std::vector<Absence> lost_from; ///< why a mode of a has no continuation
+        std::vector<Absence> lost_to;   ///< why a mode of b has no origin
+    };
+    /// Modes of a in b. Where overlaps are ambiguous the step is halved, down to 1/256 of it, and
+    /// there settled by groups of modes.
+    [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b);
+
+    [[nodiscard]] const std::vector<Gap> &gaps() const { return _gaps; }
+
+  private:
+    const SpectrumSolver &_solver;
+    int _important;
+    int _budget;
+    int _left_in_step = 0;
+    std::vector<Gap> _gaps;
+
+    [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b, int depth);
+    [[nodiscard]] Followed settle(const Snapshot &a, const Snapshot &b);
+    void note_gaps(const Snapshot &a, const Snapshot &b, const Followed &followed);
+};
+
+/// Lines through all spectra, by the left and right vectors of their modes. The number of speeds
+/// solved in between is bounded by a multiple of the speeds given.
+[[nodiscard]] Tracking track(const SpectrumSolver &solver, const std::vector<Spectrum> &spectra,
+                             int important);
 
 } // namespace whirl::analyses

@@ -18,6 +18,9 @@ struct WhirlMode {
     Whirl whirl = Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
+    /// The eigenpair in rotating axes, which is what can be followed; in form rotating only.
+    std::complex<double> rotating_value;
+    Eigen::VectorXcd rotating_vector;
     double residual = 0;
     double rounding = 0;
 };

@@ -69,14 +69,16 @@ std::string last_speed_table(const analyses::CampbellResult &result) {
     Rows rows;
     for (const auto &mode : result.modes) {
         const auto frequency = last(mode.frequency);
-        rows.push_back({mode.label, cell(frequency, 10),
-                        frequency ? readable(*frequency * hertz, 10) : "overdamped",
-                        cell(last(mode.real), 6), cell(last(mode.damping_ratio), 6),
-                        mode.whirl.empty() ? "" : analyses::whirl_name(mode.whirl.back()),
-                        cell(last(mode.error), 2)});
+        rows.push_back(
+            {mode.label, cell(frequency, 10),
+             frequency ? readable(*frequency * hertz, 10) : "overdamped", cell(last(mode.real), 6),
+             cell(last(mode.damping_ratio), 6),
+             mode.whirl.empty() ? "" : analyses::whirl_name(mode.whirl.back()),
+             mode.forward_fraction.empty() ? "" : readable(mode.forward_fraction.back(), 4),
+             cell(last(mode.error), 2)});
     }
     return html_table({"Mode", "Frequency (rad/s)", "Frequency (Hz)", "Real part (1/s)",
-                       "Damping ratio", "Whirl", "Relative error"},
+                       "Damping ratio", "Whirl", "Forward share", "Relative error"},
                       rows);
 }
 

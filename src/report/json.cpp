@@ -19,7 +19,8 @@ Json campbell_mode(const analyses::CampbellMode &mode) {
                 {"damping_ratio", json_list(mode.damping_ratio)},
                 {"log_dec", json_list(mode.log_dec)},
                 {"whirl", whirl},
-                {"forward_fraction", mode.forward_fraction},
+                {"forward_share", mode.forward_fraction},
+                {"forward_fraction", mode.forward_fraction}, // its older name
                 {"error", json_list(mode.error)},
                 {"residual", json_list(mode.residual)}});
     return out;
@@ -30,7 +31,8 @@ Json mode_shape(const analyses::ModeShape &mode) {
                {"frequency", mode.eigenvalue.imag()},
                {"real", mode.eigenvalue.real()},
                {"whirl", analyses::whirl_name(mode.whirl)},
-               {"forward_fraction", mode.forward_fraction}};
+               {"forward_share", mode.forward_fraction},
+               {"forward_fraction", mode.forward_fraction}}; // its older name
     for (const char *key : {"x_real", "x_imag", "y_real", "y_imag"})
         shape[key] = Json::array();
     for (const auto &x : mode.x) {
