@@ -102,8 +102,9 @@ TEST(ResponseProbe, jeffcott_rotor_on_orthotropic_bearings) {
         const std::complex<double> end = farthest(x, y);
         // Steps of pi / 20000 along the orbit: its end is missed by less than their square.
         EXPECT_NEAR(disc.major[i] / std::abs(end), 1, 1e-7);
-        if (std::abs(disc.minor[i]) < 0.99 * disc.major[i])
+        if (std::abs(disc.minor[i]) < 0.99 * disc.major[i]) {
             EXPECT_NEAR(std::sin(disc.inclination[i] - std::arg(end)), 0, 0.02) << s;
+        }
         EXPECT_GT(disc.inclination[i], -pi / 2);
         EXPECT_LE(disc.inclination[i], pi / 2);
     }

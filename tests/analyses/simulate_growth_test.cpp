@@ -108,8 +108,9 @@ TEST(SimulateUnits, other_units_give_the_same_motion) {
                     EXPECT_NEAR(b.angles[j], a.angles[j], 1e-5) << where;
             }
             EXPECT_EQ(result.linear_growth.has_value(), expected.linear_growth.has_value());
-            if (expected.linear_growth)
+            if (expected.linear_growth && result.linear_growth) {
                 EXPECT_NEAR(*result.linear_growth * u.time / *expected.linear_growth, 1, 1e-6);
+            }
         }
     }
 }
