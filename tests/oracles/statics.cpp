@@ -89,17 +89,19 @@ std::array<std::array<Real, 2>, 2> support_stiffness(const Support &s) {
     return out;
 }
 
-} // namespace
-
-StaticDeflection static_deflection(const SteppedRotor &rotor, double z_force, Real force_x,
-                                   Real force_y, double z) {
-    std::vector<Real> nodes{0};
+/// Ends of the cylinders, from the left.
+std::vector<Real> ends_of(const SteppedRotor &rotor) {
     std::vector<Real> ends;
     for (const Cylinder &c : rotor.shaft)
         ends.push_back((ends.empty() ? 0 : ends.back()) + c.length);
+    return ends;
+}
+
+/// Places where something stands or is asked for, ascending.
+std::vector<Real> nodes_of(const SteppedRotor &rotor, const std::vector<Real> &ends, double z_force,
+                           double z) {
+    std::vector<Real> nodes{0, static_cast<Real>(z_force), static_cast<Real>(z)};
     nodes.insert(nodes.end(), ends.begin(), ends.end());
-    nodes.push_back(z_force);
-    nodes.push_back(z);
     for (const Support &s : rotor.supports)
         nodes.push_back(s.z);
     std::sort(nodes.begin(), nodes.end());
@@ -107,6 +109,15 @@ StaticDeflection static_deflection(const SteppedRotor &rotor, double z_force, Re
     nodes.erase(
         std::unique(nodes.begin(), nodes.end(), [near](Real a, Real b) { return b - a < near; }),
         nodes.end());
+    return nodes;
+}
+
+} // namespace
+
+StaticDeflection static_deflection(const SteppedRotor &rotor, double z_force, Real force_x,
+                                   Real force_y, double z) {
+    const std::vector<Real> ends = ends_of(rotor);
+    const std::vector<Real> nodes = nodes_of(rotor, ends, z_force, z);
     const auto node_at = [&nodes](double place) {
         return static_cast<std::size_t>(std::min_element(nodes.begin(), nodes.end(),
                                                          [place](Real a, Real b) {

@@ -18,6 +18,8 @@
 
 namespace {
 
+namespace properties = whirl::properties;
+
 /// How often an invariance was tried and broken.
 struct Tally {
     int tried = 0;
@@ -28,10 +30,40 @@ struct Tally {
 /// Of this program, s.
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
+/// One scene through every invariance that applies to it.
+void try_scene(int number, int long_commands, std::map<std::string, Tally> &tallies) {
+    properties::InvarianceScene scene(number);
+    for (const properties::Invariance &check : properties::invariances()) {
+        if (check.long_running && number % long_commands != 0)
+            continue;
+        const double start = processor_time();
+        std::optional<std::string> difference;
+        try {
+            difference = check.difference(scene);
+        } catch (const std::exception &failure) {
+            difference = fmt::format("no answer: {}", failure.what());
+        }
+        Tally &tally = tallies[check.name];
+        const double taken = processor_time() - start;
+        tally.seconds += taken;
+        if (taken > 2)
+            fmt::print(stderr, "scene {} ({}): {} took {:.1f} s\n", number, scene.words(),
+                       check.name, taken);
+        if (!difference)
+            continue;
+        ++tally.tried;
+        if (difference->empty())
+            continue;
+        if (++tally.broken <= 12) {
+            fmt::print("{}: scene {} ({}): {}\n", check.name, number, scene.words(), *difference);
+            std::fflush(stdout);
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-    namespace properties = whirl::properties;
     if (argc == 3 && std::string(argv[1]) == "--case") {
         fmt::print("{}", properties::case_text(properties::random_scene(std::atoi(argv[2]))));
         return 0;
@@ -42,34 +74,7 @@ int main(int argc, char **argv) {
     const whirl::linalg::Session session;
     std::map<std::string, Tally> tallies;
     for (int number = first; number < first + scenes; ++number) {
-        properties::InvarianceScene scene(number);
-        for (const properties::Invariance &check : properties::invariances()) {
-            if (check.long_running && number % long_commands != 0)
-                continue;
-            const double start = processor_time();
-            std::optional<std::string> difference;
-            try {
-                difference = check.difference(scene);
-            } catch (const std::exception &failure) {
-                difference = fmt::format("no answer: {}", failure.what());
-            }
-            Tally &tally = tallies[check.name];
-            const double taken = processor_time() - start;
-            tally.seconds += taken;
-            if (taken > 2)
-                fmt::print(stderr, "scene {} ({}): {} took {:.1f} s\n", number, scene.words(),
-                           check.name, taken);
-            if (!difference)
-                continue;
-            ++tally.tried;
-            if (difference->empty())
-                continue;
-            if (++tally.broken <= 12) {
-                fmt::print("{}: scene {} ({}): {}\n", check.name, number, scene.words(),
-                           *difference);
-                std::fflush(stdout);
-            }
-        }
+        try_scene(number, long_commands, tallies);
         if (number % 20 == 19) {
             fmt::print(stderr, "{} scenes\n", number - first + 1);
             std::fflush(stderr);
