@@ -1,6 +1,7 @@
 #include "analyses/crossings.h"
 
 #include "analyses/crossing_step.h"
+#include "analyses/locked_whirl.h"
 #include "assembly/discretization.h"
 
 #include <algorithm>
@@ -32,11 +33,6 @@ struct Link {
 
 const WhirlMode &mode_at(const Node &node, std::size_t place) {
     return node.snapshot.spectrum.modes[place];
-}
-
-/// The whirl of an asymmetric rotor turns exactly with it over a band of speeds.
-bool locked(const WhirlMode &mode, double speed) {
-    return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
 }
 
 StepEnd end_of(const Spectrum &spectrum, const Rates &rates, std::size_t place, double multiple,
@@ -140,39 +136,6 @@ class CrossingSearch {
         return _multiple == 1 && locked(mode_at(node, place), node.snapshot.spectrum.speed);
     }
 
-    /// Where a motion held by the rotor at one node leaves it on the way to the other. Its vectors
-    /// coalesce with another's there, so it is known by its eigenvalue in rotating axes.
-    [[nodiscard]] double end_of_lock(const Node &held, std::size_t held_place, const Node &free,
-                                     std::size_t free_place) const {
-        const auto seen = [](const WhirlMode &mode) {
-            return std::complex<double>(mode.eigenvalue.real(), mode.frequency_rotating);
-        };
-        std::complex<double> inside = seen(mode_at(held, held_place));
-        std::complex<double> outside = seen(mode_at(free, free_place));
-        double locked_at = held.snapshot.spectrum.speed;
-        double free_at = free.snapshot.spectrum.speed;
-        const auto wanted = static_cast<int>(
-            std::max(held.snapshot.spectrum.modes.size(), free.snapshot.spectrum.modes.size()));
-        while (std::abs(free_at - locked_at) > resolved * std::abs(free_at)) {
-            const double middle = (free_at + locked_at) / 2;
-            const Spectrum between = _solver.at(middle, wanted);
-            const auto distance = [&](const WhirlMode &mode) {
-                return std::min(std::abs(seen(mode) - inside), std::abs(seen(mode) - outside));
-            };
-            const auto nearest =
-                std::min_element(between.modes.begin(), between.modes.end(),
-                                 [&](const WhirlMode &one, const WhirlMode &other) {
-                                     return distance(one) < distance(other);
-                                 });
-            if (nearest == between.modes.end())
-                break;
-            const bool still = locked(*nearest, middle);
-            (still ? locked_at : free_at) = middle;
-            (still ? inside : outside) = seen(*nearest);
-        }
-        return locked_at;
-    }
-
     /// Of the two whirls of a motion in rotating axes, at the spin speed plus and minus the
     /// frequency seen from the rotor, the first: where the larger one changes the frequency jumps.
     [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const {
@@ -219,9 +182,12 @@ class CrossingSearch {
             width <= resolved * std::max(std::abs(from.speed), std::abs(to.speed));
         const bool hold_a = held(a, link.from);
         const bool hold_b = held(b, link.to);
-        if (hold_a != hold_b)
-            take(link.line, hold_a ? end_of_lock(a, link.from, b, link.to)
-                                   : end_of_lock(b, link.to, a, link.from));
+        if (hold_a != hold_b) {
+            const Spectrum &at_a = a.snapshot.spectrum;
+            const Spectrum &at_b = b.snapshot.spectrum;
+            take(link.line, hold_a ? end_of_lock(_solver, at_a, link.from, at_b, link.to)
+                                   : end_of_lock(_solver, at_b, link.to, at_a, link.from));
+        }
         if (hold_a || hold_b)
             return std::nullopt;
         const std::optional<double> speed = where_to_look(from, to, depth);
