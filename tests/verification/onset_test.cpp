@@ -36,7 +36,8 @@ model::Rotor jeffcott_rotor(const Mesh &mesh, double internal_damping) {
 
 /// Of the same mesh without damping, by the definite symmetric form.
 double first_forward_critical_speed(const Mesh &mesh) {
-    const auto result = analyses::critical(tests::scene_of(jeffcott_rotor(mesh, 0), 0, 400, 3));
+    const auto result =
+        analyses::critical_speeds(tests::scene_of(jeffcott_rotor(mesh, 0), 0, 400, 3));
     for (const analyses::CriticalSpeed &critical : result.critical_speeds)
         if (critical.whirl == analyses::Whirl::forward)
             return critical.speed;
