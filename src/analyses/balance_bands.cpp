@@ -100,8 +100,11 @@ std::vector<SpeedBand> sharp_bands(const SpeedFunction &criterion,
         const bool balanced = criterion(middles[i]) < 0;
         if (balanced != before) {
             double end = i == 0 ? from : points[i - 1].speed;
-            if (i > 0 && !points[i - 1].critical)
-                end = zero_at(criterion, end, middles[i - 1], middles[i]);
+            if (i > 0 && !points[i - 1].critical) {
+                // With a pole close beside the zero the counted root is the surer one.
+                const double zero = zero_at(criterion, end, middles[i - 1], middles[i]);
+                end = std::abs(zero - end) < 1e-9 * end ? zero : end;
+            }
             if (balanced)
                 bands.push_back({end, to});
             else
