@@ -334,7 +334,7 @@ class Sweep {
         }
     }
 
-    void step(CrossingSearch &search, std::size_t k, std::vector<double> rows,
+    void step(CrossingSearch &search, std::size_t k, const std::vector<double> &rows,
               const std::vector<Link> &links) const {
         const Node a = full_node(k);
         const Node b = full_node(k + 1);

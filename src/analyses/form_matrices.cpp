@@ -15,12 +15,12 @@ using Sparse = Eigen::SparseMatrix<double>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
 bool mirror_is_transpose(const Sparse &A) {
-    Sparse mirrored = A;
+    Sparse mirrored = A.transpose();
     for (Eigen::Index column = 0; column < mirrored.outerSize(); ++column)
         for (Sparse::InnerIterator entry(mirrored, column); entry; ++entry)
             if ((entry.row() + entry.col()) % 2 != 0)
                 entry.valueRef() = -entry.value();
-    return (mirrored - Sparse(A.transpose())).norm() <= 1e-14 * A.norm();
+    return (mirrored - A).norm() <= 1e-14 * A.norm();
 }
 
 bool mirrored_bearings(const model::Rotor &rotor) {
