@@ -201,8 +201,7 @@ CampbellResult campbell(const model::Case &scene) {
     const Tracking tracking = followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
     if (linalg::process_rank() != 0)
         return result;
-    const LineErrors errors =
-        line_errors(scene.rotor, solver, tracking.lines, spectra);
+    const LineErrors errors = line_errors(scene.rotor, solver, tracking.lines, spectra);
     for (std::size_t i = 0; i < tracking.lines.size(); ++i)
         result.modes.push_back(
             mode_along(tracking.lines[i], spectra, errors[i], in_rotating_axes(solver.form())));

@@ -109,7 +109,7 @@ class Response {
         } catch (const linalg::SolverError &) { // the finer model is at its resonance
             _error_known = false;
         }
-        if (_forced.rounding() > resonance && !confirmed())
+        if (_forced.rounding() > resonance && !confirmed() && !unexcited(speed))
             return no_limit();
         std::vector<double> row;
         add_nodes(row);
@@ -143,6 +143,32 @@ class Response {
             const Phasor u = _forced.motion(_discretization.deflection_at_node(node.first));
             return _finer.at(mesh.nodes[static_cast<std::size_t>(node.first)], u) < 0.1;
         });
+    }
+
+    [[nodiscard]] std::vector<Phasor> motions() const {
+        std::vector<Phasor> out;
+        for (const auto &[node, name] : _nodes)
+            out.push_back(_forced.motion(_discretization.deflection_at_node(node)));
+        return out;
+    }
+
+    /// A resonance of a motion that the imbalances do not excite: a little beside it the rotor
+    /// moves in the same way, where an excited one would be smaller by orders of magnitude.
+    [[nodiscard]] bool unexcited(double speed) {
+        constexpr double beside = 1e-8;
+        constexpr double same = 1e-4;
+        const std::vector<Phasor> here = motions();
+        _forced.solve(speed * (1 + beside));
+        const std::vector<Phasor> there = motions();
+        _forced.solve(speed);
+        double difference = 0;
+        double size = 0;
+        for (std::size_t i = 0; i < here.size(); ++i) {
+            difference = std::max(
+                {difference, std::abs(here[i].x - there[i].x), std::abs(here[i].y - there[i].y)});
+            size = std::max({size, std::abs(there[i].x), std::abs(there[i].y)});
+        }
+        return difference <= same * size;
     }
 
     void add_nodes(std::vector<double> &row) {
