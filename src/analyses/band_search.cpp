@@ -67,7 +67,10 @@ void BandSearch::halve(const Look &a, const Look &b, int depth) {
 void BandSearch::through(const Look &a, const Look &b, int depth) {
     const Continuation next = continued(a.speed, a.motions, b.speed, b.motions);
     const bool unstable = a.growth > 0 && b.growth > 0;
-    if (next.doubtful || (!unstable && !meetings_resolved(next, a, b))) {
+    // Where one motion grows all the way it does not matter what becomes of the others.
+    const bool resolved = unstable ? one_grows_through(next, a, b) || !next.doubtful
+                                   : !next.doubtful && meetings_resolved(next, a, b);
+    if (!resolved) {
         const bool small =
             b.speed - a.speed <= minute * std::max(std::abs(a.speed), std::abs(b.speed));
         if (!small && depth < deepest && _halvings < _most_halvings) {
@@ -77,8 +80,8 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
         if (!small)
             _doubtful.emplace_back(a.speed, b.speed);
     }
-    if (unstable)
-        window_between(next, a, b);
+    if (unstable && !one_grows_through(next, a, b))
+        window_between(a, b);
     Step step{a.speed, b.speed, a.growth, b.growth, {}};
     for (int i = 0; i < std::ssize(a.motions); ++i) {
         const int j = next.to[static_cast<std::size_t>(i)];
@@ -112,15 +115,19 @@ bool BandSearch::meetings_resolved(const Continuation &next, const Look &a, cons
     return true;
 }
 
-/// Between two unstable speeds at which different motions grow there can be a stable window: the
-/// speed of least growth, where that is none.
-void BandSearch::window_between(const Continuation &next, const Look &a, const Look &b) {
+bool BandSearch::one_grows_through(const Continuation &next, const Look &a, const Look &b) {
     for (int i = 0; i < std::ssize(a.motions); ++i) {
         const int j = next.to[static_cast<std::size_t>(i)];
         if (j != Continuation::nowhere && grows(a.motions[static_cast<std::size_t>(i)]) &&
             grows(b.motions[static_cast<std::size_t>(j)]))
-            return;
+            return true;
     }
+    return false;
+}
+
+/// Between two unstable speeds at which different motions grow there can be a stable window: the
+/// speed of least growth, where that is none.
+void BandSearch::window_between(const Look &a, const Look &b) {
     // Growth falls from one side and rises to the other.
     int steps = 0;
     const auto [speed, growth] = least_by_golden_section(

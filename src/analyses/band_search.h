@@ -61,7 +61,9 @@ class BandSearch {
     void through(const Look &a, const Look &b, int depth);
     void halve(const Look &a, const Look &b, int depth);
     [[nodiscard]] bool meetings_resolved(const Continuation &next, const Look &a, const Look &b);
-    void window_between(const Continuation &next, const Look &a, const Look &b);
+    [[nodiscard]] static bool one_grows_through(const Continuation &next, const Look &a,
+                                                const Look &b);
+    void window_between(const Look &a, const Look &b);
     void peaks(const Step &before, const Step &after);
     void dips(const Step &before, const Step &after);
     void peak_of(const Strand &before, const Strand &after, const Step &a, const Step &b);

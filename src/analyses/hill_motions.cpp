@@ -54,10 +54,11 @@ double largest_distance(const RotatingSpectrum &spectrum, const Pairs &some, con
 } // namespace
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,
-                         std::vector<elements::BalancerElement> balancers, bool driven, int least)
-    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
-      _tables(discretization.rotor().bearings_depend_on_speed()), _most(std::max(1, least)),
-      _last(_most) {
+                         std::vector<elements::BalancerElement> balancers, bool driven, int least,
+                         const Eigen::MatrixXd *shapes)
+    : _discretization(discretization), _balancers(std::move(balancers)), _shapes(shapes),
+      _driven(driven), _tables(discretization.rotor().bearings_depend_on_speed()),
+      _most(std::max(1, least)), _last(_most) {
     const int unknowns = 2 * (discretization.planar_size() + static_cast<int>(_balancers.size()));
     constexpr int largest_problem = 1600;
     _limit = std::clamp(largest_problem / (2 * unknowns), 8, 32);
@@ -71,7 +72,7 @@ const RotatingSpectrum &HillMotions::spectrum(double speed, int harmonics) const
     auto &entry = _spectra[harmonics];
     if (!entry)
         entry = std::make_unique<RotatingSpectrum>(_discretization, _tables ? speed : 0, _balancers,
-                                                   harmonics);
+                                                   harmonics, _shapes);
     return *entry;
 }
 

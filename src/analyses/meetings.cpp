@@ -56,7 +56,8 @@ class Follower {
   public:
     Follower(double from, const Motions &motions_from, double to, const Motions &motions_to)
         : _from(from), _to(to), _a(motions_from), _b(motions_to),
-          _share(shares(motions_from, motions_to)) {}
+          _share(shares(motions_from, motions_to)),
+          _border(std::min(farthest(motions_from), farthest(motions_to))) {}
 
     Continuation follow() {
         _out.to.assign(_a.size(), nowhere);
@@ -74,6 +75,7 @@ class Follower {
     const Motions &_b;
     Eigen::MatrixXd _share;
     std::vector<int> _origin;
+    double _border; ///< 1/s, least of the largest moduli at both speeds
     Continuation _out;
 
     [[nodiscard]] const Motion &a(int i) const { return _a[static_cast<std::size_t>(i)]; }
@@ -98,6 +100,11 @@ class Follower {
         }
     }
 
+    /// At the border of what was computed, and too fast to matter.
+    [[nodiscard]] bool comes_or_goes(const Motion &motion) const {
+        return !motion.may_meet && std::abs(motion.value) > 0.95 * _border;
+    }
+
     /// Connected by shares that count, among those without a partner.
     std::vector<Group> groups() {
         std::vector<Group> out;
@@ -105,7 +112,8 @@ class Follower {
         std::vector<bool> used_b(_b.size(), false);
         const auto grow = [&](Group &group, auto &&self, int index, bool at_from) -> void {
             auto &used = at_from ? used_a : used_b;
-            if (used[static_cast<std::size_t>(index)])
+            if (used[static_cast<std::size_t>(index)] ||
+                comes_or_goes(at_from ? a(index) : b(index)))
                 return;
             used[static_cast<std::size_t>(index)] = true;
             (at_from ? group.from : group.to).push_back(index);
@@ -117,10 +125,12 @@ class Follower {
             }
         };
         for (int i = 0; i < std::ssize(_a); ++i)
-            if (target(i) == nowhere && !used_a[static_cast<std::size_t>(i)])
+            if (target(i) == nowhere && !comes_or_goes(a(i)) &&
+                !used_a[static_cast<std::size_t>(i)])
                 grow(out.emplace_back(), grow, i, true);
         for (int j = 0; j < std::ssize(_b); ++j)
-            if (origin(j) == nowhere && !used_b[static_cast<std::size_t>(j)])
+            if (origin(j) == nowhere && !comes_or_goes(b(j)) &&
+                !used_b[static_cast<std::size_t>(j)])
                 grow(out.emplace_back(), grow, j, false);
         return out;
     }
@@ -129,11 +139,13 @@ class Follower {
     void judge(const Group &group) {
         double growth = -HUGE_VAL;
         double inner = HUGE_VAL; // least modulus
+        double noise = 0;
         bool may_meet = false;
         std::vector<Complex> values;
         const auto look_at = [&](const Motion &motion) {
             growth = std::max(growth, motion.value.real());
             inner = std::min(inner, std::abs(motion.value));
+            noise += motion.noise;
             may_meet = may_meet || motion.may_meet;
             values.push_back(motion.value);
         };
@@ -148,8 +160,10 @@ class Follower {
         if (values.size() == 1) // how far it could go is not known
             spread = std::abs(values.front()) / 2;
         // At the border of what was computed motions come and go.
-        const bool border = inner > 0.9 * std::min(farthest(_a), farthest(_b));
-        if (!may_meet || growth < -spread || border)
+        const bool border = inner > 0.9 * _border;
+        // Balls near rest: rounding cannot tell these motions from each other, nor what they do.
+        const bool blurred = spread <= noise;
+        if (!may_meet || growth < -spread || border || blurred)
             return;
         if (group.from.size() == 2 && group.to.size() == 2)
             add_pair(group.from[0], group.from[1], group.to[0], group.to[1], false);

@@ -9,6 +9,7 @@
 #include "linalg/quadratic_eigen.h"
 #include "linalg/rayleigh.h"
 #include "model/errors.h"
+#include "reduction/projection.h"
 
 #include <fmt/format.h>
 
@@ -93,10 +94,23 @@ void drop_copies(std::vector<Motion> &motions, double speed) {
     motions = std::move(kept);
 }
 
+/// What `find` finds; a failure of the eigensolver in words.
+template <class Find> auto found_or_said(double speed, int unknowns, Form form, const Find &find) {
+    try {
+        return find();
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(fmt::format(
+            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
+            "({} unknowns, {} form)",
+            speed, unknowns, form_name(form)));
+    }
+}
+
 } // namespace
 
 struct MotionSolver::Data {
     assembly::Discretization d;
+    std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor
     Form form;
     bool tables;
     std::vector<elements::BalancerElement> balancers;
@@ -106,21 +120,33 @@ struct MotionSolver::Data {
     assembly::FixedSystem fixed;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
-    Data(const model::Rotor &rotor, Form which, int order, const Arrangement &arrangement, int N)
-        : d(rotor, order), form(which), tables(rotor.bearings_depend_on_speed()),
+    Data(const model::Rotor &rotor, Form which, int order, const Arrangement &arrangement, int N,
+         std::shared_ptr<const Eigen::MatrixXd> reduced_to)
+        : d(rotor, order), shapes(std::move(reduced_to)), form(which),
+          tables(rotor.bearings_depend_on_speed()),
           balancers(balancer_elements(rotor, arrangement)),
           fewest(bearings_drive(rotor) ? least_driven : least) {
         if (in_rotating_axes(form)) {
-            rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, 0);
+            rotating = std::make_unique<RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
             if (form == Form::hill)
-                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N);
+                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
+                                                     shapes.get());
         } else {
-            fixed = assembly::assemble_fixed(d, 0);
+            fixed = fixed_at(0);
             root_K = root_of_diagonal(fixed.K);
             root_M = root_of_diagonal(fixed.M);
         }
+    }
+
+    [[nodiscard]] assembly::FixedSystem fixed_at(double speed) const {
+        assembly::FixedSystem system = assembly::assemble_fixed(d, speed);
+        return shapes ? reduction::Projection(*shapes).of(system) : std::move(system);
+    }
+
+    [[nodiscard]] int planar_size() const {
+        return shapes ? static_cast<int>(shapes->cols()) : d.planar_size();
     }
 
     /// Pairs, and the problem that they solve where one needs to look at it again.
@@ -132,14 +158,14 @@ struct MotionSolver::Data {
     using Sparse = RayleighFunctional::Sparse;
 
     [[nodiscard]] RayleighFunctional::Structure structure(Eigen::Index unknowns) const {
-        return {static_cast<int>(unknowns), 2 * d.planar_size()};
+        return {static_cast<int>(unknowns), 2 * planar_size()};
     }
 
     [[nodiscard]] Solved turning(double speed) const {
         if (hill)
             return turning_hill(speed);
         const auto spectrum =
-            tables ? std::make_shared<RotatingSpectrum>(d, speed, balancers, 0)
+            tables ? std::make_shared<RotatingSpectrum>(d, speed, balancers, 0, shapes.get())
                    : std::shared_ptr<RotatingSpectrum>(rotating.get(), [](auto *) {});
         return {spectrum->eigenvalues(speed, radius(speed), fewest).pairs, [this, spectrum, speed] {
                     const assembly::RotatingSystem &s = spectrum->system();
@@ -155,8 +181,7 @@ struct MotionSolver::Data {
             return {std::move(found.pairs), nullptr};
         return {std::move(found.pairs), [this, speed, N = found.harmonics] {
                     const assembly::RotatingSystem &s = hill->spectrum(speed, N).system();
-                    const assembly::SystemAtSpeed big = assembly::hill_system(
-                        s, assembly::turning_supports(d, tables ? speed : 0, s.M.size()), speed, N);
+                    const assembly::SystemAtSpeed big = hill->spectrum(speed, N).hill_system(speed);
                     // Half the rows of the harmonics: what couples them to the constant term, once
                     // with 1 and once with 1/2, becomes symmetric.
                     Eigen::VectorXd half = Eigen::VectorXd::Constant(big.M.size(), 0.5);
@@ -173,8 +198,7 @@ struct MotionSolver::Data {
 
     /// Without the zeros of free rigid motions, which rounding blurs.
     [[nodiscard]] Solved still(double speed) const {
-        const assembly::FixedSystem now =
-            tables ? assembly::assemble_fixed(d, speed) : assembly::FixedSystem{};
+        const assembly::FixedSystem now = tables ? fixed_at(speed) : assembly::FixedSystem{};
         const assembly::FixedSystem &s = tables ? now : fixed;
         const Matrix D = Matrix::sum(1, s.C, speed, s.G);
         const Matrix K = Matrix::sum(1, s.K, speed, s.Kc);
@@ -184,6 +208,8 @@ struct MotionSolver::Data {
         const int zeros = zero_modes(d, Form::general, speed, speed).eigenvalues;
         linalg::QuadraticOptions options;
         options.zeros = zeros;
+        if (shapes)
+            options.method = linalg::QuadraticMethod::dense;
         options.shift = zeros > 0 ? 0.3 * elastic_scale(d) : 0;
         const double reach = radius(speed) + options.shift;
         for (int wanted = fewest + zeros;; wanted += wanted / 2) {
@@ -212,8 +238,10 @@ struct MotionSolver::Data {
             place += cosine;
             rate += pair.value * cosine + 2 * static_cast<double>(k) * speed * sine;
         }
+        // Balls have no stiffness but that of the spin.
+        const Eigen::VectorXd weight = root_K.cwiseMax(std::abs(speed) * root_M);
         Eigen::VectorXcd state(2 * n);
-        state << root_K.cwiseProduct(place), root_M.cwiseProduct(rate);
+        state << weight.cwiseProduct(place), root_M.cwiseProduct(rate);
         return state.normalized();
     }
 
@@ -247,19 +275,44 @@ struct MotionSolver::Data {
         }
     }
 
+    [[nodiscard]] Solved solved(double speed) const {
+        return rotating ? turning(speed) : still(speed);
+    }
+
+    /// Of all that were found those that are slow enough to matter at this speed, and the fast ones
+    /// that grow; as `fewest` wants it.
+    [[nodiscard]] bool matters(const Motion &motion, std::size_t rank, double speed) const {
+        constexpr double border = 1.2; // where motions come and go
+        return rank < static_cast<std::size_t>(fewest) ||
+               std::abs(motion.value) <= border * radius(speed) ||
+               motion.value.real() > motion.noise;
+    }
+
+    [[nodiscard]] Solved those_that_matter(double speed) const {
+        Solved all = solved(speed);
+        std::stable_sort(all.pairs.begin(), all.pairs.end(), [](const auto &a, const auto &b) {
+            return std::abs(a.value) < std::abs(b.value);
+        });
+        Solved kept{{}, all.functional};
+        for (std::size_t i = 0; i < all.pairs.size(); ++i)
+            if (matters(motion_of(all.pairs[i], speed), i, speed))
+                kept.pairs.push_back(std::move(all.pairs[i]));
+        return kept;
+    }
+
     [[nodiscard]] std::vector<Motion> motions(double speed) const {
-        const Solved solved = rotating ? turning(speed) : still(speed);
+        const Solved solved = those_that_matter(speed);
         std::optional<RayleighFunctional> functional;
         std::vector<Motion> motions;
         for (std::size_t i = 0; i < solved.pairs.size(); ++i) {
-            motions.push_back(motion_of(solved.pairs[i], speed));
-            look_again(solved, i, functional, motions.back());
-            if (solved.pairs[i].value.imag() == 0)
+            Motion motion = motion_of(solved.pairs[i], speed);
+            look_again(solved, i, functional, motion);
+            motions.push_back(motion);
+            if (motion.value.imag() == 0)
                 continue;
-            Motion conjugate = motions.back();
-            conjugate.value = std::conj(conjugate.value);
-            conjugate.state = conjugate.state.conjugate().eval();
-            motions.push_back(std::move(conjugate));
+            motion.value = std::conj(motion.value);
+            motion.state = motion.state.conjugate().eval();
+            motions.push_back(std::move(motion));
         }
         if (hill && speed != 0)
             drop_copies(motions, speed);
@@ -268,20 +321,20 @@ struct MotionSolver::Data {
 };
 
 MotionSolver::MotionSolver(const model::Rotor &rotor, Form form, int order,
-                           const Arrangement &arrangement, int harmonics)
-    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics)) {}
+                           const Arrangement &arrangement, int harmonics,
+                           std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes))) {
+}
 
 MotionSolver::~MotionSolver() = default;
 
 std::vector<Motion> MotionSolver::at(double speed) const {
-    try {
-        return _data->motions(speed);
-    } catch (const linalg::SolverError &) {
-        throw model::AnalysisFailure(fmt::format(
-            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
-            "({} unknowns, {} form)",
-            speed, unknowns(), form_name(_data->form)));
-    }
+    return found_or_said(speed, unknowns(), _data->form, [&] { return _data->motions(speed); });
+}
+
+std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
+    return found_or_said(speed, unknowns(), _data->form,
+                         [&] { return _data->those_that_matter(speed).pairs; });
 }
 
 int MotionSolver::unknowns() const {

@@ -3,6 +3,7 @@
 #include "analyses/arrangement.h"
 #include "analyses/formulation.h"
 #include "assembly/discretization.h"
+#include "linalg/eigenpair.h"
 
 #include <Eigen/Core>
 
@@ -30,8 +31,10 @@ class MotionSolver {
     /// @param arrangement  where the balls of each balancer stand
     /// @param harmonics  of the Hill series (form hill), to begin with: every speed is solved with
     ///                   as many as it needs
+    /// @param shapes     planar shapes to reduce the shaft to (reduction/), or none: all motions of
+    ///                   the reduced rotor are then found and listed
     MotionSolver(const model::Rotor &rotor, Form form, int order, const Arrangement &arrangement,
-                 int harmonics);
+                 int harmonics, std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
     ~MotionSolver();
     MotionSolver(const MotionSolver &) = delete;
     MotionSolver &operator=(const MotionSolver &) = delete;
@@ -42,6 +45,10 @@ class MotionSolver {
     /// Hill's series each once, at its place next to zero.
     /// @throws model::AnalysisFailure where they cannot be found, or a Hill series does not settle.
     [[nodiscard]] std::vector<Motion> at(double speed) const;
+
+    /// The eigenpairs that at() makes motions of, Im >= 0, over all unknowns (Hill: of all terms).
+    /// @throws model::AnalysisFailure as at()
+    [[nodiscard]] std::vector<linalg::ComplexPair> pairs(double speed) const;
 
     /// Real unknowns of the eigenproblem, the largest so far.
     [[nodiscard]] int unknowns() const;

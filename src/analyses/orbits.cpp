@@ -111,7 +111,21 @@ Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
     return out;
 }
 
+Stations Stations::over(const Eigen::MatrixXd &shapes) const {
+    Stations out;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(_masses.size(), shapes.cols());
+    for (std::size_t i = 0; i < _rows.size(); ++i)
+        for (const auto &[unknown, value] : _rows[i])
+            rows.row(static_cast<Eigen::Index>(i)) += value * shapes.row(unknown);
+    out._weights = rows.transpose() * _masses.asDiagonal() * rows;
+    return out;
+}
+
 double Stations::deflection_energy(const Eigen::VectorXcd &planar) const {
+    if (_weights.size() > 0) {
+        const Eigen::VectorXcd a = planar.head(_weights.rows());
+        return a.dot(_weights * a).real();
+    }
     return _masses.dot(deflections(planar).cwiseAbs2());
 }
 

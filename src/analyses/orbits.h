@@ -27,13 +27,17 @@ class Stations {
     /// Deflections at the stations from planar unknowns.
     [[nodiscard]] Eigen::VectorXcd deflections(const Eigen::VectorXcd &planar) const;
 
-    /// Sum of mass times squared deflection.
+    /// The same for amplitudes of shapes in the place of planar unknowns, to weigh motions only.
+    [[nodiscard]] Stations over(const Eigen::MatrixXd &shapes) const;
+
+    /// Sum of mass times squared deflection; entries of `planar` beyond the unknowns do not count.
     [[nodiscard]] double deflection_energy(const Eigen::VectorXcd &planar) const;
 
   private:
     std::vector<double> _z;
     std::vector<assembly::Combination> _rows;
     Eigen::VectorXd _masses;
+    Eigen::MatrixXd _weights; ///< of products of two amplitudes of shapes; empty without shapes
 
     Stations() = default;
     void add(double z, assembly::Combination row, double mass, std::vector<double> &masses);

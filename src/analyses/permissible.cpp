@@ -1,6 +1,7 @@
 #include "analyses/permissible.h"
 
 #include "analyses/anisotropy_limit.h"
+#include "analyses/band_finder.h"
 #include "analyses/rigid_limit_anisotropy.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
@@ -82,9 +83,16 @@ class Varied {
         return low;
     }
 
+    [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
+                                                   const std::vector<double> &speeds) const {
+        BandFinder finder(with_anisotropy(_scene.rotor, _index, dI), _model, _arrangement, _shapes);
+        std::vector<SpeedInterval> found = finder.find(speeds).bands;
+        _shapes = finder.shapes();
+        return found;
+    }
+
     [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
-        const MotionSolver solver = this->solver(dI);
-        return unstable_bands([&solver](double speed) { return solver.at(speed); }, speeds).empty();
+        return bands(dI, speeds).empty();
     }
 
   private:
@@ -92,6 +100,7 @@ class Varied {
     const StabilityModel &_model;
     const Arrangement &_arrangement;
     std::size_t _index;
+    mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
 };
 
 /// The search by descent, and what became of it.
@@ -105,11 +114,11 @@ Descent descend(const Varied &varied, double largest, const std::vector<double> 
     Descent out;
     double dI = largest;
     for (int step = 0; step < most_steps; ++step) {
-        const MotionSolver solver = varied.solver(dI);
-        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
-        const std::vector<SpeedInterval> bands = unstable_bands(at, speeds);
+        const std::vector<SpeedInterval> bands = varied.bands(dI, speeds);
         if (bands.empty())
             break;
+        const MotionSolver solver = varied.solver(dI);
+        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
         out.unstable = dI;
         double next = dI;
         for (const SpeedInterval &band : bands)

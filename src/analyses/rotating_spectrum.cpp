@@ -1,9 +1,9 @@
 #include "analyses/rotating_spectrum.h"
 
 #include "analyses/zero_modes.h"
-#include "assembly/hill_system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
+#include "reduction/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,23 +20,38 @@ constexpr double real_axis = 0.02;
 /// Share of the copy whose centre must be largest; equal shares may differ by rounding.
 constexpr double equal_share = 1 - 1e-6;
 
+template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
+    return shapes != nullptr ? reduction::Projection(*shapes).of(system) : std::move(system);
+}
+
 } // namespace
 
 RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretization,
                                    double bearing_speed,
                                    const std::vector<elements::BalancerElement> &balancers,
-                                   int harmonics)
+                                   int harmonics, const Eigen::MatrixXd *shapes)
     : _discretization(discretization), _harmonics(harmonics),
-      _system(assembly::assemble_rotating(discretization, bearing_speed, balancers)),
+      _system(
+          reduced(assembly::assemble_rotating(discretization, bearing_speed, balancers), shapes)),
       _M(_system.M.view()), _C(_system.C.view()), _Cs(_system.Cs.view()), _K(_system.K.view()),
       _Ks(_system.Ks.view()), _Kss(_system.Kss.view()),
-      _stations(Stations::for_orbits(discretization)) {
+      _stations(shapes != nullptr ? Stations::for_orbits(discretization).over(*shapes)
+                                  : Stations::for_orbits(discretization)) {
+    if (shapes != nullptr)
+        _method = linalg::QuadraticMethod::dense;
     // |D| = 1: both balls on one diameter, whose motion along it moves nothing: roots 0 and -h.
     for (const elements::BalancerElement &balancer : balancers)
         if (balancer.restoring == 0 && std::abs(std::abs(balancer.second_harmonic) - 1) < 1e-12)
             _zeros += balancer.damping > 0 ? 1 : 2;
     if (harmonics > 0)
-        _supports = assembly::turning_supports(discretization, bearing_speed, _system.M.size());
+        _supports = reduced(assembly::turning_supports(discretization, bearing_speed,
+                                                       2 * (discretization.planar_size() +
+                                                            static_cast<int>(balancers.size()))),
+                            shapes);
+}
+
+assembly::SystemAtSpeed RotatingSpectrum::hill_system(double speed) const {
+    return assembly::hill_system(_system, *_supports, speed, _harmonics);
 }
 
 double RotatingSpectrum::motion_energy(const Eigen::VectorXcd &xy) const {
@@ -67,8 +82,7 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     options.shift = shift;
     options.fewest = 1;
     if (speed != 0) {
-        const assembly::SystemAtSpeed hill =
-            assembly::hill_system(_system, *_supports, speed, _harmonics);
+        const assembly::SystemAtSpeed hill = hill_system(speed);
         options.wanted = std::min(wanted, hill.M.size());
         return linalg::solve_quadratic(hill.M, hill.D, hill.K, options);
     }
@@ -94,6 +108,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.zeros = _zeros;
+        options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
     } else {

@@ -2,6 +2,7 @@
 
 #include "analyses/orbits.h"
 #include "analyses/whirl_mode.h"
+#include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
 #include "linalg/eigenpair.h"
 #include "linalg/quadratic_eigen.h"
@@ -17,8 +18,12 @@ class RotatingSpectrum {
     /// Bearings as at `bearing_speed` (rad/s).
     /// @param balancers  at their balanced positions
     /// @param harmonics  of the Hill series; 0 where the bearings are the same from every direction
+    /// @param shapes     planar shapes to reduce the rotor to (reduction/), or none; modes() is
+    /// then
+    ///                   not to be asked for
     RotatingSpectrum(const assembly::Discretization &discretization, double bearing_speed,
-                     const std::vector<elements::BalancerElement> &balancers, int harmonics);
+                     const std::vector<elements::BalancerElement> &balancers, int harmonics,
+                     const Eigen::MatrixXd *shapes = nullptr);
 
     /// Eigenvalues in rotating axes, Im >= 0; shape over the unknowns of the rotating system.
     struct Eigenvalues {
@@ -52,6 +57,8 @@ class RotatingSpectrum {
     [[nodiscard]] Modes modes(double speed, int wanted) const;
 
     [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
+    /// The constant terms of Hill's series at a speed.
+    [[nodiscard]] assembly::SystemAtSpeed hill_system(double speed) const;
     [[nodiscard]] int harmonics() const { return _harmonics; }
 
   private:
@@ -61,6 +68,8 @@ class RotatingSpectrum {
     std::optional<assembly::TurningSupports> _supports;
     Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
     Stations _stations;
+    /// Of a reduced rotor all motions are found.
+    linalg::QuadraticMethod _method = linalg::QuadraticMethod::automatic;
     int _zeros = 0; ///< eigenvalues that are zero: balls that can roll on without any effect
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 

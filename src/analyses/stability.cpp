@@ -2,6 +2,7 @@
 
 #include "analyses/balanced_position.h"
 #include "analyses/band_errors.h"
+#include "analyses/band_finder.h"
 #include "analyses/hill_motions.h"
 #include "analyses/permissible.h"
 #include "analyses/progress.h"
@@ -109,10 +110,12 @@ std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
 
 constexpr int sampled = 16;
 
-/// @param first  unstable bands of the first arrangement, known already
+/// @param first   unstable bands of the first arrangement, known already
+/// @param shapes  that were good for it
 ArrangementFamily family_of(const model::Case &scene, const StabilityModel &model,
                             const std::vector<Arrangement> &arrangements,
                             const std::vector<SpeedInterval> &first,
+                            std::shared_ptr<const Eigen::MatrixXd> shapes,
                             const std::vector<double> &grid) {
     ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
@@ -120,15 +123,13 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
     std::vector<std::vector<double>> additional;
     std::vector<SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        const MotionSolver solver(scene.rotor, model.form, model.order, arrangements[k],
-                                  model.harmonics);
-        const auto bands =
-            k == 0 ? first
-                   : unstable_bands([&solver](double speed) { return solver.at(speed); }, grid);
+        BandFinder finder(scene.rotor, model, arrangements[k], shapes);
+        const auto bands = k == 0 ? first : finder.find(grid).bands;
+        shapes = finder.shapes();
         out.always_unstable = k == 0 ? bands : common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
-            const auto &d = solver.discretization();
+            const auto &d = finder.solver().discretization();
             critical.push_back(
                 speeds_of(standing_or_none(d, arrangements[k], true, grid, out.incomplete)));
             additional.push_back(
@@ -202,9 +203,9 @@ void give_up_unsettled(const MotionsAt &at, std::vector<double> &grid, Stability
 
 /// Bands, their errors, and where they may have been missed.
 void search_bands(const model::Case &scene, const StabilityModel &model,
-                  const Arrangement &arrangement, const MotionsAt &at,
+                  const Arrangement &arrangement, BandFinder &finder, const MotionsAt &at,
                   const std::vector<double> &grid, StabilityResult &result) {
-    const BandsFound found = find_bands(at, grid);
+    const BandsFound found = finder.find(at, grid);
     result.unstable = found.bands;
     for (const auto &[from, to] : found.doubtful)
         result.model.notes.push_back(
@@ -219,7 +220,8 @@ void search_bands(const model::Case &scene, const StabilityModel &model,
 void search(const model::Case &scene, StabilityModel &model, StabilityResult &result) {
     std::vector<double> grid = described(search_speeds(*scene.speeds), model);
     const Arrangement arrangement = arrangement_at_balance(scene.rotor);
-    const MotionSolver solver(scene.rotor, model.form, model.order, arrangement, model.harmonics);
+    BandFinder finder(scene.rotor, model, arrangement);
+    const MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     KeptMotions kept(solver, grid);
     const MotionsAt at = [&kept](double speed) { return kept(speed); };
@@ -232,7 +234,7 @@ void search(const model::Case &scene, StabilityModel &model, StabilityResult &re
         result.verdict.push_back(known ? verdict_of(motions) : Verdict::unknown);
     }
     if (grid.size() > 1)
-        search_bands(scene, model, arrangement, at, grid, result);
+        search_bands(scene, model, arrangement, finder, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
@@ -255,7 +257,8 @@ void search(const model::Case &scene, StabilityModel &model, StabilityResult &re
         result.permissible = permissible_anisotropies(scene, model, arrangement, grid);
     const std::vector<Arrangement> arrangements = sampled_arrangements(scene.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
-        result.family = family_of(scene, model, arrangements, result.unstable, grid);
+        result.family =
+            family_of(scene, model, arrangements, result.unstable, finder.shapes(), grid);
 }
 
 void add_notes(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
@@ -313,14 +316,14 @@ std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const mod
     StabilityModel model = stability_model(varied, grid);
     if (model.conservative)
         return {};
-    const MotionSolver solver(rotor, model.form, model.order, arrangement, model.harmonics);
+    BandFinder finder(rotor, model, arrangement);
     std::vector<double> known = described(grid, model);
-    KeptMotions kept(solver, known);
+    KeptMotions kept(finder.solver(), known);
     const MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, known, model);
     std::vector<SpeedInterval> bands;
     if (known.size() > 1)
-        bands = unstable_bands(at, known);
+        bands = finder.find(at, known).bands;
     if (known.empty() || known.front() > grid.front())
         bands.emplace_back(grid.front(), known.empty() ? grid.back() : known.front());
     if (!known.empty() && known.back() < grid.back())

@@ -1,0 +1,123 @@
+#include "reduction/planar_shapes.h"
+
+#include "assembly/assemble.h"
+#include "linalg/check.h"
+#include "linalg/definite_pair.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::reduction {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using assembly::Term;
+
+/// Stiffness and mass in one plane, bearings by the modulus of their mean stiffness at rest.
+struct PlanarPair {
+    Sparse K, M;
+};
+
+PlanarPair planar_pair(const assembly::Discretization &d) {
+    std::vector<Eigen::Triplet<double>> K;
+    std::vector<Eigen::Triplet<double>> M;
+    assembly::assemble_rotating_parts(
+        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+            if (term != Term::mass && term != Term::stiffness)
+                return;
+            for (std::size_t i = 0; i < unknowns.size(); ++i)
+                for (std::size_t j = 0; j < unknowns.size(); ++j)
+                    (term == Term::mass ? M : K)
+                        .emplace_back(
+                            unknowns[i], unknowns[j],
+                            block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        });
+    assembly::assemble_supports(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+        const double mean = block.trace() / 2;
+        if (term == Term::mass)
+            M.emplace_back(i, j, mean);
+        else if (term == Term::stiffness)
+            K.emplace_back(i, j, mean);
+    });
+    const auto matrix = [&d](const auto &entries) {
+        Sparse out(d.planar_size(), d.planar_size());
+        out.setFromTriplets(entries.begin(), entries.end());
+        return out;
+    };
+    return {matrix(K), matrix(M)};
+}
+
+/// Unit loads, a column each.
+Eigen::MatrixXd loads(const assembly::Discretization &d) {
+    std::vector<assembly::Combination> loaded;
+    const model::Rotor &rotor = d.rotor();
+    for (const model::Bearing &b : rotor.bearings) {
+        loaded.push_back(d.deflection_at(b.z));
+        const bool tilts = std::any_of(b.rows.begin(), b.rows.end(), [](const auto &row) {
+            return !row.kt.isZero(0) || !row.ct.isZero(0);
+        });
+        if (tilts)
+            loaded.push_back(d.slope_at(b.z));
+    }
+    for (const model::Disc &disc : rotor.discs)
+        loaded.push_back(d.slope_at(disc.z));
+    for (const model::Anisotropy &anisotropy : rotor.anisotropies)
+        loaded.push_back(d.slope_at(anisotropy.z));
+    for (const model::Balancer &balancer : rotor.balancers) {
+        loaded.push_back(d.deflection_at(balancer.z));
+        loaded.push_back(d.slope_at(balancer.z));
+    }
+    Eigen::MatrixXd out =
+        Eigen::MatrixXd::Zero(d.planar_size(), static_cast<Eigen::Index>(loaded.size()));
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        for (const auto &[unknown, value] : loaded[i])
+            out(unknown, static_cast<Eigen::Index>(i)) += value;
+    return out;
+}
+
+constexpr int fewest_modes = 6;
+/// Modes at rest far above what is to be described: the static deflections stand for the rest.
+constexpr double above_top = 2;
+
+} // namespace
+
+PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top) {
+    const PlanarPair pair = planar_pair(discretization);
+    _H = pair.K + top * top * pair.M;
+    const Eigen::SimplicialLDLT<Sparse> factors(_H);
+    if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
+        throw linalg::SolverError("the bearings push away: no shapes to reduce the rotor to");
+    _shapes.resize(_H.rows(), 0);
+    const linalg::DefinitePair held(linalg::Matrix::from_sparse(_H),
+                                    linalg::Matrix::from_sparse(pair.M));
+    // (K + top^2 M - s^2 M) x = 0: at rest the frequency is sqrt(s^2 - top^2).
+    const double bound = std::hypot(above_top * top, top);
+    const int wanted = std::max(fewest_modes, held.count_below(bound));
+    for (const linalg::RealPair &mode :
+         held.smallest(std::min(wanted, discretization.planar_size())))
+        add(mode.vector, 1e-6);
+    add(factors.solve(loads(discretization)), 1e-6);
+}
+
+void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+        Eigen::VectorXd v = columns.col(j);
+        const double before = std::sqrt(v.dot(_H * v));
+        if (!(before > 0))
+            continue;
+        double after = before;
+        for (int twice = 0; twice < 2 && after > 0; ++twice) {
+            v -= _shapes * (_shapes.transpose() * (_H * v)).eval();
+            after = std::sqrt(std::max(0.0, v.dot(_H * v)));
+        }
+        if (!(after > newness * before))
+            continue; // already spanned by the others
+        _shapes.conservativeResize(Eigen::NoChange, _shapes.cols() + 1);
+        _shapes.rightCols<1>() = v / after;
+    }
+}
+
+} // namespace whirl::reduction

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "assembly/discretization.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace whirl::reduction {
+
+/// Shapes of a shaft in one plane that describe its slow motions: the lowest modes at rest, and
+/// the deflections under unit forces and moments wherever something acts that these do not know
+/// (bearings, gyroscopic moments of discs, balancers, anisotropies). Modes alone converge slowly
+/// there (R. R. Craig, A. J. Kurdila, Fundamentals of Structural Dynamics, 2nd ed., chapter 17).
+class PlanarShapes {
+  public:
+    /// @param discretization  of an elastic shaft
+    /// @param top             frequency up to which motions are to be described, rad/s
+    /// @throws linalg::SolverError where the modes at rest cannot be found
+    PlanarShapes(const assembly::Discretization &discretization, double top);
+
+    /// N x r, orthonormal under K + top^2 M with the mean stiffness of the bearings.
+    [[nodiscard]] const Eigen::MatrixXd &matrix() const { return _shapes; }
+
+    /// Takes in what is new of the columns (N entries each).
+    /// @param newness  part of a column that must be new, of its length under K + top^2 M
+    void add(const Eigen::MatrixXd &columns, double newness);
+
+  private:
+    Eigen::SparseMatrix<double> _H; ///< K + top^2 M
+    Eigen::MatrixXd _shapes;
+};
+
+} // namespace whirl::reduction

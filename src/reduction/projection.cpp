@@ -1,0 +1,55 @@
+#include "reduction/projection.h"
+
+#include <Eigen/SparseCore>
+
+namespace whirl::reduction {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Every entry of the planar shapes times the identity of (x, y); below the unknowns of what is
+/// attached.
+Eigen::MatrixXd in_pairs(const Eigen::MatrixXd &shapes, Eigen::Index unknowns) {
+    const Eigen::Index n = shapes.rows();
+    const Eigen::Index r = shapes.cols();
+    const Eigen::Index attached = unknowns - 2 * n;
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(unknowns, 2 * r + attached);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index j = 0; j < r; ++j)
+            W(2 * i, 2 * j) = W(2 * i + 1, 2 * j + 1) = shapes(i, j);
+    W.bottomRightCorner(attached, attached).setIdentity();
+    return W;
+}
+
+} // namespace
+
+linalg::Matrix Projection::of(const linalg::Matrix &A) const {
+    const Sparse full = A.view();
+    const Sparse transposed = full.transpose();
+    const Eigen::MatrixXd W = in_pairs(_shapes, full.rows());
+    const auto product = [&W](const Sparse &half) -> Eigen::MatrixXd {
+        return W.transpose() * (half * W);
+    };
+    const Eigen::MatrixXd symmetric = product((full + transposed) / 2);
+    const Eigen::MatrixXd skew = product((full - transposed) / 2);
+    const Eigen::MatrixXd sum =
+        (symmetric + symmetric.transpose()) / 2 + (skew - skew.transpose()) / 2;
+    return linalg::Matrix::from_sparse(sum.sparseView());
+}
+
+assembly::FixedSystem Projection::of(const assembly::FixedSystem &s) const {
+    return {of(s.M), of(s.C), of(s.G), of(s.K), of(s.Kc)};
+}
+
+assembly::RotatingSystem Projection::of(const assembly::RotatingSystem &s) const {
+    return {of(s.M), of(s.C), of(s.Cs), of(s.K), of(s.Ks), of(s.Kss)};
+}
+
+assembly::TurningSupports Projection::of(const assembly::TurningSupports &s) const {
+    return {{of(s.C.cosine), of(s.C.sine)},
+            {of(s.K.cosine), of(s.K.sine)},
+            {of(s.Ks.cosine), of(s.Ks.sine)}};
+}
+
+} // namespace whirl::reduction

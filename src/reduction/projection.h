@@ -1,0 +1,28 @@
+#pragma once
+
+#include "assembly/rotating_system.h"
+#include "assembly/system.h"
+
+#include <Eigen/Core>
+
+namespace whirl::reduction {
+
+/// Systems over all planar unknowns, in pairs (x, y), become systems over the amplitudes of shapes
+/// in pairs (x, y). What is attached behind the planar unknowns (balls, pendulums) keeps its own.
+/// Symmetric matrices become symmetric ones and skew ones skew, to the last digit: what conserves
+/// energy goes on doing so.
+class Projection {
+  public:
+    /// @param shapes  N x r
+    explicit Projection(const Eigen::MatrixXd &shapes) : _shapes(shapes) {}
+
+    [[nodiscard]] linalg::Matrix of(const linalg::Matrix &A) const;
+    [[nodiscard]] assembly::FixedSystem of(const assembly::FixedSystem &system) const;
+    [[nodiscard]] assembly::RotatingSystem of(const assembly::RotatingSystem &system) const;
+    [[nodiscard]] assembly::TurningSupports of(const assembly::TurningSupports &supports) const;
+
+  private:
+    const Eigen::MatrixXd &_shapes;
+};
+
+} // namespace whirl::reduction
