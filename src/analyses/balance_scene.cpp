@@ -56,7 +56,7 @@ std::vector<assembly::Combination> damped_places(const assembly::Discretization 
 bool pushes_back(const Eigen::Matrix2d &k) {
     const double mean = k.trace() / 2;
     const double apart = std::hypot((k(0, 0) - k(1, 1)) / 2, k(0, 1));
-    return k(0, 1) == k(1, 0) && apart <= mean * (1 + 1e-14);
+    return model::symmetric(k) && apart <= mean * (1 + 1e-14);
 }
 
 /// Every bearing has a symmetric stiffness that pushes back in every direction; else inertia counts

@@ -3,6 +3,8 @@
 #include "analyses/stability.h"
 #include "model/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace whirl::analyses {
@@ -26,19 +28,43 @@ std::vector<SpeedBand> rest_of(const std::vector<SpeedInterval> &bands, double f
 /// Arrangements looked at where the balls have a choice; each takes a search of its own.
 constexpr int arrangements = 6;
 
-BalancedPosition stable_speeds(const model::Case &scene) {
+/// Errors of the ends of `rest`: those of the ends of the unstable bands beside it.
+std::vector<std::pair<double, double>> errors_of(const std::vector<SpeedBand> &rest,
+                                                 const UnstableBands &unstable) {
+    std::vector<std::pair<double, double>> out;
+    for (const SpeedBand &band : rest) {
+        out.emplace_back(0, 0); // at a border of the range
+        for (std::size_t i = 0; i < unstable.bands.size(); ++i) {
+            if (unstable.bands[i].second == band.from)
+                out.back().first = unstable.errors[i].second;
+            if (unstable.bands[i].first == band.to)
+                out.back().second = unstable.errors[i].first;
+        }
+    }
+    return out;
+}
+
+BalancedPosition stable_speeds(const model::Case &scene, std::vector<std::string> &notes) {
     const double from = scene.speeds->from;
     const double to = scene.speeds->to;
     BalancedPosition out;
     std::vector<SpeedInterval> sometimes_unstable;
     std::vector<SpeedInterval> always_unstable;
     for (const Arrangement &arrangement : sampled_arrangements(scene.rotor, arrangements)) {
-        const std::vector<SpeedInterval> unstable =
-            unstable_bands_of(scene, scene.rotor, arrangement);
-        if (out.arrangements == 0)
-            out.bands = rest_of(unstable, from, to);
-        always_unstable = out.arrangements == 0 ? unstable : common(always_unstable, unstable);
-        sometimes_unstable.insert(sometimes_unstable.end(), unstable.begin(), unstable.end());
+        const bool first = out.arrangements == 0;
+        const UnstableBands unstable = unstable_bands_of(scene, arrangement, first);
+        const std::vector<SpeedInterval> bands = joined(unstable.bands);
+        if (first) {
+            out.bands = rest_of(bands, from, to);
+            out.errors = errors_of(out.bands, unstable);
+            for (const auto &[a, b] : unstable.doubtful)
+                notes.push_back(fmt::format(
+                    "between {:.10g} and {:.10g} rad/s the motions about the balanced position "
+                    "could not be followed: a narrow unstable band may be missing there",
+                    a, b));
+        }
+        always_unstable = first ? bands : common(always_unstable, bands);
+        sometimes_unstable.insert(sometimes_unstable.end(), bands.begin(), bands.end());
         ++out.arrangements;
     }
     out.with_every = rest_of(joined(sometimes_unstable), from, to);
@@ -56,7 +82,7 @@ std::optional<BalancedPosition> balanced_position(const model::Case &scene,
     model::Case real = scene;
     real.formulation = model::FormChoice::automatic; // a form forced for the criterion
     try {
-        return stable_speeds(real);
+        return stable_speeds(real, notes);
     } catch (const model::BadInput &none) {
         notes.push_back(std::string("no balanced position to look at: ") + none.what());
     } catch (const model::AnalysisFailure &failure) {

@@ -34,10 +34,26 @@ bool left_spectrum(const Line &line) {
     return std::count(line.absence.begin(), line.absence.end(), Absence::beyond) > 0;
 }
 
+std::string word(Absence why) {
+    switch (why) {
+    case Absence::overdamped:
+        return "overdamped";
+    case Absence::divergent:
+        return "diverges";
+    case Absence::beyond:
+        return "beyond the modes computed";
+    case Absence::lost:
+        return "not followed";
+    default:
+        return "";
+    }
+}
+
 CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
                         const std::vector<std::optional<double>> &errors, bool rotating) {
     CampbellMode out;
     for (std::size_t k = 0; k < spectra.size(); ++k) {
+        out.absent.push_back(word(line.absence[k]));
         if (line.place[k] == Line::absent) {
             for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
                                &out.error, &out.residual})
@@ -129,10 +145,12 @@ void note_real(CampbellResult &result, const std::vector<Spectrum> &spectra) {
     double at = 0;
     for (const Spectrum &spectrum : spectra) {
         overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
+        result.divergence.emplace_back();
         if (spectrum.growing.empty())
             continue;
         ++diverging;
         const double largest = *std::max_element(spectrum.growing.begin(), spectrum.growing.end());
+        result.divergence.back() = largest;
         if (largest > worst) {
             worst = largest;
             at = spectrum.speed;

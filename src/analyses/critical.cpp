@@ -133,47 +133,77 @@ void drop_second_directions(std::vector<CriticalSpeed> &speeds, int wanted, doub
         speeds.pop_back();
 }
 
-} // namespace
-
-CriticalResult critical_speeds(const model::Case &as_given) {
-    const auto start = std::chrono::steady_clock::now();
+/// Critical speeds with elements of one order.
+CriticalResult of_order(const model::Case &scene, const Formulation &formulation, int order) {
     CriticalResult result;
     ModelSummary &model = result.model;
-    model.formulation = choose_formulation(as_given);
-    const Form form = model.formulation.form;
-    refuse_hill(form);
-    const model::Case scene = form == Form::rotating ? without_damping(as_given) : as_given;
-    model.order = resolve_order(scene, model.formulation);
-    const assembly::Discretization d(scene.rotor, model.order);
+    const Form form = formulation.form;
+    model.formulation = formulation;
+    model.order = order;
+    const assembly::Discretization d(scene.rotor, order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = form == Form::planar ? d.planar_size() : 2 * d.planar_size();
     const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
     const bool symmetric = scene.formulation != model::FormChoice::general;
     const int wanted = scene.campbell.modes;
+    // In rotating axes the same motion in two directions counts twice.
+    const int ask = form == Form::rotating ? 2 * wanted : wanted;
+    SynchronousModes list = all_synchronous_modes(d, form, ask, top, symmetric);
+    keep_lowest(list, ask, top);
+    const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
+    for (std::size_t i = 0; i < list.modes.size(); ++i) {
+        const WhirlMode &mode = list.modes[i];
+        result.critical_speeds.push_back(
+            {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(), errors[i], mode.residual});
+    }
+    if (form == Form::rotating)
+        drop_second_directions(result.critical_speeds, wanted, top);
+    const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
+    note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
+    return result;
+}
+
+double largest_error(const CriticalResult &result) {
+    double largest = 0;
+    for (const CriticalSpeed &critical : result.critical_speeds)
+        largest = std::max(largest, critical.error);
+    return largest;
+}
+
+/// With order = "auto" the lowest at which every critical speed listed meets the tolerance.
+CriticalResult of_resolved_order(const model::Case &scene, const Formulation &formulation) {
+    const model::Shaft &shaft = scene.rotor.shaft;
+    if (!shaft.order_auto || shaft.rigid)
+        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order);
+    CriticalResult result;
+    (void)lowest_order(shaft.tolerance, [&](int order) {
+        result = of_order(scene, formulation, order);
+        return largest_error(result);
+    });
+    return result;
+}
+
+} // namespace
+
+CriticalResult critical_speeds(const model::Case &as_given) {
+    const auto start = std::chrono::steady_clock::now();
+    const Formulation formulation = choose_formulation(as_given);
+    refuse_hill(formulation.form);
+    const model::Case scene =
+        formulation.form == Form::rotating ? without_damping(as_given) : as_given;
+    CriticalResult result;
     try {
-        // In rotating axes the same motion in two directions counts twice.
-        const int ask = form == Form::rotating ? 2 * wanted : wanted;
-        SynchronousModes list = all_synchronous_modes(d, form, ask, top, symmetric);
-        keep_lowest(list, ask, top);
-        const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
-        for (std::size_t i = 0; i < list.modes.size(); ++i) {
-            const WhirlMode &mode = list.modes[i];
-            result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
-                                              mode.eigenvalue.real(), errors[i], mode.residual});
-        }
-        note_damping(form, as_given.rotor.damped(), model);
-        note_balls_held(form, model);
-        if (form == Form::rotating)
-            drop_second_directions(result.critical_speeds, wanted, top);
-        const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
-        note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
+        result = of_resolved_order(scene, formulation);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
             "some; stiffnesses, dampings or element lengths may differ by more orders of magnitude "
             "than double precision holds (campbell shows crossings speed by speed)");
     }
-    model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    note_damping(formulation.form, as_given.rotor.damped(), result.model);
+    note_balls_held(formulation.form, result.model);
+    result.model.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

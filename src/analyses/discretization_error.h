@@ -3,11 +3,18 @@
 #include "analyses/formulation.h"
 #include "model/case.h"
 
+#include <functional>
+
 namespace whirl::analyses {
 
 /// Order of the shaft elements: the given one, or with order = "auto" the lowest of a ladder at
 /// which the estimated error of the frequencies asked for meets the tolerance of the case.
 /// @throws model::AnalysisFailure where the highest order does not meet it.
 [[nodiscard]] int resolve_order(const model::Case &scene, const Formulation &formulation);
+
+/// The lowest order of the ladder at which the largest relative error is within the tolerance.
+/// @param error  estimated with elements of an order
+/// @throws model::AnalysisFailure where the highest order does not meet it.
+[[nodiscard]] int lowest_order(double tolerance, const std::function<double(int order)> &error);
 
 } // namespace whirl::analyses

@@ -1,7 +1,10 @@
 #include "analyses/mode_matching.h"
 
+#include "analyses/locked_whirl.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 namespace whirl::analyses {
@@ -77,6 +80,23 @@ std::complex<double> value(const Spectrum &spectrum, Eigen::Index i) {
     return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue;
 }
 
+/// Two modes of different speeds, one of which stands still in the rotor (its eigenvalue in
+/// rotating axes is real) while the other does nearly so: how far apart their eigenvalues in
+/// rotating axes are, where one can become the other. Such a pair has met on the real axis between
+/// the two speeds, where both vectors become one: overlaps say nothing there.
+std::optional<double> distance_at_lock(const Spectrum &a, const Spectrum &b, Eigen::Index i,
+                                       Eigen::Index j) {
+    const WhirlMode &one = a.modes[static_cast<std::size_t>(i)];
+    const WhirlMode &other = b.modes[static_cast<std::size_t>(j)];
+    const bool locks = locked(one, a.speed) != locked(other, b.speed);
+    const double slow = std::max(one.frequency_rotating, other.frequency_rotating);
+    const double distance = std::abs(one.rotating_value - other.rotating_value);
+    const bool known = one.rotating_vector.size() > 0 && other.rotating_vector.size() > 0;
+    if (!known || !locks || slow > 0.5 * std::abs(b.speed) || distance > 3 * slow)
+        return std::nullopt;
+    return distance;
+}
+
 /// Distance of the eigenvalue at b from where that at a goes with the mean of both slopes.
 double discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen::Index j) {
     const double step = b.spectrum.speed - a.spectrum.speed;
@@ -137,6 +157,13 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
                 overlap(i, j) > 0.05 * row(i)) // else of another group
                 candidates.emplace_back(discontinuity(a, b, i, j), i, j);
     take_best(std::move(candidates), out);
+    Candidates locks;
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (open(i, j))
+                if (const auto distance = distance_at_lock(a.spectrum, b.spectrum, i, j))
+                    locks.emplace_back(*distance, i, j);
+    take_best(std::move(locks), out);
     return out;
 }
 

@@ -46,7 +46,7 @@ bool bearings_drive(const model::Rotor &rotor) {
         for (const model::BearingCoefficients &at : bearing.rows) {
             const Eigen::Matrix2d c = at.c + at.c.transpose();
             const double determinant = c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0);
-            if (at.k(0, 1) != at.k(1, 0) || c.trace() < 0 || determinant < 0)
+            if (!model::symmetric(at.k) || c.trace() < 0 || determinant < 0)
                 return true;
         }
     return false;

@@ -33,7 +33,8 @@ struct ModelSummary {
 /// One whirl mode along the spin speeds; each list has one entry a speed.
 struct CampbellMode {
     std::string label;                                ///< "1B", "1F", "2B", ..., "3M"
-    std::vector<std::optional<double>> frequency;     ///< rad/s, empty where overdamped
+    std::vector<std::optional<double>> frequency;     ///< rad/s
+    std::vector<std::string> absent;                  ///< why there is no frequency, in a word
     std::vector<std::optional<double>> real;          ///< 1/s
     std::vector<std::optional<double>> damping_ratio; ///< -Re/|lambda|
     std::vector<std::optional<double>> log_dec;       ///< -2 pi Re/Im
@@ -57,6 +58,8 @@ struct CampbellResult {
     std::vector<double> speeds; ///< rad/s
     std::vector<CampbellMode> modes;
     std::vector<Crossing> crossings;
+    /// The largest real eigenvalue that grows at each speed, 1/s: divergence.
+    std::vector<std::optional<double>> divergence;
 };
 
 struct CriticalSpeed {

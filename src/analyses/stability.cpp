@@ -308,27 +308,36 @@ std::string verdict_name(Verdict verdict) {
     }
 }
 
-std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene, const model::Rotor &rotor,
-                                             const Arrangement &arrangement) {
-    model::Case varied = scene;
-    varied.rotor = rotor;
-    const std::vector<double> grid = search_speeds(required_speeds(varied));
-    StabilityModel model = stability_model(varied, grid);
+UnstableBands unstable_bands_of(const model::Case &scene, const Arrangement &arrangement,
+                                bool with_errors) {
+    const std::vector<double> grid = search_speeds(required_speeds(scene));
+    StabilityModel model = stability_model(scene, grid);
+    UnstableBands out;
     if (model.conservative)
-        return {};
-    BandFinder finder(rotor, model, arrangement);
+        return out;
+    BandFinder finder(scene.rotor, model, arrangement);
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, known, model);
-    std::vector<SpeedInterval> bands;
-    if (known.size() > 1)
-        bands = finder.find(at, known).bands;
-    if (known.empty() || known.front() > grid.front())
-        bands.emplace_back(grid.front(), known.empty() ? grid.back() : known.front());
+    if (known.size() > 1) {
+        BandsFound found = finder.find(at, known);
+        out.bands = std::move(found.bands);
+        out.doubtful = std::move(found.doubtful);
+        if (with_errors)
+            out.errors = band_errors(at, scene.rotor, model, arrangement, out.bands,
+                                     {known.front(), known.back()});
+    }
+    const auto not_described = [&](double from, double to) {
+        out.bands.emplace_back(from, to);
+        if (with_errors)
+            out.errors.emplace_back(0, 0);
+    };
     if (!known.empty() && known.back() < grid.back())
-        bands.emplace_back(known.back(), grid.back());
-    return joined(std::move(bands));
+        not_described(known.back(), grid.back());
+    if (known.empty() || known.front() > grid.front())
+        not_described(grid.front(), known.empty() ? grid.back() : known.front());
+    return out;
 }
 
 StabilityResult stability(const model::Case &scene, const CaseWith &with) {

@@ -22,10 +22,14 @@ using CaseWith = std::function<model::Case(const std::vector<std::string> &overr
 /// eigenvalues are not found or a Hill series does not settle.
 [[nodiscard]] StabilityResult stability(const model::Case &scene, const CaseWith &with);
 
-/// Only the unstable bands, for one arrangement of the balls; the same rules. Speeds that a Hill
-/// series does not describe count as unstable.
-[[nodiscard]] std::vector<SpeedInterval> unstable_bands_of(const model::Case &scene,
-                                                           const model::Rotor &rotor,
-                                                           const Arrangement &arrangement);
+/// Unstable bands for one arrangement of the balls.
+struct UnstableBands {
+    std::vector<SpeedInterval> bands;
+    std::vector<SpeedInterval> errors;   ///< of both ends of each, rad/s; none where not asked for
+    std::vector<SpeedInterval> doubtful; ///< motions could not be followed through
+};
+/// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
+[[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
+                                              const Arrangement &arrangement, bool with_errors);
 
 } // namespace whirl::analyses

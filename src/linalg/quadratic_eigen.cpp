@@ -41,14 +41,22 @@ Eigen::VectorXcd complex_vector(Vec re, Vec im, int size) {
     return out;
 }
 
-void configure(PEP pep, const QuadraticOptions &options, int size, double tolerance) {
+/// One attempt of TOAR. Its small dense problem can fail in LAPACK, by bad luck of the subspace:
+/// another beginning and size of it then helps.
+struct Attempt {
+    double tolerance = 1e-11;
+    double phase = 1; ///< of the starting vector
+    int spare = 30;   ///< vectors of the subspace beside the wanted ones
+};
+
+void configure(PEP pep, const QuadraticOptions &options, int size, const Attempt &attempt) {
     // Conjugate pairs come together, so twice as many values are asked for.
     const int nev = std::min(2 * size - 2, 2 * options.wanted + 2);
-    check(PEPSetDimensions(pep, nev, std::min(2 * size, nev + 30), PETSC_DEFAULT));
+    check(PEPSetDimensions(pep, nev, std::min(2 * size, nev + attempt.spare), PETSC_DEFAULT));
     check(PEPSetProblemType(pep, PEP_GENERAL));
     check(PEPSetType(pep, PEPTOAR));
     check(PEPSetScale(pep, PEP_SCALE_SCALAR, PETSC_DEFAULT, nullptr, nullptr, 0, 0));
-    check(PEPSetTolerances(pep, tolerance, 100));
+    check(PEPSetTolerances(pep, attempt.tolerance, 100));
     check(PEPSetTarget(pep, options.shift));
     check(PEPSetWhichEigenpairs(pep, PEP_TARGET_MAGNITUDE));
     ST st = nullptr;
@@ -69,20 +77,20 @@ struct Operators {
 };
 
 std::vector<ComplexPair> toar(const Operators &operators, const QuadraticOptions &options,
-                              double tolerance) {
+                              const Attempt &attempt) {
     PEP raw = nullptr;
     check(PEPCreate(PETSC_COMM_SELF, &raw));
     const PepOwner pep(raw);
     Mat matrices[3] = {operators.K.handle(), operators.D.handle(), operators.M.handle()};
     check(PEPSetOperators(raw, 3, matrices));
     const int n = operators.M.size();
-    configure(raw, options, n, tolerance);
+    configure(raw, options, n, attempt);
     const VecOwner re = new_vector(n);
     const VecOwner im = new_vector(n);
     PetscScalar *array = nullptr;
     check(VecGetArrayWrite(re.get(), &array));
     for (int i = 0; i < n; ++i) // without symmetry between planes or along the shaft
-        array[i] = 1 + 0.5 * std::sin(1.0 + 1.7 * i);
+        array[i] = 1 + 0.5 * std::sin(attempt.phase + 1.7 * i);
     check(VecRestoreArrayWrite(re.get(), &array));
     Vec start = re.get();
     check(PEPSetInitialSpace(raw, 1, &start));
@@ -155,11 +163,12 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
     if (try_toar)
         operators = {Matrix::from_sparse(M), Matrix::from_sparse(D), Matrix::from_sparse(K)};
     // Rounding in ill-conditioned matrices can keep the residual above the first tolerance.
-    for (const double tolerance : {1e-11, 1e-8}) {
+    for (const Attempt &attempt :
+         {Attempt{1e-11, 1, 30}, Attempt{1e-11, 2, 47}, Attempt{1e-8, 1, 30}}) {
         if (!try_toar)
             break;
         try {
-            result.pairs = toar(operators, options, tolerance);
+            result.pairs = toar(operators, options, attempt);
             for (ComplexPair &pair : result.pairs)
                 problem.assess(pair);
         } catch (const SolverError &) {

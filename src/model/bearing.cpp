@@ -1,9 +1,31 @@
 #include "model/bearing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace whirl::model {
+
+namespace {
+
+/// Turning a matrix into other axes and back leaves its entries some units in the last place off.
+bool nothing(double difference, const Eigen::Matrix2d &a) {
+    return std::abs(difference) <=
+           8 * std::numeric_limits<double>::epsilon() * a.cwiseAbs().maxCoeff();
+}
+
+} // namespace
+
+bool isotropic(const Eigen::Matrix2d &a) { return diagonal(a) && nothing(a(0, 0) - a(1, 1), a); }
+
+bool rotation_invariant(const Eigen::Matrix2d &a) {
+    return nothing(a(0, 0) - a(1, 1), a) && nothing(a(0, 1) + a(1, 0), a);
+}
+
+bool diagonal(const Eigen::Matrix2d &a) { return nothing(a(0, 1), a) && nothing(a(1, 0), a); }
+
+bool symmetric(const Eigen::Matrix2d &a) { return nothing(a(0, 1) - a(1, 0), a); }
 
 BearingCoefficients Bearing::at(double speed) const {
     if (!depends_on_speed() || speed <= speeds.front())

@@ -16,6 +16,14 @@ struct BearingCoefficients {
     Eigen::Matrix2d ct = Eigen::Matrix2d::Zero(); ///< on the slopes, N m s/rad
 };
 
+/// Coefficients on (x, y), but for rounding of entries that were turned into other axes:
+/// the same from every direction, without coupling between x and y
+[[nodiscard]] bool isotropic(const Eigen::Matrix2d &a);
+/// the same from every direction: equal on the diagonal, opposite beside it
+[[nodiscard]] bool rotation_invariant(const Eigen::Matrix2d &a);
+[[nodiscard]] bool diagonal(const Eigen::Matrix2d &a);
+[[nodiscard]] bool symmetric(const Eigen::Matrix2d &a);
+
 /// An isotropic support below the bearing: mass on a spring and damper to the ground.
 struct Pedestal {
     double mass = 0; ///< kg

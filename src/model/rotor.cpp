@@ -6,16 +6,6 @@ namespace whirl::model {
 
 namespace {
 
-bool isotropic(const Eigen::Matrix2d &a) {
-    return a(0, 0) == a(1, 1) && a(0, 1) == 0 && a(1, 0) == 0;
-}
-
-bool rotation_invariant(const Eigen::Matrix2d &a) {
-    return a(0, 0) == a(1, 1) && a(0, 1) == -a(1, 0);
-}
-
-bool diagonal(const Eigen::Matrix2d &a) { return a(0, 1) == 0 && a(1, 0) == 0; }
-
 template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const Bearing &bearing) {
         return std::all_of(bearing.rows.begin(), bearing.rows.end(), holds);

@@ -65,14 +65,18 @@ std::string crossings_table(const analyses::CampbellResult &result) {
         rows);
 }
 
+std::string why_none(const analyses::CampbellMode &mode) {
+    return mode.absent.empty() ? "" : mode.absent.back();
+}
+
 std::string last_speed_table(const analyses::CampbellResult &result) {
     Rows rows;
     for (const auto &mode : result.modes) {
         const auto frequency = last(mode.frequency);
         rows.push_back(
             {mode.label, cell(frequency, 10),
-             frequency ? readable(*frequency * hertz, 10) : "overdamped", cell(last(mode.real), 6),
-             cell(last(mode.damping_ratio), 6),
+             frequency ? readable(*frequency * hertz, 10) : why_none(mode),
+             cell(last(mode.real), 6), cell(last(mode.damping_ratio), 6),
              mode.whirl.empty() ? "" : analyses::whirl_name(mode.whirl.back()),
              mode.forward_fraction.empty() ? "" : readable(mode.forward_fraction.back(), 4),
              cell(last(mode.error), 2)});

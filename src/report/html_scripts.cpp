@@ -32,7 +32,7 @@ constexpr const char *campbell = R"js(
 const traces = [], speeds = result.speeds.map(s => s * rpm), named = {};
 const damped = result.modes.some(m => m.log_dec.some(d => d !== null && Math.abs(d) > 1e-9));
 const hover = (m, i) => `<b>${m.label}</b> at ${short(speeds[i], 7)} rpm<br>frequency ` +
-  (m.frequency[i] === null ? "none (overdamped)" : `${short(m.frequency[i], 10)} rad/s = ${short(m.frequency[i] * hertz, 10)} Hz`) +
+  (m.frequency[i] === null ? `none (${m.absent[i]})` : `${short(m.frequency[i], 10)} rad/s = ${short(m.frequency[i] * hertz, 10)} Hz`) +
   `<br>real part ${short(m.real[i], 5)} 1/s<br>damping ratio ${short(m.damping_ratio[i], 5)}, log. decrement ${short(m.log_dec[i], 5)}` +
   `<br>${m.whirl[i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
   `<br>error ${short(m.error[i], 2)}, residual ${short(m.residual[i], 2)}`;

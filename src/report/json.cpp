@@ -12,7 +12,10 @@ Json campbell_mode(const analyses::CampbellMode &mode) {
     Json whirl = Json::array();
     for (const analyses::Whirl sense : mode.whirl)
         whirl.push_back(analyses::whirl_name(sense));
-    Json out{{"label", mode.label}, {"frequency", json_list(mode.frequency)}};
+    Json absent = Json::array();
+    for (const std::string &why : mode.absent)
+        absent.push_back(why.empty() ? Json(nullptr) : Json(why));
+    Json out{{"label", mode.label}, {"frequency", json_list(mode.frequency)}, {"absent", absent}};
     if (!mode.frequency_rotating.empty())
         out["frequency_rotating"] = json_list(mode.frequency_rotating);
     out.update({{"real", json_list(mode.real)},
@@ -60,6 +63,7 @@ std::string to_json(const model::Case &scene, const analyses::CampbellResult &re
                                      {"speed", crossing.speed},
                                      {"frequency", crossing.frequency},
                                      {"mode", crossing.mode}});
+    json["divergence"] = json_list(result.divergence);
     return json_text(json);
 }
 

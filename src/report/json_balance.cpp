@@ -43,7 +43,11 @@ void add_bands(Json &json, const analyses::BalanceBands &of) {
 Json balanced_position(const std::optional<analyses::BalancedPosition> &of) {
     if (!of)
         return nullptr;
+    Json errors = Json::array();
+    for (const auto &[at_from, at_to] : of->errors)
+        errors.push_back({json_number(at_from), json_number(at_to)});
     return {{"bands", bands(of->bands)},
+            {"band_errors", errors},
             {"arrangements", of->arrangements},
             {"with_every", bands(of->with_every)},
             {"with_some", bands(of->with_some)}};

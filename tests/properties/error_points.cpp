@@ -81,6 +81,15 @@ void compare_all(const std::vector<Printed> &printed, const oracles::Continuum &
     }
 }
 
+/// The lowest ones, wherever they are.
+std::vector<Printed> critical_speeds(model::Case scene) {
+    scene.speeds.reset();
+    std::vector<Printed> printed;
+    for (const analyses::CriticalSpeed &c : analyses::critical_speeds(scene).critical_speeds)
+        printed.push_back({c.speed, c.error, c.whirl});
+    return printed;
+}
+
 } // namespace
 
 Kind kind_of(int number) {
@@ -124,11 +133,7 @@ ErrorPoints undamped_points(const model::Case &scene, int number) {
         out.refusals.push_back("campbell: " + std::string(failure.what()));
     }
     try {
-        model::Case asked = scene;
-        asked.speeds.reset(); // the lowest ones, wherever they are
-        std::vector<Printed> printed;
-        for (const analyses::CriticalSpeed &c : analyses::critical_speeds(asked).critical_speeds)
-            printed.push_back({c.speed, c.error, c.whirl});
+        const std::vector<Printed> printed = critical_speeds(scene);
         about.what = "critical";
         about.speed = 0;
         compare_all(lowest(printed, scene.campbell.modes), continuum, true, about, out.points);
@@ -157,6 +162,13 @@ ErrorPoints automatic_points(const model::Case &as_given, int number) {
         }
     } catch (const std::exception &failure) {
         out.refusals.push_back("auto: " + std::string(failure.what()));
+    }
+    try {
+        const std::vector<Printed> printed = critical_speeds(scene);
+        about.speed = 0;
+        compare_all(lowest(printed, scene.campbell.modes), continuum, true, about, out.points);
+    } catch (const std::exception &failure) {
+        out.refusals.push_back("auto, critical: " + std::string(failure.what()));
     }
     for (ErrorPoint &point : out.points)
         point.estimate = scene.rotor.shaft.tolerance;

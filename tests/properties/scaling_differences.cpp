@@ -61,13 +61,15 @@ class Comparison {
         } else if (a.is_object()) {
             if (a.size() != b.size())
                 tell(path, "other keys");
+            // Rows with a unit of their own.
+            const std::string of = a.contains("unit") ? path + "/" + a.at("unit").dump() : path;
             for (const auto &[key, value] : a.items()) {
                 if (left_out(key))
                     continue;
                 if (!b.contains(key))
                     tell(path, "no " + key);
                 else
-                    compare(value, b.at(key), path + "/" + key);
+                    compare(value, b.at(key), of + "/" + key);
             }
         } else if (a.is_array()) {
             compare_lists(a, b, path);

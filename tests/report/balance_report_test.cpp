@@ -71,7 +71,8 @@ analyses::BalanceResult full_balance() {
         pendulum.designs.push_back(pendulum.dampings.back());
     }
     result.pendulum = {pendulum};
-    result.balanced_position = analyses::BalancedPosition{{{60, 110}}, 3, {{70, 100}}, {{55, 120}}};
+    result.balanced_position =
+        analyses::BalancedPosition{{{60, 110}}, {{1e-9, 2e-9}}, 3, {{70, 100}}, {{55, 120}}};
     result.simulated = {{80, "balanced", 0.01, -0.5}, {160, "lagging", {}, {}}};
     return result;
 }
@@ -109,7 +110,7 @@ TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
         nlohmann::json::parse(to_json(sample_case(), sample_balance())).contains("placement"));
     analyses::BalanceResult stable = sample_balance();
     stable.balanced_position =
-        analyses::BalancedPosition{std::vector<analyses::SpeedBand>{{60, 110}}, 1, {}, {}};
+        analyses::BalancedPosition{std::vector<analyses::SpeedBand>{{60, 110}}, {}, 1, {}, {}};
     EXPECT_EQ(
         nlohmann::json::parse(to_json(sample_case(), stable))["balanced_position"]["bands"][0][1],
         110);

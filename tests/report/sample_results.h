@@ -44,6 +44,7 @@ inline analyses::CampbellResult sample_campbell() {
     result.modes.resize(2);
     result.modes[0] = {"1B",
                        {85.389371234123, 80., 75.},
+                       {"", "", ""},
                        {0., 0., 0.},
                        {0., 0., 0.},
                        {0., 0., 0.},
@@ -54,6 +55,7 @@ inline analyses::CampbellResult sample_campbell() {
                        {}};
     result.modes[1] = {"1F",
                        {90., std::nullopt, 110.},
+                       {"", "overdamped", ""},
                        {-1., std::numeric_limits<double>::quiet_NaN(), 2.},
                        {0.1, std::nullopt, -0.02},
                        {0.6, std::nullopt, -0.1},

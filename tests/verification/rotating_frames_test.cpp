@@ -147,7 +147,7 @@ TEST(RigidLimit, EndsOfTheUnstableBandConvergeAsOneOverTheStiffness) {
         model::Rotor rotor = flexible_rotor(stiffer);
         rotor.shaft.rigid = rigid;
         const model::Case scene = tests::scene_of(rotor, 0.6 * exact->from, 1.5 * *exact->to, 41);
-        const auto bands = analyses::unstable_bands_of(scene, rotor, {});
+        const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
         EXPECT_EQ(bands.size(), 1U);
         return bands.at(0);
     };
