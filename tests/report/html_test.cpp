@@ -51,6 +51,24 @@ TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {
     EXPECT_EQ(data.at("title"), scene.title);
 }
 
+TEST(Html, SaysInWhichAxesTheFormIs) {
+    using analyses::Form;
+    analyses::CampbellResult result = sample_campbell();
+    for (const Form form : {Form::planar, Form::hyperbolic, Form::general}) {
+        result.model.formulation.form = form;
+        const std::string html = without_bundle(to_html(sample_case(), result, ""));
+        EXPECT_NE(html.find(analyses::form_name(form) + " form, in the fixed frame: isotropic"),
+                  std::string::npos);
+    }
+    for (const Form form : {Form::rotating, Form::hill}) {
+        result.model.formulation.form = form;
+        const std::string html = without_bundle(to_html(sample_case(), result, ""));
+        EXPECT_EQ(html.find("fixed frame"), std::string::npos) << analyses::form_name(form);
+        EXPECT_NE(html.find(analyses::form_name(form) + " form, in axes that turn with the rotor"),
+                  std::string::npos);
+    }
+}
+
 TEST(Html, TablesShowCrossingsAndOverdampedModes) {
     analyses::CampbellResult result = sample_campbell();
     result.modes[1].frequency[2].reset();
