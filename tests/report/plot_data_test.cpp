@@ -1,5 +1,6 @@
 #include "report/plot_campbell.h"
 #include "report/plot_modes.h"
+#include "report/plot_response.h"
 #include "report/plot_style.h"
 #include "sample_results.h"
 
@@ -30,6 +31,25 @@ TEST(PlotData, SpreadKeepsGapOrderAndRange) {
 TEST(PlotData, MissingValuesLeaveGaps) {
     EXPECT_EQ(data_block("a", {{{1, 2.5}, {2, std::nullopt}}}),
               "$a << EOD\n1 2.5\n2 NaN\n\nNaN NaN\nEOD\n");
+}
+
+TEST(PlotData, StationsWithoutNamesAreDrawnBesideNamedOnes) {
+    analyses::ResponseResult result;
+    result.nodes.resize(4);
+    result.nodes[2].name = result.nodes[3].name = "bearing";
+    EXPECT_EQ(drawn_nodes(result), (std::vector<std::size_t>{0, 1, 2, 3}));
+    // Of many, eight: the named ones and six of the others, with the first and the last of them.
+    result.nodes.resize(30);
+    const std::vector<std::size_t> drawn = drawn_nodes(result);
+    EXPECT_EQ(drawn.size(), 8U);
+    EXPECT_TRUE(std::is_sorted(drawn.begin(), drawn.end()));
+    for (const std::size_t i : {0, 2, 3, 29})
+        EXPECT_EQ(std::count(drawn.begin(), drawn.end(), i), 1) << i;
+    for (auto &node : result.nodes)
+        node.name = "station";
+    EXPECT_EQ(drawn_nodes(result).size(), 8U);
+    result.nodes.clear();
+    EXPECT_TRUE(drawn_nodes(result).empty());
 }
 
 TEST(PlotData, ForwardModeHasEqualCurvesBackwardMirroredOnes) {
