@@ -78,4 +78,15 @@ TEST(Html, TablesShowCrossingsAndOverdampedModes) {
     EXPECT_NE(html.find("isotropic &amp; undamped"), std::string::npos);
 }
 
+TEST(Html, ModesAreDrawnByTheCurvesOfTheStillPicture) {
+    analyses::ModesResult result = sample_modes();
+    result.modes[0].x.assign(3, 0); // straight up and down, in phase with nothing in x
+    result.modes[0].y = {0.25, 1, -0.5};
+    const std::string html = without_bundle(to_html(sample_case(), result, ""));
+    if (plotly_bundle().empty())
+        GTEST_SKIP() << "the page has no script";
+    EXPECT_NE(html.find("y: [0.25,1,-0.5]"), std::string::npos);
+    EXPECT_NE(html.find("drawnModes[k].y"), std::string::npos);
+}
+
 } // namespace whirl::report
