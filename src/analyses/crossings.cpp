@@ -1,5 +1,6 @@
 #include "analyses/crossings.h"
 
+#include "analyses/crossing_nodes.h"
 #include "analyses/crossing_step.h"
 #include "analyses/locked_whirl.h"
 #include "assembly/discretization.h"
@@ -13,27 +14,9 @@ namespace whirl::analyses {
 
 namespace {
 
-constexpr int no_line = -1;
-
 /// A distance is zero below this share of the frequency, and a step too short to be split below
 /// this share of the speed: eigenvalues are known to some 1e-12.
 constexpr double resolved = 1e-11;
-
-/// A spectrum with the line of each of its modes.
-struct Node {
-    Snapshot snapshot;
-    std::vector<int> lines;
-};
-
-/// Two modes that continue each other from one node to the next.
-struct Link {
-    std::size_t from, to;
-    int line;
-};
-
-const WhirlMode &mode_at(const Node &node, std::size_t place) {
-    return node.snapshot.spectrum.modes[place];
-}
 
 StepEnd end_of(const Spectrum &spectrum, const Rates &rates, std::size_t place, double multiple,
                bool towards_higher) {
@@ -69,6 +52,30 @@ class CrossingSearch {
         }
     }
 
+    /// Ends of bands in which a motion stands still in the rotor, each once: by the numbers of such
+    /// motions, not by lines, which such motions leave and join.
+    void find_lock_ends(const Node &a, const Node &b, int line) {
+        const double from = a.snapshot.spectrum.speed;
+        const double to = b.snapshot.spectrum.speed;
+        const bool known = std::any_of(_ends.begin(), _ends.end(),
+                                       [from, to](double end) { return end >= from && end <= to; });
+        if (known || from * to <= 0)
+            return;
+        for (const LockEnd &end : lock_ends(_solver, from, to, 1, wanted_of(a, b)))
+            take_lock_end(end.speed, line);
+    }
+
+    /// For the line of the motion that leaves the band there, between two nodes.
+    void take_lock_end(const LockEnd &end, const Node &a, const Node &b) {
+        const Node outside = node_at(_solver, end.outside, a, b);
+        int line = slowest_line(outside, false);
+        for (const Node *node : {&a, &b}) // it may not have been followed to there
+            if (line == no_line)
+                line = slowest_line(*node, true);
+        if (line != no_line)
+            take_lock_end(end.speed, line);
+    }
+
     /// A line that is there at one node and real at the other.
     void follow_to_zero(Node there, Node gone, int line) {
         for (int halves = 0; halves < 20; ++halves) {
@@ -78,7 +85,7 @@ class CrossingSearch {
                 return;
             const double from = there.snapshot.spectrum.speed;
             const double to = gone.snapshot.spectrum.speed;
-            Node middle = node_at((from + to) / 2, there, gone);
+            Node middle = node_at(_solver, (from + to) / 2, there, gone);
             const auto now = std::find(middle.lines.begin(), middle.lines.end(), line);
             if (now == middle.lines.end()) {
                 gone = std::move(middle);
@@ -93,38 +100,30 @@ class CrossingSearch {
         }
     }
 
-    [[nodiscard]] Node node_at(double speed, const Node &a, const Node &b) const {
-        const auto wanted = static_cast<int>(
-            std::max(a.snapshot.spectrum.modes.size(), b.snapshot.spectrum.modes.size()));
-        Spectrum spectrum = _solver.at(speed, wanted);
-        ModeBasis basis = _solver.basis(spectrum);
-        Node node{{std::move(spectrum), std::move(basis)}, {}};
-        node.lines.assign(node.snapshot.spectrum.modes.size(), no_line);
-        for (const Link &link : links_between(b, node, b.lines))
-            node.lines[link.to] = link.line;
-        for (const Link &link : links_between(a, node, a.lines))
-            node.lines[link.to] = link.line;
-        return node;
-    }
-
-    /// Modes of two nodes linked by their vectors, with the lines given for those of `a`.
-    [[nodiscard]] static std::vector<Link> links_between(const Node &a, const Node &b,
-                                                         const std::vector<int> &lines) {
-        const auto count = static_cast<int>(lines.size());
-        Matching matching = match_by_vectors(a.snapshot, b.snapshot, count);
-        if (matching.ambiguous)
-            matching = match_by_groups(a.snapshot, b.snapshot);
-        std::vector<Link> out;
-        for (std::size_t i = 0; i < matching.to.size(); ++i)
-            if (matching.to[i] != Matching::none && lines[i] != no_line)
-                out.push_back({i, static_cast<std::size_t>(matching.to[i]), lines[i]});
-        return out;
-    }
-
   private:
     const SpectrumSolver &_solver;
     double _multiple;
     Crossings &_out;
+    std::vector<double> _ends; ///< of bands of locked motion
+
+    /// The line of the motion that turns least as seen from the rotor.
+    [[nodiscard]] static int slowest_line(const Node &node, bool or_stands) {
+        int line = no_line;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < node.lines.size(); ++i) {
+            const double frequency = std::abs(mode_at(node, i).frequency_rotating);
+            if (node.lines[i] != no_line && (or_stands || frequency != 0) && frequency < least) {
+                least = frequency;
+                line = node.lines[i];
+            }
+        }
+        return line;
+    }
+
+    void take_lock_end(double speed, int line) {
+        _ends.push_back(speed);
+        take(line, speed);
+    }
 
     [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const {
         const ModeBasis &basis = node.snapshot.basis;
@@ -133,7 +132,8 @@ class CrossingSearch {
     }
 
     [[nodiscard]] bool held(const Node &node, std::size_t place) const {
-        return _multiple == 1 && locked(mode_at(node, place), node.snapshot.spectrum.speed);
+        return _multiple == 1 && in_rotating_axes(_solver.form()) &&
+               locked(mode_at(node, place), node.snapshot.spectrum.speed);
     }
 
     /// Of the two whirls of a motion in rotating axes, at the spin speed plus and minus the
@@ -182,12 +182,8 @@ class CrossingSearch {
             width <= resolved * std::max(std::abs(from.speed), std::abs(to.speed));
         const bool hold_a = held(a, link.from);
         const bool hold_b = held(b, link.to);
-        if (hold_a != hold_b) {
-            const Spectrum &at_a = a.snapshot.spectrum;
-            const Spectrum &at_b = b.snapshot.spectrum;
-            take(link.line, hold_a ? end_of_lock(_solver, at_a, link.from, at_b, link.to)
-                                   : end_of_lock(_solver, at_b, link.to, at_a, link.from));
-        }
+        if (hold_a != hold_b)
+            find_lock_ends(a, b, link.line);
         if (hold_a || hold_b)
             return std::nullopt;
         const std::optional<double> speed = where_to_look(from, to, depth);
@@ -215,7 +211,7 @@ class CrossingSearch {
 
     void split(const Node &a, const Node &b, const std::vector<Link> &links, double speed,
                int depth) {
-        Node middle = node_at(speed, a, b);
+        Node middle = node_at(_solver, speed, a, b);
         // Lines that came through this step but are in neither pairing keep out of it.
         std::set<int> wanted;
         for (const Link &link : links)
@@ -248,6 +244,8 @@ class Sweep {
 
     void run(double multiple, Crossings &out) const {
         CrossingSearch search(_solver, multiple, out);
+        if (multiple == 1 && _solver.form() == Form::rotating && _spectra.size() > 1)
+            find_bands(search);
         for (std::size_t k = 0; k < _spectra.size(); ++k) {
             search.visit(bare_node(k));
             if (k + 1 == _spectra.size())
@@ -266,6 +264,17 @@ class Sweep {
     const SpectrumSolver &_solver;
     const Tracking &_tracking;
     const std::vector<Spectrum> &_spectra;
+
+    /// Ends of bands of locked motion over the whole range, the same whatever its grid.
+    void find_bands(CrossingSearch &search) const {
+        const std::vector<LockEnd> ends =
+            lock_ends_over(_solver, _spectra.front().speed, _spectra.back().speed,
+                           static_cast<int>(_spectra.front().modes.size()));
+        for (std::size_t k = 0; k + 1 < _spectra.size(); ++k)
+            for (const LockEnd &end : ends)
+                if ((_spectra[k].speed <= end.speed) != (_spectra[k + 1].speed <= end.speed))
+                    search.take_lock_end(end, full_node(k), full_node(k + 1));
+    }
 
     [[nodiscard]] std::vector<int> lines_at(std::size_t k) const {
         std::vector<int> out(_spectra[k].modes.size(), no_line);
@@ -304,7 +313,8 @@ class Sweep {
         return std::any_of(links.begin(), links.end(), [&](const Link &link) {
             const WhirlMode &a = _spectra[k].modes[link.from];
             const WhirlMode &b = _spectra[k + 1].modes[link.to];
-            if (multiple == 1 && locked(a, _spectra[k].speed) != locked(b, _spectra[k + 1].speed))
+            if (multiple == 1 && in_rotating_axes(_solver.form()) &&
+                locked(a, _spectra[k].speed) != locked(b, _spectra[k + 1].speed))
                 return true;
             const bool rising = _spectra[k + 1].speed > _spectra[k].speed;
             const StepEnd here =
@@ -351,14 +361,13 @@ class Sweep {
         }
         std::vector<Node> nodes{low};
         for (const double row : rows) {
-            nodes.push_back(search.node_at(row, nodes.back(), high));
+            nodes.push_back(node_at(_solver, row, nodes.back(), high));
             search.visit(nodes.back());
         }
         nodes.push_back(high);
         for (std::size_t i = 1; i < nodes.size(); ++i)
-            search.search(
-                nodes[i - 1], nodes[i],
-                CrossingSearch::links_between(nodes[i - 1], nodes[i], nodes[i - 1].lines));
+            search.search(nodes[i - 1], nodes[i],
+                          links_between(nodes[i - 1], nodes[i], nodes[i - 1].lines));
     }
 };
 

@@ -16,8 +16,9 @@ struct Crossings {
 /// Spin speeds at which a line's frequency equals a multiple of the spin speed: roots, verified
 /// with the model itself (relative 1e-11). Steps are split at the rows of bearing tables, and where
 /// a line turns back within a step; of a band of speeds over which an asymmetric rotor holds a
-/// frequency at the multiple the two ends are given. A line at zero frequency (a free rigid motion)
-/// crosses nothing.
+/// frequency at the multiple the two ends are given (of bands narrower than 1/200 of the range only
+/// where a line is followed into them). A line at zero frequency (a free rigid motion) crosses
+/// nothing.
 [[nodiscard]] Crossings crossings(const SpectrumSolver &solver, const Tracking &tracking,
                                   const std::vector<Spectrum> &spectra,
                                   const std::vector<double> &multiples);

@@ -2,13 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace whirl::analyses {
 
 namespace {
 
-std::complex<double> seen_from_rotor(const WhirlMode &mode) {
-    return {mode.eigenvalue.real(), mode.frequency_rotating};
+/// A speed and how many motions are locked there.
+struct Count {
+    double speed = 0;
+    std::ptrdiff_t motions = 0;
+};
+
+Count count_at(const SpectrumSolver &solver, double speed, int wanted) {
+    const Spectrum spectrum = solver.at(speed, wanted);
+    return {speed, std::count_if(spectrum.modes.begin(), spectrum.modes.end(),
+                                 [speed](const WhirlMode &mode) { return locked(mode, speed); })};
+}
+
+/// Beside a branch point the frequency seen from the rotor grows with the square root of the
+/// distance: four times as far away some motion has twice of it, at the same damping.
+bool is_branch_point(const SpectrumSolver &solver, const LockEnd &end, int wanted) {
+    const double step = end.outside - end.speed;
+    const Spectrum near = solver.at(end.outside, wanted);
+    const Spectrum far = solver.at(end.speed + 4 * step, wanted);
+    const double size = std::abs(end.speed);
+    const auto parts_there = [size](const WhirlMode &a, const WhirlMode &b) {
+        const double ratio = b.frequency_rotating / a.frequency_rotating;
+        return a.frequency_rotating != 0 && std::abs(a.frequency_rotating) < 0.01 * size &&
+               std::abs(ratio - 2) < 0.01 &&
+               std::abs(a.eigenvalue.real() - b.eigenvalue.real()) < 1e-4 * size;
+    };
+    return std::any_of(near.modes.begin(), near.modes.end(), [&](const WhirlMode &a) {
+        return std::any_of(far.modes.begin(), far.modes.end(),
+                           [&](const WhirlMode &b) { return parts_there(a, b); });
+    });
+}
+
+/// Halves a part over which the number changes. Of several ends in it one is found.
+std::optional<LockEnd> end_between(const SpectrumSolver &solver, Count a, Count b, int wanted) {
+    for (int step = 0;
+         step < 60 && std::abs(b.speed - a.speed) > 1e-11 * std::max(std::abs(a.speed), 1e-300);
+         ++step) {
+        const Count middle = count_at(solver, (a.speed + b.speed) / 2, wanted);
+        (middle.motions == a.motions ? a : b) = middle;
+    }
+    // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
+    constexpr double beside = 1e-7;
+    const double outwards = (a.motions < b.motions) == (a.speed < b.speed) ? -1 : 1;
+    const LockEnd end{a.motions > b.motions ? a.speed : b.speed,
+                      a.speed + outwards * beside * std::abs(a.speed)};
+    return is_branch_point(solver, end, wanted) ? std::optional(end) : std::nullopt;
 }
 
 } // namespace
@@ -17,31 +62,36 @@ bool locked(const WhirlMode &mode, double speed) {
     return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
 }
 
-double end_of_lock(const SpectrumSolver &solver, const Spectrum &held, std::size_t held_place,
-                   const Spectrum &free, std::size_t free_place) {
-    std::complex<double> inside = seen_from_rotor(held.modes[held_place]);
-    std::complex<double> outside = seen_from_rotor(free.modes[free_place]);
-    double locked_at = held.speed;
-    double free_at = free.speed;
-    const auto wanted = static_cast<int>(std::max(held.modes.size(), free.modes.size()));
-    for (int step = 0; step < 60 && std::abs(free_at - locked_at) > 1e-11 * std::abs(free_at);
-         ++step) {
-        const double middle = (free_at + locked_at) / 2;
-        const Spectrum between = solver.at(middle, wanted);
-        const auto distance = [&](const WhirlMode &mode) {
-            const std::complex<double> here = seen_from_rotor(mode);
-            return std::min(std::abs(here - inside), std::abs(here - outside));
-        };
-        const auto nearest = std::min_element(
-            between.modes.begin(), between.modes.end(),
-            [&](const WhirlMode &a, const WhirlMode &b) { return distance(a) < distance(b); });
-        if (nearest == between.modes.end())
-            break;
-        const bool still = locked(*nearest, middle);
-        (still ? locked_at : free_at) = middle;
-        (still ? inside : outside) = seen_from_rotor(*nearest);
+std::vector<LockEnd> lock_ends(const SpectrumSolver &solver, double from, double to, int parts,
+                               int wanted) {
+    std::vector<LockEnd> ends;
+    Count last = count_at(solver, from, wanted);
+    for (int part = 1; part <= parts; ++part) {
+        const Count next = count_at(solver, from + (to - from) * part / parts, wanted);
+        if (last.motions != next.motions)
+            if (const std::optional<LockEnd> end = end_between(solver, last, next, wanted))
+                ends.push_back(*end);
+        last = next;
     }
-    return locked_at;
+    return ends;
+}
+
+std::vector<LockEnd> lock_ends_over(const SpectrumSolver &solver, double from, double to,
+                                    int wanted) {
+    constexpr int parts = 200;
+    const double low = std::min(from, to);
+    const double high = std::max(from, to);
+    const double margin = 1e-3 * (high - low) / parts;
+    std::vector<LockEnd> all;
+    for (const auto &[a, b] :
+         {std::pair(low, std::min(high, -margin)), std::pair(std::max(low, margin), high)}) {
+        if (!(a < b))
+            continue;
+        const int share = static_cast<int>(std::ceil(parts * (b - a) / (high - low)));
+        const std::vector<LockEnd> ends = lock_ends(solver, a, b, share, wanted);
+        all.insert(all.end(), ends.begin(), ends.end());
+    }
+    return all;
 }
 
 } // namespace whirl::analyses

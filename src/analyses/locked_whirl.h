@@ -2,7 +2,7 @@
 
 #include "analyses/spectrum.h"
 
-#include <cstddef>
+#include <vector>
 
 namespace whirl::analyses {
 
@@ -10,11 +10,23 @@ namespace whirl::analyses {
 /// two of its critical speeds.
 [[nodiscard]] bool locked(const WhirlMode &mode, double speed);
 
-/// Speed (relative 1e-11) at which a motion that is locked at one speed ceases to be on the way to
-/// another, where it is not. Its vectors coalesce with another's there, so it is known by its
-/// eigenvalue in rotating axes.
-[[nodiscard]] double end_of_lock(const SpectrumSolver &solver, const Spectrum &held,
-                                 std::size_t held_place, const Spectrum &free,
-                                 std::size_t free_place);
+/// An end of a band of speeds over which a motion is locked.
+struct LockEnd {
+    double speed = 0;   ///< rad/s, relative 1e-11
+    double outside = 0; ///< a speed close by at which the motion has left the band
+};
+
+/// Ends of such bands between two speeds of one sign, neither of them 0: where the number of locked
+/// motions among the `wanted` lowest modes changes between one and the next of as many equal parts,
+/// and two real eigenvalues in rotating axes meet and part as a branch point does. (A number may
+/// also change where a motion is too heavily damped to count as whirl, and by rounding where
+/// motions of the balls hardly differ.)
+[[nodiscard]] std::vector<LockEnd> lock_ends(const SpectrumSolver &solver, double from, double to,
+                                             int parts, int wanted);
+
+/// The same over a whole range, which may hold 0, in 200 parts: bands narrower than one of them are
+/// left to whoever follows a motion into them.
+[[nodiscard]] std::vector<LockEnd> lock_ends_over(const SpectrumSolver &solver, double from,
+                                                  double to, int wanted);
 
 } // namespace whirl::analyses

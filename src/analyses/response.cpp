@@ -52,6 +52,7 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     const model::Rotor &rotor = d.rotor();
     collect(rotor.discs);
     collect(rotor.bearings);
+    collect(rotor.anisotropies);
     collect(rotor.imbalances);
     collect(rotor.balancers);
     collect(rotor.planes);

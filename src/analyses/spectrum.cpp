@@ -27,6 +27,14 @@ double real_value(const WhirlMode &mode, Form form, double speed) {
     return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
 }
 
+/// A real part that the eigensolver does not tell from zero is none: without damping the forms that
+/// allow for it would otherwise show damping of either sign.
+void drop_undetermined_damping(WhirlMode &mode) {
+    const double error = (mode.residual + mode.rounding) * std::abs(mode.eigenvalue);
+    if (std::abs(mode.eigenvalue.real()) <= error)
+        mode.eigenvalue.real(0);
+}
+
 /// Change of the eigenvalue in the fixed frame from that of the value in rotating axes: the mode
 /// whirls at the spin speed plus or minus what is seen from the rotor.
 std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
@@ -126,6 +134,8 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
                             : _data->form == Form::general ? general(speed, wanted)
                                                            : symmetric(speed, wanted);
         spectrum.speed = speed;
+        for (WhirlMode &mode : spectrum.modes)
+            drop_undetermined_damping(mode);
         std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
                          [](const WhirlMode &a, const WhirlMode &b) {
                              return a.eigenvalue.imag() < b.eigenvalue.imag();

@@ -41,11 +41,7 @@ std::string error_of(const Peak &peak) {
 std::string summary(const model::Case &scene, const analyses::ResponseResult &result) {
     std::string text = heading(scene, "Unbalance response, " + range_text(result.speeds));
     Table nodes({"station", "largest amplitude m", "at rpm", "error"});
-    const auto named = std::any_of(result.nodes.begin(), result.nodes.end(),
-                                   [](const auto &node) { return !node.name.empty(); });
     for (const analyses::ResponseNode &node : result.nodes) {
-        if (named && node.name.empty())
-            continue;
         const Peak peak = peak_of(node.amplitude, node.error, result.speeds);
         nodes.add(
             {place(node.name, node.z), size_of(peak), readable(peak.speed * rpm), error_of(peak)});

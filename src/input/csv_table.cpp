@@ -9,18 +9,52 @@
 namespace whirl::input {
 namespace {
 
-/// Cells of a line without white space and quotation marks around them.
-std::vector<std::string> split(std::string_view line) {
-    std::vector<std::string> cells;
+/// Takes a cell in quotation marks off the start of `rest`; two of them inside stand for one. Empty
+/// where none ends the cell.
+std::optional<std::string> take_quoted(std::string_view &rest) {
+    std::string cell;
+    std::size_t start = 1;
     while (true) {
-        const std::size_t comma = std::min(line.find(','), line.size());
-        std::string_view cell = trimmed(line.substr(0, comma));
-        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-            cell = trimmed(cell.substr(1, cell.size() - 2));
-        cells.emplace_back(cell);
-        if (comma == line.size())
-            return cells;
-        line.remove_prefix(comma + 1);
+        const std::size_t mark = rest.find('"', start);
+        if (mark == std::string_view::npos)
+            return std::nullopt;
+        cell += rest.substr(start, mark - start);
+        start = mark + 1;
+        if (start == rest.size() || rest[start] != '"')
+            break;
+        cell += '"';
+        ++start;
+    }
+    rest.remove_prefix(start);
+    return std::string(trimmed(cell));
+}
+
+struct Line {
+    std::vector<std::string> cells;
+    const char *mistake = nullptr; ///< what is wrong with its quotation marks
+};
+
+/// Cells of a line without white space and quotation marks around them, up to a comment.
+Line split(std::string_view rest) {
+    Line line;
+    while (true) {
+        rest = trimmed(rest);
+        if (rest.starts_with('"')) {
+            const std::optional<std::string> cell = take_quoted(rest);
+            if (!cell)
+                return {{}, "expected a quotation mark at the end of a cell that starts with one"};
+            line.cells.push_back(*cell);
+            rest = trimmed(rest);
+            if (!rest.empty() && !rest.starts_with(',') && !rest.starts_with('#'))
+                return {{}, "expected a comma after the quotation mark that ends a cell"};
+        } else {
+            const std::size_t end = std::min(rest.find_first_of(",#"), rest.size());
+            line.cells.emplace_back(trimmed(rest.substr(0, end)));
+            rest.remove_prefix(end);
+        }
+        if (!rest.starts_with(','))
+            return line;
+        rest.remove_prefix(1);
     }
 }
 
@@ -40,11 +74,16 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
         std::string_view content = line;
         if (number == 1 && content.starts_with("\xEF\xBB\xBF")) // byte order mark of spreadsheets
             content.remove_prefix(3);
-        content = trimmed(content.substr(0, content.find('#')));
-        if (content.empty())
+        content = trimmed(content);
+        if (content.empty() || content.starts_with('#'))
             continue;
-        std::vector<std::string> cells = split(content);
-        if (header) {
+        auto [cells, mistake] = split(content);
+        if (mistake) {
+            problems.add({_file, number}, "", mistake);
+            _usable = false;
+            if (header)
+                return;
+        } else if (header) {
             header = false;
             _header_line = number;
             _usable = true;

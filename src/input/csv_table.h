@@ -16,7 +16,8 @@ struct CsvRule {
 };
 
 /// A table of numbers with a header line. Header cells may carry a unit ("length [mm]") that holds
-/// for the plain numbers below it, cells may carry their own ("25 mm"). Blank lines and what
+/// for the plain numbers below it, cells may carry their own ("25 mm"). A cell in
+/// quotation marks may hold commas and '#', and "" for one of them. Blank lines and what else
 /// follows '#' are skipped. Mistakes are collected as "file:line: column: text".
 class CsvTable {
   public:

@@ -33,12 +33,14 @@ double shaft_polar_inertia(const model::Shaft &shaft) {
     return Ip;
 }
 
-/// Polar inertia of the whole rotor with its balls and point masses.
+/// Polar inertia of the whole rotor with its balls and point masses, where these count.
 double polar_inertia(const model::Rotor &rotor) {
     double Ip = shaft_polar_inertia(rotor.shaft);
     for (const model::Disc &disc : rotor.discs)
         Ip += disc.Ip;
     for (const model::Balancer &balancer : rotor.balancers) {
+        if (!balancer.tilt_inertia)
+            continue;
         const double R = balancer.kind == model::BalancerKind::ball ? balancer.radius
                                                                     : balancer.pivot + balancer.arm;
         Ip += balancer.n * balancer.mass * R * R;

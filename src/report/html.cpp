@@ -42,12 +42,19 @@ std::string notes(const std::vector<std::string> &lines) {
     return html;
 }
 
+/// "planar form, in the fixed frame".
+std::string form_and_frame(analyses::Form form) {
+    return fmt::format("{} form, in {}", analyses::form_name(form),
+                       analyses::in_rotating_axes(form) ? "axes that turn with the rotor"
+                                                        : "the fixed frame");
+}
+
 std::string formulation(const analyses::ModelSummary &model) {
-    return fmt::format("<h2>Formulation</h2>\n<p>{} form in the fixed frame: {}.</p>\n"
+    return fmt::format("<h2>Formulation</h2>\n<p>{}: {}.</p>\n"
                        "<div class=\"formula\">{}</div>\n<p>Shaft elements of order {}{}, {} of "
                        "them, {} unknowns; "
                        "computed in {} s.</p>\n",
-                       escape_markup(analyses::form_name(model.formulation.form)),
+                       escape_markup(form_and_frame(model.formulation.form)),
                        escape_markup(model.formulation.why), form_formula(model.formulation.form),
                        model.order, model.order == 1 ? " (classical)" : "", model.elements,
                        model.unknowns, readable(model.seconds, 3));

@@ -5,6 +5,7 @@
 #include "report/html_scripts.h"
 #include "report/html_show.h"
 #include "report/json.h"
+#include "report/plot_modes.h"
 #include "report/plot_style.h"
 #include "report/plotly.h"
 
@@ -86,6 +87,26 @@ std::string last_speed_table(const analyses::CampbellResult &result) {
                       rows);
 }
 
+/// A JavaScript array; five digits are more than a screen shows.
+std::string script_array(const std::vector<double> &values) {
+    std::string text = "[";
+    for (const double value : values)
+        text += (text.size() > 1 ? "," : "") +
+                (std::isfinite(value) ? fmt::format("{:.5g}", value) : "null");
+    return text + "]";
+}
+
+/// The curves of the still picture for the script of the page.
+std::string drawn_modes(const analyses::ModesResult &result) {
+    std::string text = "const drawnModes = [";
+    for (const auto &mode : result.modes) {
+        const ModeCurves curves = mode_curves(mode);
+        text += fmt::format("\n{{x: {}, y: {}, atOneInstant: {}}},", script_array(curves.x),
+                            script_array(curves.y), curves.at_one_instant);
+    }
+    return text + "];\n";
+}
+
 } // namespace
 
 std::string to_html(const model::Case &scene, const analyses::CampbellResult &result,
@@ -143,6 +164,7 @@ std::string to_html(const model::Case &scene, const analyses::ResponseResult &re
 std::string to_html(const model::Case &scene, const analyses::ModesResult &result,
                     const std::string &picture) {
     PageContent parts = content("modes", "Mode shapes", scene, result, picture);
+    parts.script = drawn_modes(result) + parts.script;
     Rows rows;
     for (const auto &mode : result.modes)
         rows.push_back({mode.label, readable(mode.eigenvalue.imag(), 10),

@@ -124,24 +124,21 @@ draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l
   yaxis3: axis("Bearing force (N)", {type: "log", dtick: 1, domain: [0, 0.27], exponentformat: "power"})});
 )js";
 
+/// The page gives `drawnModes`, the curves of each mode.
 constexpr const char *modes = R"js(
 const traces = [];
 result.modes.forEach((m, k) => {
-  const axisName = k ? "y" + (k + 1) : "y", i0 = m.x_real.reduce((best, _, i) =>
-    Math.hypot(m.x_real[i], m.x_imag[i]) > Math.hypot(m.x_real[best], m.x_imag[best]) ? i : best, 0);
-  const size = Math.hypot(m.x_real[i0], m.x_imag[i0]) || 1;
-  let c = m.x_real[i0] / size, s = -m.x_imag[i0] / size;
-  if (size < 1e-9) { c = 1; s = 0; }
-  const x = m.x_real.map((v, i) => v * c - m.x_imag[i] * s), y = m.y_real.map((v, i) => -(v * s + m.y_imag[i] * c));
-  traces.push({x: result.z, y: x, yaxis: axisName, name: "x", legendgroup: "x", showlegend: k === 0, mode: "lines", line: {color: "#0072B2", width: 2.5}});
-  traces.push({x: result.z, y: y, yaxis: axisName, name: "y, a quarter period later", legendgroup: "y", showlegend: k === 0, mode: "lines", line: {color: "#D55E00", dash: "dash", width: 2.5}});
+  const yaxis = k ? "y" + (k + 1) : "y", showlegend = k === 0, mode = "lines";
+  traces.push({x: result.z, y: drawnModes[k].x, yaxis, name: "x", legendgroup: "x", showlegend, mode, line: {color: "#0072B2", width: 2.5}});
+  traces.push({x: result.z, y: drawnModes[k].y, yaxis, name: "y", legendgroup: "y", showlegend, mode, line: {color: "#D55E00", dash: "dash", width: 2.5}});
 });
 const count = result.modes.length, layout = {height: 120 + 190 * count, xaxis: axis("z (m)", {anchor: count > 1 ? "y" + count : "y"}), annotations: []};
 result.modes.forEach((m, k) => {
   const top = 1 - k / count, bottom = 1 - (k + 0.8) / count;
   layout["yaxis" + (k ? k + 1 : "")] = axis("", {domain: [bottom, top], range: [-1.2, 1.2], dtick: 1});
   layout.annotations.push({xref: "paper", yref: "paper", x: 0.01, y: top, xanchor: "left", yanchor: "top", showarrow: false,
-    text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}`, bgcolor: "rgba(255,255,255,0.8)"});
+    text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
+      (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"});
 });
 draw(traces, layout);
 )js";

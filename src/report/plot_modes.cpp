@@ -43,8 +43,8 @@ std::string outline(const model::Rotor &rotor) {
     return data + "NaN NaN\nEOD\n";
 }
 
-std::string mode_data(const std::string &name, const ModesResult &result, const ModeShape &mode) {
-    const ModeCurves curves = mode_curves(mode);
+std::string mode_data(const std::string &name, const ModesResult &result,
+                      const ModeCurves &curves) {
     std::string data = "$" + name + " << EOD\n";
     const std::size_t count = std::min(result.z.size(), curves.x.size());
     for (std::size_t i = 0; i < count; ++i)
@@ -71,33 +71,35 @@ std::string legend(double height) {
 ModeCurves mode_curves(const ModeShape &mode) {
     const std::complex<double> i(0, 1);
     const std::size_t count = std::min(mode.x.size(), mode.y.size());
-    std::complex<double> largest = 0;
-    bool from_x = true;
+    std::complex<double> xx = 0;
+    std::complex<double> yy = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        if (std::abs(mode.x[k]) > std::abs(largest) * (1 + 1e-9)) {
-            largest = mode.x[k];
-            from_x = true;
-        }
-        if (std::abs(mode.y[k]) > std::abs(largest) * (1 + 1e-9)) {
-            largest = mode.y[k];
-            from_x = false;
-        }
+        xx += mode.x[k] * mode.x[k];
+        yy += mode.y[k] * mode.y[k];
     }
-    // Turn the phase so that the largest deflection is real: x at its peak at time zero, or y at
-    // its peak a quarter turn later, where exp(i w t) = i.
-    std::complex<double> turn =
-        std::abs(largest) > 0 ? std::conj(largest) / std::abs(largest) : 1.0;
-    if (!from_x)
-        turn /= i;
+    // sum Re(u exp(i p))^2 = (sum |u|^2 + Re(exp(2 i p) sum u^2)) / 2 over u = x and y, or i y, is
+    // largest at p = -arg(sum u^2) / 2. In one plane both ways are the same up to rounding.
+    constexpr double rounding = 1e-9;
     ModeCurves curves;
+    curves.at_one_instant = std::abs(xx + yy) > (1 + rounding) * std::abs(xx - yy);
+    const std::complex<double> of_y = curves.at_one_instant ? 1.0 : i;
+    const std::complex<double> turn = std::polar(1.0, -std::arg(xx + of_y * of_y * yy) / 2);
+    double largest = 0;
     for (std::size_t k = 0; k < count; ++k) {
         curves.x.push_back((mode.x[k] * turn).real());
-        curves.y.push_back((mode.y[k] * turn * i).real());
+        curves.y.push_back((mode.y[k] * turn * of_y).real());
+        for (const double value : {curves.x.back(), curves.y.back()})
+            if (std::abs(value) > std::abs(largest) * (1 + rounding))
+                largest = value;
         // x + i y = f exp(iwt) + conj(b) exp(-iwt): the major semi-axis is |f| + |b|.
         const double f = std::abs(mode.x[k] + i * mode.y[k]) / 2;
         const double b = std::abs(mode.x[k] - i * mode.y[k]) / 2;
         curves.envelope.push_back(f + b);
     }
+    if (largest < 0) // of the two opposite instants
+        for (std::vector<double> *values : {&curves.x, &curves.y})
+            for (double &value : *values)
+                value = -value;
     return curves;
 }
 
@@ -123,8 +125,8 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
     const double pixel = 1.0 / figure.height;
     figure.script = figure_head(
         "Mode shapes: " + title_of(scene),
-        fmt::format("at {} rpm; the orbits' envelope, x at its peak, y a quarter period later "
-                    "(equal curves: forward, mirrored: backward)",
+        fmt::format("at {} rpm; the orbits' envelope, x where most is seen, y a quarter period "
+                    "later (equal curves: forward, mirrored: backward)",
                     readable(result.speed * rpm)),
         figure.height);
     const double length = std::max(scene.rotor.shaft.length(), 1e-9);
@@ -141,11 +143,14 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
         const double top = figure.height - 120.0 - 230.0 * static_cast<double>(row);
         const std::string name = "m" + std::to_string(m);
         const bool last = m + columns >= count;
-        figure.script += mode_data(name, result, mode) +
-                         panel_margins(left, right, (top - 175) * pixel, top * pixel) +
-                         fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
-                                     plot_text(mode_heading(mode)),
-                                     last ? "set xlabel 'z (m)'" : "unset xlabel");
+        const ModeCurves curves = mode_curves(mode);
+        figure.script +=
+            mode_data(name, result, curves) +
+            panel_margins(left, right, (top - 175) * pixel, top * pixel) +
+            fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
+                        plot_text(mode_heading(mode) +
+                                  (curves.at_one_instant ? " · y at the same instant" : "")),
+                        last ? "set xlabel 'z (m)'" : "unset xlabel");
         figure.script += fmt::format(
             "plot $outline with filledcurves closed fs solid 1 noborder fc rgb '#F0F1F3', "
             "$outline with lines lw 0.7 lc rgb '#C8CDD2', "

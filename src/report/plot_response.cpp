@@ -102,22 +102,27 @@ std::string panel_axes(const ResponseResult &result, const std::string &label, b
                        last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel");
 }
 
+/// At most `count` of a list, evenly spread, with its first and last.
+std::vector<std::size_t> spread_over(const std::vector<std::size_t> &list, std::size_t count) {
+    if (list.size() <= count)
+        return list;
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(list[count < 2 ? 0 : i * (list.size() - 1) / (count - 1)]);
+    return chosen;
+}
+
 } // namespace
 
 std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
     std::vector<std::size_t> named;
+    std::vector<std::size_t> others;
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
-        if (!result.nodes[i].name.empty())
-            named.push_back(i);
-    if (!named.empty() && named.size() <= most_curves)
-        return named;
-    const std::size_t all = named.empty() ? result.nodes.size() : named.size();
-    const std::size_t count = std::min(all, most_curves);
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t at = count < 2 ? 0 : i * (all - 1) / (count - 1);
-        chosen.push_back(named.empty() ? at : named[at]);
-    }
+        (result.nodes[i].name.empty() ? others : named).push_back(i);
+    std::vector<std::size_t> chosen = spread_over(named, most_curves);
+    const auto more = spread_over(others, most_curves - chosen.size());
+    chosen.insert(chosen.end(), more.begin(), more.end());
+    std::sort(chosen.begin(), chosen.end());
     return chosen;
 }
 

@@ -12,7 +12,8 @@ namespace whirl::report {
 [[nodiscard]] Figure response_figure(const model::Case &scene,
                                      const analyses::ResponseResult &result);
 
-/// Indices of the nodes worth drawing: those with names, else a few spread along the shaft.
+/// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
+/// with others that are spread along the shaft.
 [[nodiscard]] std::vector<std::size_t> drawn_nodes(const analyses::ResponseResult &result);
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 #include "analyses/campbell.h"
 
 #include "analyses/critical.h"
+#include "analyses/formulation.h"
 #include "model/errors.h"
 #include "support/test_rotors.h"
 
@@ -90,6 +91,41 @@ TEST(Campbell, DampedRotorsOfEveryOrderAreSweptToTheEnd) {
                         EXPECT_LT(real.value_or(-1), 1e-6) << order << " " << c; // dissipative
             }) << order
                << " " << c;
+        }
+}
+
+TEST(Campbell, UndampedMotionHasNoDampingInAnyForm) {
+    // Symmetric coupling and an asymmetric section conserve energy, and where the stiffness in
+    // rotating axes is positive (here to the first critical speed, some 80 rad/s) nothing grows.
+    model::Rotor coupled = tests::two_disc_rotor(1e6, 0.8e6, 2e5);
+    model::Rotor asymmetric = tests::two_disc_rotor(1e6, 1e6);
+    asymmetric.shaft.segments[1].asymmetry = 0.2;
+    for (const model::Rotor &rotor : {coupled, asymmetric}) {
+        const analyses::CampbellResult result = analyses::campbell(scene_of(rotor, 3, 60, 13));
+        EXPECT_NE(analyses::unknowns_name(result.model.formulation.form), "planar");
+        for (const analyses::CampbellMode &mode : result.modes)
+            for (std::size_t k = 0; k < result.speeds.size(); ++k) {
+                EXPECT_EQ(mode.real[k].value_or(0), 0) << mode.label;
+                EXPECT_EQ(mode.damping_ratio[k].value_or(0), 0) << mode.label;
+                EXPECT_EQ(mode.log_dec[k].value_or(0), 0) << mode.label;
+            }
+    }
+}
+
+TEST(Campbell, DampingFarBelowTheDiscretisationErrorIsKept) {
+    // Between two bearings k, c the rigid rotor bounces with m l^2 + 2 c l + 2 k = 0.
+    model::Rotor rotor = tests::two_disc_rotor(1e6, 1e6, 0, 1e-5);
+    rotor.shaft.rigid = true;
+    rotor.discs = {tests::disc(0.75, 50, 2, 3)};
+    const double mass = 50 + 7810 * 1.5 * M_PI * 0.025 * 0.025;
+    const analyses::CampbellResult result = analyses::campbell(scene_of(rotor, 1, 200, 3));
+    const auto bounce = [&](const analyses::CampbellMode &mode) {
+        return std::abs(*mode.frequency[1] / std::sqrt(2e6 / mass) - 1) < 1e-9;
+    };
+    EXPECT_EQ(std::count_if(result.modes.begin(), result.modes.end(), bounce), 2);
+    for (const analyses::CampbellMode &mode : result.modes)
+        if (bounce(mode)) {
+            EXPECT_NEAR(*mode.real[1] / (-1e-5 / mass), 1, 1e-3) << mode.label; // 7e-10 of l
         }
 }
 

@@ -1,6 +1,7 @@
 #include "analyses/campbell.h"
 #include "analyses/crossing_step.h"
 #include "analyses/spectrum.h"
+#include "input/case_file.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
@@ -182,6 +183,70 @@ TEST(Crossings, AtASpeedOfTheGridAreFoundOnce) {
                                 [&](double speed) { return std::abs(speed - root) < 1e-6; }),
                   1)
             << to;
+    }
+}
+
+/// Motions that stand still in the rotor at a speed.
+std::ptrdiff_t standing(const analyses::SpectrumSolver &solver, double speed) {
+    const std::vector<analyses::WhirlMode> modes = solver.at(speed, 10).modes;
+    return std::count_if(modes.begin(), modes.end(), [](const analyses::WhirlMode &mode) {
+        return mode.frequency_rotating == 0;
+    });
+}
+
+TEST(Crossings, OfMotionsThatTurnWithTheRotorAreTheEndsOfTheirBands) {
+    // Balls make damped motions stand still over most of the range: at every grid speed one does.
+    std::vector<double> coarse;
+    for (const int count : {8, 36}) {
+        model::Case scene = input::load_case(WHIRL_ROOT "/cases/extractor_two_plane");
+        scene.speeds = model::SpeedRange{50, 400, count};
+        scene.campbell.modes = 4;
+        const analyses::CampbellResult result = analyses::campbell(scene);
+        const analyses::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
+                                              result.model.order);
+        std::size_t ends = 0;
+        for (const analyses::Crossing &crossing : result.crossings) {
+            const double s = crossing.speed;
+            if (standing(solver, s * (1 - 1e-7)) != standing(solver, s * (1 + 1e-7))) {
+                ++ends;
+                continue;
+            }
+            // Else a whirl against the spin: turns at twice the speed as seen from the rotor.
+            const std::vector<analyses::WhirlMode> modes = solver.at(s, 10).modes;
+            EXPECT_TRUE(std::any_of(modes.begin(), modes.end(), [s](const auto &mode) {
+                return std::abs(mode.frequency_rotating - 2 * s) < 1e-8 * s;
+            })) << s;
+        }
+        EXPECT_GE(ends, 6U) << "the number changes from 2 to 3 and back three times";
+        const std::vector<double> found = speeds_of(result);
+        if (coarse.empty())
+            coarse = found;
+        ASSERT_EQ(found.size(), coarse.size()) << count;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_NEAR(found[i], coarse[i], 1e-8 * coarse[i]) << count;
+    }
+}
+
+TEST(Crossings, OfAnAsymmetricRotorAreItsTwoCriticalSpeeds) {
+    // Tilt of a rigid rotor about its centre: p / sqrt(1 - C +- a), p^2 = 2 k l^2 / Id, C = Ip/Id,
+    // a = dI/Id (Gorbenko); bounce and backward tilt cross below
+    // the range, at sqrt(2 k / m) = 71 and some 157 rad/s.
+    model::Case scene;
+    scene.rotor = tests::uniform_shaft(1, 0.02);
+    scene.rotor.shaft.segments[0].material = {"weightless", 2e11, 7.7e10, 1e-12};
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc(0.5, 40, 0.8, 0.5)};
+    scene.rotor.bearings = {tests::bearing(0.1, 1e5, 1e5), tests::bearing(0.9, 1e5, 1e5)};
+    scene.campbell.modes = 4;
+    const double p = std::sqrt(2 * 1e5 * 0.16 / 0.8);
+    const double a = 0.1;
+    scene.rotor.anisotropies = {{"", 0.5, a * 0.8, 0.3}};
+    for (const int count : {2, 11, 41}) {
+        scene.speeds = model::SpeedRange{200, 600, count};
+        const std::vector<double> found = speeds_of(analyses::campbell(scene));
+        ASSERT_EQ(found.size(), 2U) << count;
+        EXPECT_NEAR(found[0], p / std::sqrt(1 - 0.5 / 0.8 + a), 1e-9 * p);
+        EXPECT_NEAR(found[1], p / std::sqrt(1 - 0.5 / 0.8 - a), 1e-9 * p);
     }
 }
 

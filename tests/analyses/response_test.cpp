@@ -196,6 +196,19 @@ TEST(UnbalanceResponse, at_rest_nothing_moves_even_without_supports) {
     EXPECT_EQ(node_at(unbalance_response(scene), 0.8).amplitude[0], 0);
 }
 
+TEST(UnbalanceResponse, lists_every_place_where_something_is_attached) {
+    model::Case scene = Jeffcott().scene;
+    scene.rotor.bearings[0].name = "left";
+    scene.rotor.anisotropies = {{"keyway", 0.3, 1e-4, 0}};
+    scene.rotor.planes = {{"", 0.7}};
+    const ResponseResult result = unbalance_response(scene);
+    std::vector<std::pair<double, std::string>> places; // and the disc, the other bearing
+    for (const analyses::ResponseNode &node : result.nodes)
+        places.emplace_back(node.z, node.name);
+    EXPECT_EQ(places, (std::vector<std::pair<double, std::string>>{
+                          {0, "left"}, {0.3, "keyway"}, {0.5, ""}, {0.7, ""}, {1, ""}}));
+}
+
 TEST(UnbalanceResponse, says_what_the_case_lacks) {
     const auto message = [](const model::Case &scene) -> std::string {
         try {

@@ -157,6 +157,15 @@ TEST_F(Program, TextNamesFormulationPictureAndReport) {
     EXPECT_TRUE(fs::exists("out/friswell_5_9_1/critical/critical.csv"));
 }
 
+TEST_F(Program, StationsWithoutNamesAreListedBesideNamedOnes) {
+    // The only disc has no name, both bearings have one.
+    const ProgramRun result =
+        run(with_few({"response", std::string(WHIRL_ROOT) + "/cases/nelson_mcvaugh"}));
+    ASSERT_EQ(result.status, 0) << result.errors;
+    for (const char *station : {"\n  z = 0 m ", "\n  z = 0.0889 m ", "\n  left (z = 0.1651 m) "})
+        EXPECT_TRUE(contains(result.output, station)) << station << result.output;
+}
+
 TEST_F(Program, FolderThatCannotBeMadeIsStatusOneInWords) {
     // A file stands where the folder should be: refused for every user, root as well.
     const ProgramRun result = run({"critical", rotor, "--out", rotor + "/case.toml/results"});

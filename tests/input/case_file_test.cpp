@@ -314,6 +314,24 @@ TEST(RotatingParts, OnTheLimitsAreAccepted) {
     EXPECT_NEAR(turned.rotor.balancers.at(0).imbalance_phase, std::acos(0.5), 1e-15);
 }
 
+TEST(RotatingParts, InertiasLeftOutCarryNoAnisotropy) {
+    // Ip/2 of the bare shaft is 0.0023930, with two balls of m R^2 = 0.001 it is 0.0033930, with
+    // their point mass of m0 R0^2 = 0.02 as well 0.0133930.
+    const std::string skew = "[[anisotropy]]\nz = 0.5\ndI = ";
+    const std::string balls = "[[balancer]]\nz = 0.5\nmass = 0.1\nradius = 0.1\nimbalance = 0.01\n";
+    const std::string pendulums = "[[balancer]]\nz = 0.5\nkind = \"pendulum4\"\nmass = 0.1\n"
+                                  "arm = 0.06\npivot = 0.04\n"; // the same radius, twice as many
+    const std::string left_out = "balancer[0].tilt_inertia=false";
+    for (const std::string &text : {balls + skew + "0.00339\n", pendulums + skew + "0.00439\n",
+                                    balls + "imbalance_radius = 2\n" + skew + "0.01339\n"}) {
+        (void)load_text(sound_case + text);
+        EXPECT_NE(refusal(sound_case + text, {left_out}).find("place), 0.0023930"),
+                  std::string::npos)
+            << text;
+    }
+    (void)load_text(sound_case + balls + skew + "0.00239\n", {left_out});
+}
+
 TEST(ShearModulus, BothKeysMayAgreeAndGCounts) {
     const std::string start = "format = 1\n[shaft]\nsegments = [{length = 1, outer = 0.1}]\n"
                               "[material.a]\nrho = 1\nE = 2.0e11\nnu = 0.3\n";

@@ -56,6 +56,38 @@ TEST(CsvTable, MissingColumnsAndCellsAreEmpty) {
         << message(problems);
 }
 
+TEST(CsvTable, QuotationMarksHoldCommasCommentsAndTheirLike) {
+    input::Problems problems;
+    auto table = read("\"label\",k # comment\n"
+                      "\"a, b\",3\n"
+                      " \" 2\"\" bore, #4 \" , \"5 kN/m\" # the \"last\", but two\n"
+                      "\"\"\"\",7#8\n"
+                      "12\" disc,9\n"
+                      "\"\",10\n",
+                      problems);
+    ASSERT_TRUE(table.usable()) << message(problems);
+    ASSERT_EQ(table.rows(), 5U);
+    const std::vector<std::string> labels{"a, b", "2\" bore, #4", "\"", "12\" disc", ""};
+    const std::vector<double> k{3, 5000, 7, 9, 10};
+    for (std::size_t row = 0; row < 5; ++row) {
+        EXPECT_EQ(table.text(row, "label"), labels[row]);
+        EXPECT_EQ(table.number(row, "k", Range::any()), k[row]);
+    }
+    EXPECT_TRUE(problems.empty());
+}
+
+TEST(CsvTable, QuotationMarksThatDoNotMatchAreNamed) {
+    input::Problems problems;
+    const auto table = read("label,k\n\"a,3\n\"a\" b,3\n\"a\"\"\"\",3\na,3\n", problems);
+    EXPECT_FALSE(table.usable());
+    const std::string text = message(problems);
+    for (const char *line : {"t.csv:2: expected a quotation mark at the end",
+                             "t.csv:3: expected a comma after the quotation mark",
+                             "t.csv:4: expected a quotation mark at the end"})
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+    EXPECT_EQ(text.find("t.csv:5"), std::string::npos) << text;
+}
+
 TEST(CsvTable, EveryMistakeOfTheHeaderIsNamed) {
     input::Problems problems;
     const auto table = read("sped,k [kg],k\n1,2,3\n", problems);

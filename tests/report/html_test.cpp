@@ -51,6 +51,24 @@ TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {
     EXPECT_EQ(data.at("title"), scene.title);
 }
 
+TEST(Html, SaysInWhichAxesTheFormIs) {
+    using analyses::Form;
+    analyses::CampbellResult result = sample_campbell();
+    for (const Form form : {Form::planar, Form::hyperbolic, Form::general}) {
+        result.model.formulation.form = form;
+        const std::string html = without_bundle(to_html(sample_case(), result, ""));
+        EXPECT_NE(html.find(analyses::form_name(form) + " form, in the fixed frame: isotropic"),
+                  std::string::npos);
+    }
+    for (const Form form : {Form::rotating, Form::hill}) {
+        result.model.formulation.form = form;
+        const std::string html = without_bundle(to_html(sample_case(), result, ""));
+        EXPECT_EQ(html.find("fixed frame"), std::string::npos) << analyses::form_name(form);
+        EXPECT_NE(html.find(analyses::form_name(form) + " form, in axes that turn with the rotor"),
+                  std::string::npos);
+    }
+}
+
 TEST(Html, TablesShowCrossingsAndOverdampedModes) {
     analyses::CampbellResult result = sample_campbell();
     result.modes[1].frequency[2].reset();
@@ -58,6 +76,17 @@ TEST(Html, TablesShowCrossingsAndOverdampedModes) {
     EXPECT_NE(html.find("<td>82.5</td>"), std::string::npos) << "crossing in rad/s";
     EXPECT_NE(html.find("<td>overdamped</td>"), std::string::npos);
     EXPECT_NE(html.find("isotropic &amp; undamped"), std::string::npos);
+}
+
+TEST(Html, ModesAreDrawnByTheCurvesOfTheStillPicture) {
+    analyses::ModesResult result = sample_modes();
+    result.modes[0].x.assign(3, 0); // straight up and down, in phase with nothing in x
+    result.modes[0].y = {0.25, 1, -0.5};
+    const std::string html = without_bundle(to_html(sample_case(), result, ""));
+    if (plotly_bundle().empty())
+        GTEST_SKIP() << "the page has no script";
+    EXPECT_NE(html.find("y: [0.25,1,-0.5]"), std::string::npos);
+    EXPECT_NE(html.find("drawnModes[k].y"), std::string::npos);
 }
 
 } // namespace whirl::report
