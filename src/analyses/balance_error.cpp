@@ -65,13 +65,35 @@ Neighbourhood around(const std::vector<SpeedBand> &bands, double end) {
     return out;
 }
 
+/// A criterion, and how far rounding can make it off.
+struct Judged {
+    SpeedFunction value, rounding;
+};
+
+/// How far rounding can move an end: what it makes of the criterion beside it, over the slope there
+/// (of a root as of a pole: near both the ratio is that of the end itself), rad/s.
+double blur_of(double end, const Judged &criterion) {
+    constexpr double beside = 1e-5;
+    double blur = 0;
+    for (const double side : {-beside, beside}) {
+        const double near = end * (1 + side);
+        const double off = end * (1 + 1.25 * side);
+        const double slope = (criterion.value(off) - criterion.value(near)) / (off - near);
+        if (slope != 0)
+            blur = std::max(blur, criterion.rounding(near) / std::abs(slope));
+    }
+    return blur;
+}
+
 /// Error of one end, rad/s.
 std::optional<double> error_of(double end, bool upper, const std::vector<SpeedBand> &bands,
-                               const SpeedFunction &criterion, const SpeedFunction *finer) {
+                               const Judged &judged, const SpeedFunction *finer) {
+    const SpeedFunction &criterion = judged.value;
     const Neighbourhood limits = around(bands, end);
     const auto again = end_near(criterion, end, upper, limits.below, limits.above);
     // Bracketing ends at 1e-13 of the speed.
-    double error = 2e-13 * end + 3 * std::abs(again.value_or(end) - end);
+    const double error =
+        2e-13 * end + 3 * std::abs(again.value_or(end) - end) + 2 * blur_of(end, judged);
     if (finer == nullptr)
         return error;
     const auto other = end_near(*finer, end, upper, limits.below, limits.above);
@@ -81,7 +103,7 @@ std::optional<double> error_of(double end, bool upper, const std::vector<SpeedBa
 }
 
 /// Fills in the errors of one list of bands. @returns ends without a counterpart.
-std::vector<double> judge(const BalanceScene &scene, const SpeedFunction &criterion,
+std::vector<double> judge(const BalanceScene &scene, const Judged &criterion,
                           const SpeedFunction *finer, BalanceBands &of) {
     std::vector<double> lonely;
     of.errors.clear();
@@ -131,20 +153,24 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, BalanceResult
     const assembly::Discretization d(scene.rotor, rigid ? scene.order : finer_order(scene.order));
     BalanceForm finer(d, scene.formulation.form, scene.places(d), scene.plane_positions());
     std::vector<std::string> &notes = result.model.notes;
-    const auto judge_one = [&](const std::string &which, BalanceBands &of, auto &&value) {
-        const SpeedFunction given = [&](double speed) { return value(form, speed); };
+    const auto judge_one = [&](const std::string &which, BalanceBands &of, auto &&value,
+                               SpeedFunction rounding) {
+        const Judged given{[&](double speed) { return value(form, speed); }, std::move(rounding)};
         const SpeedFunction fine = [&](double speed) { return value(finer, speed); };
         note_lonely(which, judge(scene, given, rigid ? nullptr : &fine, of), notes);
     };
     for (std::size_t i = 0; i < result.planes.size(); ++i)
         judge_one(
             fmt::format("plane {}", i + 1), result.planes[i].bands,
-            [i](BalanceForm &of, double speed) { return of.plane(static_cast<int>(i), speed); });
+            [i](BalanceForm &of, double speed) { return of.plane(static_cast<int>(i), speed); },
+            [&form, i](double speed) { return form.plane_rounding(static_cast<int>(i), speed); });
     if (result.planes.size() == 1)
         result.joint.bands.errors = result.planes[0].bands.errors;
     else
-        judge_one("all planes together", result.joint.bands,
-                  [](BalanceForm &of, double speed) { return of.joint(speed); });
+        judge_one(
+            "all planes together", result.joint.bands,
+            [](BalanceForm &of, double speed) { return of.joint(speed); },
+            [&form](double speed) { return form.joint_rounding(speed); });
     if (rigid)
         return;
     const std::vector<std::size_t> counts =

@@ -77,6 +77,15 @@ double BalanceForm::joint(double speed) {
         .maxCoeff();
 }
 
+double BalanceForm::plane_rounding(int index, double speed) {
+    return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), index));
+}
+
+double BalanceForm::joint_rounding(double speed) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
+    return _receptance.rounding(speed, _range * solver.eigenvectors().rightCols<1>());
+}
+
 SignaturePoint BalanceForm::signature(double speed) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
     const Eigen::VectorXd &values = solver.eigenvalues();

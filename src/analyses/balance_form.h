@@ -26,6 +26,9 @@ class BalanceForm {
     /// Largest eigenvalue on the imbalances that make a force at all (all of them, unless the
     /// rotor is rigid and has more than two planes).
     [[nodiscard]] double joint(double speed);
+    /// How far plane() and joint() can be off by rounding, 1/kg.
+    [[nodiscard]] double plane_rounding(int index, double speed);
+    [[nodiscard]] double joint_rounding(double speed);
     /// Eigenvalues of the form; those of imbalances without force are exactly zero.
     [[nodiscard]] SignaturePoint signature(double speed);
 

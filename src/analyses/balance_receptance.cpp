@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 namespace whirl::analyses {
 
@@ -211,6 +212,21 @@ Eigen::MatrixXcd ForwardReceptance::at(double speed) {
     d.solver.assemble(d.terms, speed);
     const Eigen::MatrixXcd U = d.solver.solve(Eigen::MatrixXcd(d.places));
     return square * (d.places.adjoint() * U);
+}
+
+double ForwardReceptance::rounding(double speed, const Eigen::VectorXcd &s) {
+    Data &d = *_data;
+    if (d.tables)
+        d.terms = d.terms_at(speed);
+    d.solver.assemble(d.terms, speed);
+    const Eigen::VectorXd u = d.solver.solve(Eigen::MatrixXcd(d.places * s)).cwiseAbs();
+    const double square = speed * speed;
+    double sum = 0;
+    const std::array<double, factor_count> sizes{1, std::abs(speed), square, std::abs(speed),
+                                                 square};
+    for (std::size_t i = 0; i < factor_count; ++i)
+        sum += sizes[i] * u.dot(Sparse(d.terms.of[i].cwiseAbs()) * u);
+    return square * std::numeric_limits<double>::epsilon() * sum;
 }
 
 int ForwardReceptance::unknowns() const { return static_cast<int>(2 * _data->places.rows()); }

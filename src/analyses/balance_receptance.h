@@ -33,6 +33,11 @@ class ForwardReceptance {
     /// @throws linalg::SolverError at an undamped resonance.
     [[nodiscard]] Eigen::MatrixXcd at(double speed);
 
+    /// How far s^H R s can be off, to first order, by rounding of the entries of Z: epsilon times
+    /// |u|^H |Z| |u| with the motion u under the imbalances s (places), 1/kg.
+    /// @throws linalg::SolverError at an undamped resonance.
+    [[nodiscard]] double rounding(double speed, const Eigen::VectorXcd &s);
+
     /// Unknowns of the linear system, as real numbers.
     [[nodiscard]] int unknowns() const;
     /// Nothing in the supports (general form: in the rotor either) takes energy out.

@@ -28,6 +28,26 @@ std::vector<std::complex<double>> of_sense(const Spectrum &spectrum, bool planar
     return out;
 }
 
+/// Distance to the partner among candidates (likeness, eigenvalue of the finer model). Where one of
+/// them is far nearer than all others, and not much less like it, that is the mode (damped modes,
+/// and those on cross-coupled bearings, are not orthogonal: their shapes resemble each other). Else
+/// the farthest counts: where shapes do not tell which is which, the larger error is stated.
+double error_among(std::complex<double> value,
+                   std::vector<std::pair<double, std::complex<double>>> candidates) {
+    constexpr double far_nearer = 0.02;
+    constexpr double not_much_less = 0.7;
+    std::sort(candidates.begin(), candidates.end(), [value](const auto &a, const auto &b) {
+        return std::abs(a.second - value) < std::abs(b.second - value);
+    });
+    double best = 0;
+    for (const auto &[likeness, fine] : candidates)
+        best = std::max(best, likeness);
+    const auto distance = [&](std::size_t i) { return std::abs(candidates[i].second - value); };
+    const bool told = candidates.size() == 1 || (distance(0) <= far_nearer * distance(1) &&
+                                                 candidates[0].first >= not_much_less * best);
+    return relative(value, told ? candidates.front().second : candidates.back().second);
+}
+
 } // namespace
 
 FinerModel::FinerModel(const model::Rotor &rotor, const SpectrumSolver &coarse, int refinement)
@@ -69,8 +89,7 @@ std::vector<double> FinerModel::errors_by_place(const Spectrum &coarse) const {
     return errors;
 }
 
-/// Of the modes of the finer model that resemble it nearly as much as the one most like it, the
-/// farthest counts: where shapes do not tell which is which, the larger error is stated.
+/// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const Spectrum &coarse) const {
     constexpr double nearly = 0.5;
     const Spectrum fine = _fine->at(
@@ -97,11 +116,11 @@ std::vector<double> FinerModel::errors_by_shape(const Spectrum &coarse) const {
                 size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i] : 0);
         const double best =
             likeness.empty() ? 0 : *std::max_element(likeness.begin(), likeness.end());
-        double error = best > 0 ? 0 : unknown;
+        std::vector<std::pair<double, std::complex<double>>> candidates;
         for (std::size_t i = 0; i < likeness.size() && best > 0; ++i)
             if (likeness[i] > nearly * best)
-                error = std::max(error, relative(mode.eigenvalue, fine.modes[i].eigenvalue));
-        errors.push_back(error);
+                candidates.emplace_back(likeness[i], fine.modes[i].eigenvalue);
+        errors.push_back(candidates.empty() ? unknown : error_among(mode.eigenvalue, candidates));
     }
     return errors;
 }

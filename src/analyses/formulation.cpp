@@ -1,9 +1,12 @@
 #include "analyses/formulation.h"
 
 #include "analyses/results.h"
+#include "analyses/stiffness_sign.h"
 #include "model/errors.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace whirl::analyses {
 
@@ -112,6 +115,11 @@ Formulation choose_formulation(const model::Case &scene) {
                    : Formulation{Form::hill,
                                  "neither what turns nor the bearings are the same from every "
                                  "direction: a series in twice the spin speed, in rotating axes"};
+    if (!rotor.damped() && may_push_away(rotor) &&
+        !stiffness_positive(rotor, std::max(1, rotor.shaft.order)))
+        return {Form::general, "the stiffness is not positive definite (a bearing pushes away, or "
+                               "the axial force buckles the shaft): real eigenvalues are looked "
+                               "for beside frequencies"};
     const std::string no_planar = against_planar(rotor);
     if (no_planar.empty())
         return {Form::planar, "isotropic bearings, axisymmetric rotor, no damping: w = x + i y "

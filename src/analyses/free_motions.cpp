@@ -15,8 +15,8 @@ namespace {
 /// apart (nearer ones are one station): a singular value of a third of that still constrains.
 constexpr double unconstrained = 1e-12;
 
-/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by one
-/// shaft length, and each pedestal alone.
+/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by 1 over the
+/// shaft length (all deflections of the order of 1), and each pedestal alone.
 class RigidCoordinates {
   public:
     explicit RigidCoordinates(const assembly::Discretization &d) : _d(d) {
@@ -32,7 +32,7 @@ class RigidCoordinates {
             const std::vector<double> motion = d.rigid_motion(tilt == 1);
             _columns.col(tilt) = Eigen::Map<const Eigen::VectorXd>(motion.data(), d.planar_size());
         }
-        _columns.col(1) *= length();
+        _columns.col(1) /= length();
         for (std::size_t p = 0; p < pedestals.size(); ++p) {
             _columns.row(pedestals[p]).setZero();
             _columns(pedestals[p], 2 + static_cast<int>(p)) = 1;
@@ -180,6 +180,15 @@ Eigen::MatrixXd real_coordinates(const Constraints &constraints, int m,
     return out;
 }
 
+/// Fills in damping and scale from D over the rigid coordinates and the free motions N among them.
+void project_damping(const Eigen::MatrixXd &M, const Eigen::MatrixXd &D, const Eigen::MatrixXd &N,
+                     FreeMotions &out) {
+    const Eigen::VectorXd weight = (N.transpose() * M * N).diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = N * weight.asDiagonal();
+    out.damping = scaled.transpose() * D * scaled;
+    out.scale = (scaled.cwiseAbs().transpose() * D.cwiseAbs() * scaled.cwiseAbs()).maxCoeff();
+}
+
 } // namespace
 
 FreeMotions free_motions(const assembly::Discretization &discretization, Form form,
@@ -199,10 +208,7 @@ FreeMotions free_motions(const assembly::Discretization &discretization, Form fo
         const Eigen::MatrixXd N =
             by_translation_and_tilt(constraints.null_space(0, m), rigid.centre);
         out.motions = R * N;
-        const Eigen::VectorXd scale =
-            (N.transpose() * rigid.M * N).diagonal().cwiseSqrt().cwiseInverse();
-        out.damping =
-            scale.asDiagonal() * (spin_speed * N.transpose() * rigid.G * N) * scale.asDiagonal();
+        project_damping(rigid.M, spin_speed * rigid.G, N, out);
         return out;
     }
     const Eigen::MatrixXd N = real_coordinates(constraints, m, rigid.centre);
@@ -214,8 +220,7 @@ FreeMotions free_motions(const assembly::Discretization &discretization, Form fo
     Eigen::MatrixXd D = rigid.C;
     D.topRightCorner(m, m) += spin_speed * rigid.G;
     D.bottomLeftCorner(m, m) -= spin_speed * rigid.G;
-    const Eigen::VectorXd scale = (N.transpose() * M * N).diagonal().cwiseSqrt().cwiseInverse();
-    out.damping = scale.asDiagonal() * (N.transpose() * D * N) * scale.asDiagonal();
+    project_damping(M, D, N, out);
     return out;
 }
 

@@ -14,6 +14,8 @@ struct FreeMotions {
     Eigen::MatrixXd motions;
     /// Damping and gyroscopic coupling between them, each motion scaled to unit mass, 1/s.
     Eigen::MatrixXd damping;
+    double scale = 0; ///< of the terms that `damping` is the sum of, 1/s: what is far below is
+                      ///< rounding, as of a damper where a motion has its node
 };
 
 /// Decided by the constraints that the rotor has, one row for each spring there is, whatever its

@@ -163,12 +163,26 @@ class Follower {
         const bool border = inner > 0.9 * _border;
         // Balls near rest: rounding cannot tell these motions from each other, nor what they do.
         const bool blurred = spread <= noise;
-        if (!may_meet || growth < -spread || border || blurred)
+        if (!may_meet || growth < -spread || border || blurred) {
+            // One that can only have become the other; another motion can still meet it.
+            if (group.from.size() == 1 && group.to.size() == 1) {
+                target(group.from[0]) = group.to[0];
+                origin(group.to[0]) = group.from[0];
+            }
             return;
+        }
         if (group.from.size() == 2 && group.to.size() == 2)
             add_pair(group.from[0], group.from[1], group.to[0], group.to[1], false);
         else
             _out.doubtful = true;
+    }
+
+    /// Each has become a mixture of both: which of them is which then depends on how states are
+    /// measured, and whether their frequencies cross with it.
+    [[nodiscard]] bool mixed(int i, int j) const {
+        constexpr double traces = 0.02;
+        return _share(i, _out.to[static_cast<std::size_t>(j)]) > traces ||
+               _share(j, _out.to[static_cast<std::size_t>(i)]) > traces;
     }
 
     void crossings() {
@@ -176,7 +190,7 @@ class Follower {
         for (int i = 0; i < count; ++i)
             for (int j = i + 1; j < count; ++j)
                 if (target(i) != nowhere && target(j) != nowhere)
-                    add_pair(i, j, target(i), target(j), true);
+                    add_pair(i, j, target(i), target(j), !mixed(i, j));
     }
 
     /// The copy of a value that continues another one.

@@ -73,7 +73,9 @@ class MeetingSearch {
         double low = _m.from;
         double high = _m.to;
         double speed = first_guess();
-        constexpr int most_steps = 10;
+        constexpr int most_steps = 12;
+        constexpr int looks_that_agree = 3;
+        int said_stable = 0;
         for (int step = 0; step < most_steps; ++step) {
             const PairPoint found = nearest(_at(speed), speed);
             if (found.grows)
@@ -91,7 +93,10 @@ class MeetingSearch {
             const double margin =
                 off_s + std::min(std::sqrt(off_q), off_q / std::max(2 * root, 1e-300));
             const double moved = std::abs(guess.speed - speed);
-            if (guess.growth < -2 * margin || moved < 1e-9 * std::abs(_m.to) ||
+            // What three points say of the whole is not enough: another look where they place the
+            // most growth must agree with them.
+            said_stable = guess.growth < -2 * margin ? said_stable + 1 : 0;
+            if (said_stable == looks_that_agree || moved < 1e-9 * std::abs(_m.to) ||
                 moved < 1e-7 * (_m.to - _m.from))
                 return {Kind::stable, speed};
             // Keep the two points nearest to the guess.

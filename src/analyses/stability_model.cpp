@@ -2,13 +2,13 @@
 
 #include "analyses/discretization_error.h"
 #include "analyses/hill_harmonics.h"
+#include "analyses/stiffness_sign.h"
 #include "analyses/zero_modes.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
 #include "model/errors.h"
 
-#include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,15 +17,6 @@
 namespace whirl::analyses {
 
 namespace {
-
-/// An undamped rotor with positive definite K has a positive energy that is conserved.
-bool stiffness_positive(const model::Rotor &rotor, int order) {
-    const assembly::Discretization d(rotor, order);
-    const assembly::FixedSystem system = assembly::assemble_fixed(d, 0);
-    const Eigen::SparseMatrix<double> K = system.K.view();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(K);
-    return factors.info() == Eigen::Success && factors.vectorD().minCoeff() > 0;
-}
 
 /// det[K + W Ks + W^2 Kss] = 0.
 struct StandingSystem {

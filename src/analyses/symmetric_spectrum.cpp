@@ -34,7 +34,8 @@ SymmetricSpectrum::SymmetricSpectrum(const assembly::Discretization &discretizat
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             "the stiffness matrix is not positive definite: the shaft buckles under its axial "
-            "force, or its stiffnesses differ by more than double precision holds");
+            "force, a bearing pushes it away, or its stiffnesses differ by more than double "
+            "precision holds; formulation = \"general\" looks at all eigenvalues");
     }
 }
 

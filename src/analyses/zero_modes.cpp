@@ -66,7 +66,7 @@ ZeroModes zero_modes(const assembly::Discretization &discretization, Form form,
     if (dimension == 0)
         return out;
     const Eigen::MatrixXd &damping = free.damping;
-    const double scale = damping.cwiseAbs().maxCoeff();
+    const double scale = free.scale;
     const int rank_all = rank(damping, scale);
     out.eigenvalues = 2 * dimension - rank_all;
     int whirl_modes = out.eigenvalues;

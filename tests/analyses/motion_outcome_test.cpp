@@ -52,7 +52,7 @@ SimulateResult outcome_of(double end, const Function &amplitude, const Function 
 std::string word(const SimulateResult &result) { return outcome_name(result.outcome); }
 
 TEST(MotionOutcome, growth_is_seen_however_small_the_motion_still_is) {
-    for (const double start : {1e-10, 1e-7, 1e-5, 1e-3})
+    for (const double start : {1e-9, 1e-7, 1e-5, 1e-3})
         for (const double end : {0.5, 2.0, 4.0}) {
             const auto amplitude = [&](double t) { return start * std::exp(2.2 * t); };
             const SimulateResult result = outcome_of(end, amplitude);

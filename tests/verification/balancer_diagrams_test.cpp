@@ -208,8 +208,9 @@ model::Case jeffcott(double ball_mass) {
 // with 0.025.
 TEST(JeffcottDiagram, StableSpeeds) {
     const auto bands_of = [](const model::Case &scene) {
-        return analyses::unstable_bands_of(scene, scene.rotor,
-                                           analyses::arrangement_at_balance(scene.rotor));
+        return analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor),
+                                           false)
+            .bands;
     };
     const auto heavy = bands_of(jeffcott(0.05));
     ASSERT_EQ(heavy.size(), 2U);

@@ -95,7 +95,7 @@ TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
 
 TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
     const analyses::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
-    const auto bands = analyses::unstable_bands_of(scene, rotor, {});
+    const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     EXPECT_GE(bands.size(), 1U);
     for (double speed = 101.3; speed < 450; speed += 5) {
         const double growth = periodic(speed).growth(steps);
@@ -122,9 +122,9 @@ TEST(HillForm, EqualsTheRotatingFormOnEqualBearings) {
     model::Rotor rotor = rigid_rotor();
     rotor.bearings = {damped_bearing(0.05, 6e5, 6e5, 2e-5), damped_bearing(1, 8e5, 8e5, 2e-5)};
     model::Case scene = tests::scene_of(rotor, 100, 450, 71);
-    const auto rotating = analyses::unstable_bands_of(scene, rotor, {});
+    const auto rotating = analyses::unstable_bands_of(scene, {}, false).bands;
     scene.formulation = model::FormChoice::hill;
-    const auto hill = analyses::unstable_bands_of(scene, rotor, {});
+    const auto hill = analyses::unstable_bands_of(scene, {}, false).bands;
     ASSERT_EQ(rotating.size(), 1U);
     ASSERT_EQ(hill.size(), 1U);
     EXPECT_NEAR(hill[0].first, rotating[0].first, 1e-9 * rotating[0].first);
@@ -294,7 +294,7 @@ TEST(TwoPlaneBalancer, WindowsOfStabilityOnUnequalBearings) {
     const model::Rotor rotor = two_plane_rotor();
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
     const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
-    const auto bands = analyses::unstable_bands_of(scene, rotor, balls);
+    const auto bands = analyses::unstable_bands_of(scene, balls, false).bands;
     std::vector<double> ends{0.6};
     ASSERT_FALSE(bands.empty());
     std::vector<std::pair<double, double>> stable;

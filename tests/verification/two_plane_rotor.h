@@ -44,8 +44,9 @@ inline model::Case rotor_with(const Imbalance &imbalance, double ball_mass, doub
 /// The speed above which the balanced position is stable up to `to`.
 inline double stable_above(model::Case scene, double from, double to) {
     scene.speeds = model::SpeedRange{from, to, 81};
-    const auto bands = analyses::unstable_bands_of(scene, scene.rotor,
-                                                   analyses::arrangement_at_balance(scene.rotor));
+    const auto bands =
+        analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), false)
+            .bands;
     return bands.empty() ? from : bands.back().second;
 }
 
