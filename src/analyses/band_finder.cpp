@@ -102,13 +102,29 @@ class Confirmation {
         }
         if (grows_between(last, _back))
             return std::nullopt;
-        return joined(std::move(out));
+        return without_slits(joined(std::move(out)));
     }
 
   private:
     const MotionsAt &_at;
     const std::vector<SpeedInterval> &_bands;
     double _front, _back;
+
+    /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
+    /// the growth of an undamped rotor comes and goes with the rounding.
+    [[nodiscard]] std::vector<SpeedInterval> without_slits(std::vector<SpeedInterval> bands) const {
+        constexpr double slit = 1e-7;
+        std::vector<SpeedInterval> out;
+        for (const SpeedInterval &band : bands) {
+            const bool close =
+                !out.empty() && band.first - out.back().second <= slit * std::abs(band.first);
+            if (close && growth(_at, (band.first + out.back().second) / 2) >= 0)
+                out.back().second = band.second;
+            else
+                out.push_back(band);
+        }
+        return out;
+    }
 
     [[nodiscard]] bool grows_between(double from, double to) const {
         return to > from && growth(_at, (from + to) / 2) > 0;

@@ -1,5 +1,7 @@
 #include "assembly/assemble.h"
 
+#include "model/axes.h"
+
 #include <vector>
 
 namespace whirl::assembly {
@@ -94,7 +96,9 @@ void add_product(Term term, const Combination &row, const Combination &column,
 
 void assemble_bearing(const Discretization &d, int index, double speed, const AddCoupling &add) {
     const model::Bearing &bearing = d.rotor().bearings[static_cast<std::size_t>(index)];
-    const model::BearingCoefficients at = bearing.at(speed);
+    model::BearingCoefficients at = bearing.at(speed);
+    for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.kt, &at.ct})
+        *block = model::without_rounding(*block);
     const Combination phi = d.slope_at(bearing.z);
     add_product(Term::stiffness, phi, phi, at.kt, add);
     add_product(Term::damping, phi, phi, at.ct, add);

@@ -25,6 +25,8 @@ class InvarianceScene {
     /// What it is made of, for messages.
     [[nodiscard]] std::string words() const;
     [[nodiscard]] bool tables() const { return _scene.rotor.bearings_depend_on_speed(); }
+    /// Whether it takes a Hill series.
+    [[nodiscard]] bool series() const;
     [[nodiscard]] bool turning_parts() const { return _scene.rotor.rotating_anisotropy(); }
 
   private:

@@ -41,10 +41,22 @@ std::string band_difference(const std::vector<Band> &a, const std::vector<Band> 
     return same ? "" : fmt::format("{}: {}become {}", what, text(a), text(b));
 }
 
-std::vector<analyses::SpeedInterval> unstable_bands(const model::Case &scene) {
-    return analyses::joined(
-        analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), false)
-            .bands);
+analyses::UnstableBands unstable_bands(const model::Case &scene, bool with_errors) {
+    return unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), with_errors);
+}
+
+/// Every end of both lists within the sum of the errors.
+bool within_errors(const analyses::UnstableBands &a, const analyses::UnstableBands &b) {
+    if (a.bands.size() != b.bands.size())
+        return false;
+    for (std::size_t i = 0; i < a.bands.size(); ++i) {
+        const auto &[from, to] = a.bands[i];
+        const auto &[from_b, to_b] = b.bands[i];
+        if (std::abs(from - from_b) > a.errors[i].first + b.errors[i].first + of_roots * to ||
+            std::abs(to - to_b) > a.errors[i].second + b.errors[i].second + of_roots * to)
+            return false;
+    }
+    return true;
 }
 
 /// A range in which something happens: up to beyond the lowest critical speeds.
@@ -55,7 +67,11 @@ model::Case with_grid(const model::Case &scene, int count) {
 }
 
 Answer stability_difference(const model::Case &a, const model::Case &b) {
-    return band_difference(unstable_bands(a), unstable_bands(b), "unstable");
+    const std::string difference =
+        band_difference(unstable_bands(a, false).bands, unstable_bands(b, false).bands, "unstable");
+    if (!difference.empty() && within_errors(unstable_bands(a, true), unstable_bands(b, true)))
+        return "";
+    return difference;
 }
 
 Answer balance_difference(const model::Case &a, const model::Case &b) {

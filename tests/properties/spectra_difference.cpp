@@ -37,10 +37,12 @@ std::vector<Item> items_at(const analyses::CampbellResult &result, std::size_t k
     return items;
 }
 
-/// Something else lies so close that the sense of whirl of either is not defined.
-bool crowded(const std::vector<Item> &items, const Item &item) {
+/// Something else lies so close that the sense of whirl of either is not defined, or within the
+/// error bars, so that it is not known which is which.
+bool crowded(const std::vector<Item> &items, const Item &item, double bar) {
+    const double close = std::max(1e-4 * std::abs(item.value), 2 * bar);
     return std::count_if(items.begin(), items.end(), [&](const Item &other) {
-               return std::abs(other.value - item.value) < 1e-4 * std::abs(item.value);
+               return std::abs(other.value - item.value) < close;
            }) > 1;
 }
 
@@ -66,7 +68,7 @@ std::string unmatched(const std::vector<Item> &a, std::vector<Item> b, std::size
                                "with bars of {:.1e}",
                                item.value.real(), item.value.imag(), nearest->value.real(),
                                nearest->value.imag(), difference / size, bar / size);
-        if (allowance.whirl && item.whirl != nearest->whirl && !crowded(a, item))
+        if (allowance.whirl && item.whirl != nearest->whirl && !crowded(a, item, bar))
             return fmt::format("{:.10g}{:+.10g}i is {} and becomes {}", item.value.real(),
                                item.value.imag(), analyses::whirl_name(item.whirl),
                                analyses::whirl_name(nearest->whirl));
