@@ -42,7 +42,8 @@ std::string band_difference(const std::vector<Band> &a, const std::vector<Band> 
 }
 
 analyses::UnstableBands unstable_bands(const model::Case &scene, bool with_errors) {
-    return unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), with_errors);
+    return analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor),
+                                       with_errors);
 }
 
 /// Every end of both lists within the sum of the errors.

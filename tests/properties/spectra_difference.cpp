@@ -46,17 +46,31 @@ bool crowded(const std::vector<Item> &items, const Item &item, double bar) {
            }) > 1;
 }
 
+/// The nearest one left, of the same sense of whirl if there is such a one within the error bars.
+Item *partner(const Item &item, std::vector<Item> &others, double rounding) {
+    const auto distance = [&](const Item &other) { return std::abs(other.value - item.value); };
+    Item *nearest = nullptr;
+    Item *alike = nullptr;
+    for (Item &other : others) {
+        if (other.used)
+            continue;
+        if (nearest == nullptr || distance(other) < distance(*nearest))
+            nearest = &other;
+        const bool same =
+            other.whirl == item.whirl && distance(other) <= item.error + other.error + rounding;
+        if (same && (alike == nullptr || distance(other) < distance(*alike)))
+            alike = &other;
+    }
+    return alike != nullptr ? alike : nearest;
+}
+
 /// The `count` lowest of a against all of b; `near_end` of them may have left b's list.
 std::string unmatched(const std::vector<Item> &a, std::vector<Item> b, std::size_t count,
                       const Allowance &allowance) {
     for (std::size_t i = 0; i < std::min(count, a.size()); ++i) {
         const Item &item = a[i];
-        Item *nearest = nullptr;
-        for (Item &other : b)
-            if (!other.used && (!nearest || std::abs(other.value - item.value) <
-                                                std::abs(nearest->value - item.value)))
-                nearest = &other;
         const double size = std::abs(item.value);
+        Item *nearest = partner(item, b, allowance.relative * size);
         if (!nearest)
             return fmt::format("{:.10g}{:+.10g}i has no partner", item.value.real(),
                                item.value.imag());
