@@ -102,7 +102,7 @@ struct SimulatedSpeed {
 
 /// Where every motion about the balanced position with the real balancers dies out.
 struct BalancedPosition {
-    std::vector<SpeedBand> bands;      ///< with the arrangement of the case, or the symmetric one
+    std::vector<SpeedBand> bands; ///< with the arrangement of the case, or the symmetric one
     std::vector<std::pair<double, double>> errors; ///< of both ends of each, rad/s
     int arrangements = 0;              ///< looked at; more than one where the balls have a choice
     std::vector<SpeedBand> with_every; ///< stable with every arrangement looked at

@@ -102,7 +102,7 @@ class Confirmation {
         }
         if (grows_between(last, _back))
             return std::nullopt;
-        return without_slits(joined(std::move(out)));
+        return without_slits(joined(out));
     }
 
   private:
@@ -112,7 +112,8 @@ class Confirmation {
 
     /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
     /// the growth of an undamped rotor comes and goes with the rounding.
-    [[nodiscard]] std::vector<SpeedInterval> without_slits(std::vector<SpeedInterval> bands) const {
+    [[nodiscard]] std::vector<SpeedInterval>
+    without_slits(const std::vector<SpeedInterval> &bands) const {
         constexpr double slit = 1e-7;
         std::vector<SpeedInterval> out;
         for (const SpeedInterval &band : bands) {

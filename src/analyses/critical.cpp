@@ -6,6 +6,7 @@
 #include "assembly/discretization.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "model/variants.h"
 
 #include <fmt/format.h>
 
@@ -20,16 +21,8 @@ namespace {
 
 /// Critical speeds of an asymmetric rotor are those without damping (A. N. Gorbenko's Omega_K);
 /// with it, no motion stands still but at the ends of the unstable ranges.
-model::Case without_damping(model::Case scene) {
-    for (model::Bearing &bearing : scene.rotor.bearings) {
-        for (model::BearingCoefficients &at : bearing.rows) {
-            at.c.setZero();
-            at.ct.setZero();
-        }
-        if (bearing.pedestal)
-            bearing.pedestal->c = 0;
-    }
-    scene.rotor.shaft.internal_damping = 0;
+model::Case undamped(model::Case scene) {
+    scene.rotor = model::without_damping(std::move(scene.rotor));
     return scene;
 }
 
@@ -189,8 +182,7 @@ CriticalResult critical_speeds(const model::Case &as_given) {
     const auto start = std::chrono::steady_clock::now();
     const Formulation formulation = choose_formulation(as_given);
     refuse_hill(formulation.form);
-    const model::Case scene =
-        formulation.form == Form::rotating ? without_damping(as_given) : as_given;
+    const model::Case scene = formulation.form == Form::rotating ? undamped(as_given) : as_given;
     CriticalResult result;
     try {
         result = of_resolved_order(scene, formulation);

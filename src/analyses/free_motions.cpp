@@ -15,8 +15,8 @@ namespace {
 /// apart (nearer ones are one station): a singular value of a third of that still constrains.
 constexpr double unconstrained = 1e-12;
 
-/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by 1 over the
-/// shaft length (all deflections of the order of 1), and each pedestal alone.
+/// Motions of a rotor whose shaft is rigid, in one plane: translation, tilt about z = 0 by 1 over
+/// the shaft length (all deflections of the order of 1), and each pedestal alone.
 class RigidCoordinates {
   public:
     explicit RigidCoordinates(const assembly::Discretization &d) : _d(d) {

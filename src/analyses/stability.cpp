@@ -12,6 +12,7 @@
 #include "linalg/check.h"
 #include "linalg/session.h"
 #include "model/errors.h"
+#include "model/variants.h"
 
 #include <fmt/format.h>
 
@@ -130,8 +131,10 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
             const auto &d = finder.solver().discretization();
+            const assembly::Discretization undamped(model::without_damping(scene.rotor),
+                                                    model.order);
             critical.push_back(
-                speeds_of(standing_or_none(d, arrangements[k], true, grid, out.incomplete)));
+                speeds_of(standing_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
             additional.push_back(
                 speeds_of(standing_or_none(d, arrangements[k], false, grid, out.incomplete)));
         }
@@ -216,6 +219,25 @@ void search_bands(const model::Case &scene, const StabilityModel &model,
         band_errors(at, scene.rotor, model, arrangement, found.bands, {grid.front(), grid.back()});
 }
 
+/// Critical and additional speeds, and those at which a root is zero; band ends among them.
+void search_standing(const model::Case &scene, const StabilityModel &model,
+                     const Arrangement &arrangement, const assembly::Discretization &d,
+                     const std::vector<double> &grid, StabilityResult &result) {
+    bool failed = false;
+    const assembly::Discretization undamped(model::without_damping(scene.rotor), model.order);
+    result.critical_speeds = speeds_of(standing_or_none(undamped, arrangement, true, grid, failed));
+    const auto free = standing_or_none(d, arrangement, false, grid, failed);
+    if (!scene.rotor.balancers.empty())
+        result.additional_speeds = speeds_of(free);
+    for (const StandingSpeed &standing : free)
+        if (standing.exact)
+            result.zero_root_speeds.push_back(standing.speed);
+    sharpen(result.unstable, free);
+    if (failed)
+        result.model.notes.emplace_back("critical or additional speeds could not be resolved "
+                                        "beside the other roots: they are not listed");
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const model::Case &scene, StabilityModel &model, StabilityResult &result) {
     std::vector<double> grid = described(search_speeds(*scene.speeds), model);
@@ -237,22 +259,8 @@ void search(const model::Case &scene, StabilityModel &model, StabilityResult &re
         search_bands(scene, model, arrangement, finder, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
-    if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
-        const auto &d = solver.discretization();
-        bool failed = false;
-        const auto critical = standing_or_none(d, arrangement, true, grid, failed);
-        result.critical_speeds = speeds_of(critical);
-        if (scene.rotor.balancers.empty()) {
-            sharpen(result.unstable, critical);
-        } else {
-            const auto additional = standing_or_none(d, arrangement, false, grid, failed);
-            result.additional_speeds = speeds_of(additional);
-            sharpen(result.unstable, additional);
-        }
-        if (failed)
-            result.model.notes.emplace_back("critical or additional speeds could not be resolved "
-                                            "beside the other roots: they are not listed");
-    }
+    if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed())
+        search_standing(scene, model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1)
         result.permissible = permissible_anisotropies(scene, model, arrangement, grid);
     const std::vector<Arrangement> arrangements = sampled_arrangements(scene.rotor, sampled);

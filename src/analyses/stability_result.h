@@ -60,8 +60,12 @@ struct StabilityResult {
     std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
     /// Error of both ends of each, rad/s (band_errors.h).
     std::vector<std::pair<double, double>> unstable_error;
-    /// Forward critical speeds in the range, balls held in place, rad/s (rotating form).
+    /// Forward critical speeds in the range, balls held in place and without damping, rad/s
+    /// (rotating form): what critical lists.
     std::vector<double> critical_speeds;
+    /// Speeds in the range at which an eigenvalue of the rotor as it is, in rotating axes, is zero:
+    /// a motion stands still in the rotor and neither grows nor dies out, rad/s (rotating form).
+    std::vector<double> zero_root_speeds;
     /// Speeds in the range at which a root is zero with the balls free: the rotor's critical
     /// speeds when it is pinned at the balancers, rad/s.
     std::vector<double> additional_speeds;

@@ -25,7 +25,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// sides, to rounding.
 constexpr double at_a_row = 2e-10;
 
-
 bool symmetric_bearings(const model::Rotor &rotor) {
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
         return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {

@@ -67,7 +67,8 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 std::string summary(const model::Case &scene, const analyses::StabilityResult &result) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
     text += result.speeds.size() == 1 ? verdict_text(result) : unstable_text(result);
-    text += speeds_text("Critical speeds, balls held", result.critical_speeds);
+    text += speeds_text("Critical speeds, balls held, undamped", result.critical_speeds);
+    text += speeds_text("A root is zero at", result.zero_root_speeds);
     text +=
         speeds_text("Additional speeds (rotor pinned at the balancers)", result.additional_speeds);
     if (result.family) {

@@ -45,6 +45,8 @@ std::string to_csv(const analyses::StabilityResult &result) {
     csv += band_rows("unstable", result.unstable, result.unstable_error);
     for (const double speed : result.critical_speeds)
         csv += fmt::format("critical speed,{0},{0},,,,\n", speed);
+    for (const double speed : result.zero_root_speeds)
+        csv += fmt::format("zero root,{0},{0},,,,\n", speed);
     for (const double speed : result.additional_speeds)
         csv += fmt::format("additional speed,{0},{0},,,,\n", speed);
     if (result.family) {

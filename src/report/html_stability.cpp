@@ -45,7 +45,11 @@ std::string verdict_text(const analyses::StabilityResult &result) {
 std::string speeds_table(const analyses::StabilityResult &result) {
     Rows rows;
     for (const double speed : result.critical_speeds)
-        rows.push_back({"critical, balls held", readable(speed, 10), readable(speed * rpm, 8)});
+        rows.push_back(
+            {"critical, balls held, undamped", readable(speed, 10), readable(speed * rpm, 8)});
+    for (const double speed : result.zero_root_speeds)
+        rows.push_back({"a root is zero: a motion stands still and neither grows nor dies out",
+                        readable(speed, 10), readable(speed * rpm, 8)});
     for (const double speed : result.additional_speeds)
         rows.push_back(
             {"additional: pinned at the balancers", readable(speed, 10), readable(speed * rpm, 8)});
@@ -78,7 +82,8 @@ std::string to_html(const model::Case &scene, const analyses::StabilityResult &r
     else
         parts.sections.emplace_back("Unstable spin speeds",
                                     bands_table(result.unstable, result.unstable_error));
-    if (!result.critical_speeds.empty() || !result.additional_speeds.empty())
+    if (!result.critical_speeds.empty() || !result.additional_speeds.empty() ||
+        !result.zero_root_speeds.empty())
         parts.sections.emplace_back("Speeds at which something stands still in rotating axes",
                                     speeds_table(result));
     if (!result.permissible.empty())

@@ -40,6 +40,7 @@ std::string to_json(const model::Case &scene, const analyses::StabilityResult &r
     json["unstable"] = json_bands(result.unstable);
     json["unstable_error"] = json_bands(result.unstable_error);
     json["critical_speeds"] = result.critical_speeds;
+    json["zero_root_speeds"] = result.zero_root_speeds;
     json["additional_speeds"] = result.additional_speeds;
     json["permissible"] = Json::array();
     for (const auto &entry : result.permissible)

@@ -4,6 +4,7 @@
 
 #include "analyses/balancer_scenes.h"
 #include "analyses/campbell.h"
+#include "analyses/critical.h"
 #include "analyses/rigid_rotors.h"
 #include "analyses/show.h"
 #include "model/errors.h"
@@ -55,6 +56,27 @@ TEST(Growth, BlurredZeroDoesNotHideAMotionThatGrows) {
     EXPECT_EQ(growth_of({motion(-0.5, 0, 0), motion(-1, 1, 2)}), -0.5);
 }
 
+// With damping a root is zero elsewhere than at the critical speeds, which have none by definition.
+TEST(StandingSpeeds, CriticalOnesAreThoseOfCriticalAndZeroRootsEndTheBand) {
+    model::Case scene = tests::anisotropic_case();
+    scene.rotor.shaft.rigid = true;
+    scene.speeds = model::SpeedRange{1, 6, 101};
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].c = 0.05 * Eigen::Matrix2d::Identity();
+    const StabilityResult result = stability(scene, {});
+    std::vector<double> critical;
+    for (const CriticalSpeed &c : critical_speeds(scene).critical_speeds)
+        if (c.speed > 1 && c.speed < 6)
+            critical.push_back(c.speed);
+    ASSERT_EQ(result.critical_speeds.size(), critical.size());
+    for (std::size_t i = 0; i < critical.size(); ++i)
+        EXPECT_NEAR(result.critical_speeds[i], critical[i], 1e-8 * critical[i]);
+    ASSERT_FALSE(result.zero_root_speeds.empty());
+    ASSERT_FALSE(result.unstable.empty());
+    EXPECT_EQ(result.zero_root_speeds.front(), result.unstable.front().first);
+    EXPECT_GT(std::abs(result.zero_root_speeds.front() - critical.front()), 1e-6);
+}
+
 // The rotor that spins the other way is the mirror image. Numbers: closed form of S1's rotor.
 TEST(SignedSpeeds, NegativeRangeIsTheMirrorImage) {
     model::Case scene = tests::anisotropic_case();
@@ -65,9 +87,9 @@ TEST(SignedSpeeds, NegativeRangeIsTheMirrorImage) {
     EXPECT_NEAR(result.unstable[0].first, -3.788366, 1e-6);
     EXPECT_NEAR(result.unstable[0].second, -2.381264, 1e-6);
     // A root is zero at both ends; the mass has its critical speed sqrt(0.15625) below the range.
-    ASSERT_EQ(result.critical_speeds.size(), 2U);
-    EXPECT_NEAR(result.critical_speeds[0], -3.788366, 1e-6);
-    EXPECT_NEAR(result.critical_speeds[1], -2.381264, 1e-6);
+    ASSERT_EQ(result.zero_root_speeds.size(), 2U);
+    EXPECT_NEAR(result.zero_root_speeds[0], -3.788366, 1e-6);
+    EXPECT_NEAR(result.zero_root_speeds[1], -2.381264, 1e-6);
     ASSERT_EQ(result.permissible.size(), 1U);
     EXPECT_NEAR(*result.permissible[0].dI, 0.055266, 1e-6);
     EXPECT_NEAR(*result.permissible[0].closed_form, 0.055266, 1e-6);
@@ -79,8 +101,8 @@ TEST(SignedSpeeds, CriticalSpeedsOutsideTheRangeAreNotListed) {
     scene.rotor.shaft.rigid = true;
     scene.speeds = model::SpeedRange{3, 6, 61};
     const auto result = stability(scene, {});
-    ASSERT_EQ(result.critical_speeds.size(), 1U);
-    EXPECT_NEAR(result.critical_speeds[0], 3.788366, 1e-6);
+    ASSERT_EQ(result.zero_root_speeds.size(), 1U);
+    EXPECT_NEAR(result.zero_root_speeds[0], 3.788366, 1e-6);
 }
 
 /// A uniform shaft of 1.5 m on two damped bearings, one of them with a negative stiffness in x.

@@ -72,6 +72,7 @@ TEST(Html, SaysInWhichAxesTheFormIs) {
 TEST(Html, TablesShowCrossingsAndOverdampedModes) {
     analyses::CampbellResult result = sample_campbell();
     result.modes[1].frequency[2].reset();
+    result.modes[1].absent[2] = "overdamped";
     const std::string html = without_bundle(to_html(sample_case(), result, ""));
     EXPECT_NE(html.find("<td>82.5</td>"), std::string::npos) << "crossing in rad/s";
     EXPECT_NE(html.find("<td>overdamped</td>"), std::string::npos);
