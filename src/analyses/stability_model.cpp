@@ -43,7 +43,9 @@ std::vector<StandingSpeed> standing_roots(const std::vector<linalg::ComplexPair>
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
         const double across = std::abs(pair.value.imag());
-        if (speed > 1e-6 * top && speed <= top && across < speed)
+        // A root at zero of several balls comes blurred: of nothing it has a digit right.
+        const bool known = 100 * pair.rounding + pair.residual < 0.1;
+        if (known && speed > 1e-6 * top && speed <= top && across < speed)
             out.push_back({speed, across <= 1e-7 * speed});
     }
     std::sort(out.begin(), out.end(),

@@ -17,7 +17,7 @@ using nlohmann::ordered_json;
 
 /// Numbers out, lines and gaps of tables to one of each: columns grow with their numbers.
 std::string words_of(const std::string &text) {
-    static const std::regex number(R"([-+−]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)");
+    static const std::regex number(R"([-+−]?(\d+(\.\d+)?|\.\d+)([eE][-+]?\d+)?)");
     static const std::regex gap(R"([ \t]+)");
     static const std::regex line("(-|─|═|_)+");
     std::string out = std::regex_replace(text, number, "#");
