@@ -1,5 +1,6 @@
 #include "analyses/band_finder.h"
 
+#include "analyses/hill_motions.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "reduction/planar_shapes.h"
@@ -13,7 +14,6 @@ namespace whirl::analyses {
 namespace {
 
 using Pairs = std::vector<linalg::ComplexPair>;
-using Complex = std::complex<double>;
 
 /// With so few planar unknowns nothing is gained, nor with so large a part of them.
 constexpr int small = 16;
@@ -23,26 +23,15 @@ constexpr double same = 1e-7;
 /// Part of a shape that the others must lack for it to be taken in.
 constexpr double newness = 1e-5;
 
-/// Between eigenvalues of which each stands for its conjugate and, with Hill's series, for copies
-/// 2 i speed apart.
-double apart(Complex a, Complex b, double speed, bool copies) {
-    const auto distance = [&](Complex d) {
-        return copies && speed != 0
-                   ? std::abs(Complex(d.real(), std::remainder(d.imag(), 2 * speed)))
-                   : std::abs(d);
-    };
-    return std::min(distance(a - b), distance(a - std::conj(b)));
-}
-
 /// Those of `some` that none of the others is.
 std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,
-                                                 double speed, bool copies) {
+                                                 double speed, double repeats) {
     std::vector<const linalg::ComplexPair *> out;
     for (const linalg::ComplexPair &pair : some) {
         const double allowed = same * std::max(std::abs(pair.value), std::abs(speed)) +
                                100 * (pair.rounding + pair.residual) * std::abs(pair.value);
         if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
-                return apart(pair.value, other.value, speed, copies) <= allowed;
+                return apart(pair.value, other.value, repeats) <= allowed;
             }))
             out.push_back(&pair);
     }
@@ -182,7 +171,6 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
     if (d.rigid() || d.planar_size() <= small)
         return nullptr;
     const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    const bool copies = _model.form == Form::hill;
     reduction::PlanarShapes planar(d, top);
     if (_shapes)
         planar.add(*_shapes, newness);
@@ -197,14 +185,15 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
         const double speed = speeds[place];
         if (speed == 0)
             continue;
+        const double repeats = _model.form == Form::hill ? 2 * std::abs(speed) : 0;
         const Pairs whole = _whole.pairs(speed);
         const Eigen::Index term = 2 * (d.planar_size() + std::ssize(_rotor.balancers));
-        for (const auto *pair : missing(whole, out->pairs(speed), speed, copies))
+        for (const auto *pair : missing(whole, out->pairs(speed), speed, repeats))
             planar.add(planar_parts(pair->vector, d.planar_size(), term), newness);
         if (planar.matrix().cols() > _shapes->cols())
             take();
         if (static_cast<double>(planar.matrix().cols()) > large_part * d.planar_size() ||
-            !missing(whole, out->pairs(speed), speed, copies).empty())
+            !missing(whole, out->pairs(speed), speed, repeats).empty())
             return nullptr;
     }
     return out;

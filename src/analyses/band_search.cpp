@@ -68,8 +68,9 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
     const Continuation next = continued(a.speed, a.motions, b.speed, b.motions);
     const bool unstable = a.growth > 0 && b.growth > 0;
     // Where one motion grows all the way it does not matter what becomes of the others.
-    const bool resolved = unstable ? one_grows_through(next, a, b) || !next.doubtful
-                                   : !next.doubtful && meetings_resolved(next, a, b);
+    const bool carried = unstable && one_grows_through(next, a, b);
+    const bool resolved =
+        carried || (!next.doubtful && (unstable || meetings_resolved(next, a, b)));
     if (!resolved) {
         const bool small =
             b.speed - a.speed <= minute * std::max(std::abs(a.speed), std::abs(b.speed));
@@ -80,7 +81,7 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
         if (!small)
             _doubtful.emplace_back(a.speed, b.speed);
     }
-    if (unstable && !one_grows_through(next, a, b))
+    if (unstable && !carried)
         window_between(a, b);
     Step step{a.speed, b.speed, a.growth, b.growth, {}};
     for (int i = 0; i < std::ssize(a.motions); ++i) {

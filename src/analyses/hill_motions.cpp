@@ -23,14 +23,6 @@ constexpr double slow_motions = 4;
 /// Copies next to zero have |Im l| up to the spin speed, and a little more.
 constexpr double strip = 1.05;
 
-/// Distance of two eigenvalues, each of which stands for itself, its conjugate and all copies.
-double apart(Complex a, Complex b, double speed) {
-    const auto copy = [speed](Complex difference) {
-        return std::abs(Complex(difference.real(), std::remainder(difference.imag(), 2 * speed)));
-    };
-    return std::min(copy(a - b), copy(a - std::conj(b)));
-}
-
 /// What rounding leaves open of an eigenvalue, much where two of them meet, 1/s.
 double blur(const linalg::ComplexPair &pair) {
     return (100 * pair.rounding + 10 * pair.residual) * std::abs(pair.value);
@@ -45,13 +37,22 @@ double largest_distance(const RotatingSpectrum &spectrum, const Pairs &some, con
             continue;
         double nearest = std::numeric_limits<double>::infinity();
         for (const linalg::ComplexPair &other : others)
-            nearest = std::min(nearest, apart(pair.value, other.value, speed) - blur(other));
+            nearest = std::min(nearest, apart(pair.value, other.value, 2 * speed) - blur(other));
         worst = std::max(worst, (nearest - blur(pair)) / speed);
     }
     return worst;
 }
 
 } // namespace
+
+double apart(Complex a, Complex b, double repeats) {
+    const auto copy = [repeats](Complex difference) {
+        const double off = difference.imag();
+        return std::abs(
+            Complex(difference.real(), repeats != 0 ? std::remainder(off, repeats) : off));
+    };
+    return std::min(copy(a - b), copy(a - std::conj(b)));
+}
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,
                          std::vector<elements::BalancerElement> balancers, bool driven, int least,

@@ -3,6 +3,7 @@
 #include "analyses/rotating_spectrum.h"
 #include "model/errors.h"
 
+#include <complex>
 #include <map>
 #include <memory>
 #include <vector>
@@ -14,6 +15,10 @@ class NotSettled : public model::AnalysisFailure {
   public:
     using AnalysisFailure::AnalysisFailure;
 };
+
+/// Distance of two eigenvalues, each of which stands for its conjugate too and, in Hill's series,
+/// for all its copies i times `repeats` apart (0: there are none), 1/s.
+[[nodiscard]] double apart(std::complex<double> a, std::complex<double> b, double repeats);
 
 /// Free motions by Hill's series with as many harmonics as each speed needs.
 ///

@@ -3,7 +3,6 @@
 #include "analyses/hill_motions.h"
 #include "analyses/rotating_spectrum.h"
 #include "analyses/zero_modes.h"
-#include "assembly/hill_system.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"

@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "model/errors.h"
+#include "reduction/planar_pair.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
@@ -29,36 +30,14 @@ constexpr int small_enough = 8;
 /// More modes than that are as good as none left out.
 constexpr int most_modes = 60;
 
-/// Planar mass and mean stiffness of the whole rotor, shifted so that a free rotor is held:
-/// K + shift M is positive definite.
-struct PlanarPair {
-    Sparse M;
-    Sparse G;
-    Sparse K;
+/// Planar matrices of the whole rotor, shifted so that a free rotor is held: K + shift M is
+/// positive definite.
+struct PlanarPair : reduction::PlanarPair {
     double shift = 0; ///< 1/s2
 };
 
-Sparse from_triplets(int n, const std::vector<Eigen::Triplet<double>> &entries) {
-    Sparse matrix(n, n);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-
 PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
-    std::map<Term, std::vector<Eigen::Triplet<double>>> entries;
-    assembly::assemble_rotating_parts(
-        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            for (Eigen::Index i = 0; i < block.rows(); ++i)
-                for (Eigen::Index j = 0; j < block.cols(); ++j)
-                    entries[term].emplace_back(unknowns[static_cast<std::size_t>(i)],
-                                               unknowns[static_cast<std::size_t>(j)], block(i, j));
-        });
-    assembly::assemble_supports(d, speed,
-                                [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                                    entries[term].emplace_back(i, j, block.trace() / 2);
-                                });
-    const auto matrix = [&](Term term) { return from_triplets(d.planar_size(), entries[term]); };
-    PlanarPair pair{matrix(Term::mass), matrix(Term::gyroscopic), matrix(Term::stiffness), 0};
+    PlanarPair pair{reduction::planar_pair(d, speed), 0};
     // At the least as much as holds a free rotor against the rounding of its stiffness.
     constexpr double rounding = 1e-13;
     pair.shift = 0.01 * speed * speed;
@@ -85,14 +64,6 @@ Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &colum
     const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((K + K.transpose()) / 2);
     return V * solver.eigenvectors();
-}
-
-linalg::Matrix petsc_matrix(const Sparse &a) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int k = 0; k < a.outerSize(); ++k)
-        for (Sparse::InnerIterator it(a, k); it; ++it)
-            entries.emplace_back(it.row(), it.col(), it.value());
-    return linalg::Matrix::from_entries(static_cast<int>(a.rows()), entries);
 }
 
 /// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
@@ -142,7 +113,9 @@ class ShapeSource {
             _at_bearings.rightCols(backward.cols()) = backward;
         const Sparse held = _pair.K + _pair.shift * _pair.M;
         const int wanted = std::min(std::max(goal.modes, most_modes), d.planar_size());
-        _modes = linalg::DefinitePair(petsc_matrix(held), petsc_matrix(_pair.M)).smallest(wanted);
+        _modes = linalg::DefinitePair(linalg::Matrix::from_sparse(held),
+                                      linalg::Matrix::from_sparse(_pair.M))
+                     .smallest(wanted);
     }
 
     /// All there are.

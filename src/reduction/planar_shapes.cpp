@@ -1,8 +1,8 @@
 #include "reduction/planar_shapes.h"
 
-#include "assembly/assemble.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "reduction/planar_pair.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -14,41 +14,6 @@ namespace whirl::reduction {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-using assembly::Term;
-
-/// Stiffness and mass in one plane, bearings by the modulus of their mean stiffness at rest.
-struct PlanarPair {
-    Sparse K, M;
-};
-
-PlanarPair planar_pair(const assembly::Discretization &d) {
-    std::vector<Eigen::Triplet<double>> K;
-    std::vector<Eigen::Triplet<double>> M;
-    assembly::assemble_rotating_parts(
-        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            if (term != Term::mass && term != Term::stiffness)
-                return;
-            for (std::size_t i = 0; i < unknowns.size(); ++i)
-                for (std::size_t j = 0; j < unknowns.size(); ++j)
-                    (term == Term::mass ? M : K)
-                        .emplace_back(
-                            unknowns[i], unknowns[j],
-                            block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-        });
-    assembly::assemble_supports(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-        const double mean = block.trace() / 2;
-        if (term == Term::mass)
-            M.emplace_back(i, j, mean);
-        else if (term == Term::stiffness)
-            K.emplace_back(i, j, mean);
-    });
-    const auto matrix = [&d](const auto &entries) {
-        Sparse out(d.planar_size(), d.planar_size());
-        out.setFromTriplets(entries.begin(), entries.end());
-        return out;
-    };
-    return {matrix(K), matrix(M)};
-}
 
 /// Unit loads, a column each.
 Eigen::MatrixXd loads(const assembly::Discretization &d) {
@@ -85,7 +50,7 @@ constexpr double above_top = 2;
 } // namespace
 
 PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top) {
-    const PlanarPair pair = planar_pair(discretization);
+    const PlanarPair pair = planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
     const Eigen::SimplicialLDLT<Sparse> factors(_H);
     if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
