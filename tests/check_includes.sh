@@ -4,23 +4,29 @@
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
-# folder of src/: folders it may include from, besides itself.
+# The rooms of src/ from the ground up. A room includes from itself and from those before it, and
+# from no other: so every arrow points down.
+rooms=(model results mesh elements balancers linalg process assembly reduction rigid modes mesh_error
+  tracking synchronous stability criterion simulation analyses)
+# What stands on all of them knows only what it needs.
 declare -A allowed=(
-  [main]="cli input analyses report model"
-  [cli]="input analyses linalg report model"
-  [report]="analyses model"
-  [analyses]="reduction assembly linalg mesh elements model"
-  [reduction]="assembly linalg elements mesh model"
-  [assembly]="elements mesh linalg model"
-  [elements]="mesh model"
-  [mesh]="model"
-  [linalg]="model"
+  [main]="analyses cli input model process report"
+  [cli]="analyses input model process report results"
+  [report]="model results"
   [input]="model"
-  [model]=""
   [closed_form]=""
 )
-# Analyses whose purpose is the comparison with the rigid closed forms.
-compares_with_closed_form='^(rigid_limit|balance|balanced_position|show|accuracy)'
+for ((i = 0; i < ${#rooms[@]}; ++i)); do
+  allowed["${rooms[i]}"]="${rooms[*]:0:i}"
+done
+allowed[linalg]="model"     # errors alone, see below
+allowed[process]="linalg model"
+allowed[elements]="mesh model"
+allowed[mesh]="model"
+allowed[results]="model"
+allowed[balancers]="model"
+# Rooms that compare with the closed forms, or use the families of balanced positions in them.
+sees_closed_form="balancers rigid criterion analyses"
 
 broken=0
 complain() { echo "$*"; broken=1; }
@@ -29,8 +35,8 @@ complain() { echo "$*"; broken=1; }
 check_line() {
   local folder="$1" file="$2" where="$2:$3" header="$4" target
   if [[ "$header" =~ ^\<(petsc|slepc) ]]; then
-    [[ "$folder" == linalg || "$folder" == assembly ]] ||
-      complain "$where: $header>: PETSc and SLEPc only in linalg and assembly"
+    [[ "$folder" == linalg || "$folder" == assembly || "$folder" == process ]] ||
+      complain "$where: $header>: PETSc and SLEPc only in linalg, assembly and process"
     return
   fi
   [[ "$header" == \<* ]] && return
@@ -42,12 +48,9 @@ check_line() {
   fi
   target="${header%%/*}"
   [[ "$target" == "$folder" || " ${allowed[$folder]} " == *" $target "* ]] || {
-    [[ "$folder" == analyses && "$target" == closed_form &&
-      "$(basename "$file")" =~ $compares_with_closed_form ]] ||
+    [[ "$target" == closed_form && " $sees_closed_form " == *" $folder "* ]] ||
       complain "$where: $folder must not include \"$header\""
   }
-  [[ "$folder" != cli || "$target" != linalg || "$header" == linalg/session.h ]] ||
-    complain "$where: cli knows of linalg only linalg/session.h"
   [[ "$folder" != linalg || "$target" != model || "$header" == model/errors.h ]] ||
     complain "$where: linalg knows of model only model/errors.h"
 }
@@ -69,5 +72,11 @@ while read -r lines file; do
     *.cpp) ((lines <= 400)) || complain "$file: $lines lines, a source has at most 400" ;;
   esac
 done < <(find src tests \( -name '*.h' -o -name '*.cpp' \) -exec wc -l {} +)
+
+# A room one can look round in.
+most=30
+while read -r count folder; do
+  ((count <= most)) || complain "$folder: $count files, a folder of src has at most $most"
+done < <(find src \( -name '*.h' -o -name '*.cpp' \) -printf '%h\n' | sort | uniq -c)
 
 exit "$broken"

@@ -1,10 +1,14 @@
 #include "analyses/accuracy.h"
 
-#include "analyses/error_estimate.h"
-#include "analyses/spectrum.h"
-#include "analyses/speeds.h"
 #include "assembly/discretization.h"
+#include "mesh_error/safety.h"
+#include "model/case.h"
 #include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/spectrum.h"
+#include "process/parallel.h"
+#include "results/accuracy.h"
+#include "results/formulation.h"
 
 #include <fmt/format.h>
 
@@ -23,22 +27,22 @@ constexpr int most_unknowns = 12000;
 /// The scene at one speed, on any mesh.
 struct Study {
     const model::Rotor &rotor;
-    Form form;
+    results::Form form;
     double speed;
     int modes;
 
     /// Eigenvalues with the lowest frequencies, ascending by frequency.
     [[nodiscard]] std::vector<std::complex<double>>
-    eigenvalues(const SpectrumSolver &solver) const {
+    eigenvalues(const modes::SpectrumSolver &solver) const {
         std::vector<std::complex<double>> values;
-        for (const WhirlMode &mode : solver.at(speed, modes).modes)
+        for (const modes::WhirlMode &mode : solver.at(speed, modes).modes)
             values.push_back(mode.eigenvalue);
         values.resize(std::min(values.size(), static_cast<std::size_t>(modes)));
         return values;
     }
 
     [[nodiscard]] std::vector<std::complex<double>> eigenvalues(int order, int refinement) const {
-        return eigenvalues(SpectrumSolver(rotor, form, order, refinement));
+        return eigenvalues(modes::SpectrumSolver(rotor, form, order, refinement));
     }
 
     [[nodiscard]] int spans(int refinement) const {
@@ -49,7 +53,7 @@ struct Study {
     [[nodiscard]] int unknowns(int order, int refinement) const {
         const int inside = order == 1 ? 0 : 2 * order - 1;
         const int planar = spans(refinement) * (2 + inside) + 2;
-        return form == Form::planar ? planar : 2 * planar;
+        return form == results::Form::planar ? planar : 2 * planar;
     }
 };
 
@@ -83,13 +87,13 @@ std::optional<double> largest_difference(std::vector<std::complex<double>> value
 }
 
 /// Best of three: the others were disturbed by the machine. Long runs are not repeated.
-AccuracyRow timed_row(const Study &study, int order, int refinement,
-                      std::vector<std::complex<double>> &values) {
-    AccuracyRow row{
+results::AccuracyRow timed_row(const Study &study, int order, int refinement,
+                               std::vector<std::complex<double>> &values) {
+    results::AccuracyRow row{
         order == 1 ? "classical" : "order-p", order, study.spans(refinement), 0, 0, {}, {}};
     for (int run = 0; run < 3 && row.seconds < 1; ++run) {
         const auto start = std::chrono::steady_clock::now();
-        const SpectrumSolver solver(study.rotor, study.form, order, refinement);
+        const modes::SpectrumSolver solver(study.rotor, study.form, order, refinement);
         values = study.eigenvalues(solver);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -106,14 +110,14 @@ struct Reference {
     std::optional<double> converged; ///< difference from the run two orders lower
 };
 
-AccuracyRow measured_row(const Study &study, int order, int refinement,
-                         const Reference &reference) {
+results::AccuracyRow measured_row(const Study &study, int order, int refinement,
+                                  const Reference &reference) {
     std::vector<std::complex<double>> values;
-    AccuracyRow row = timed_row(study, order, refinement, values);
+    results::AccuracyRow row = timed_row(study, order, refinement, values);
     row.error_estimate =
-        largest_difference(values, study.eigenvalues(finer_order(order), refinement));
+        largest_difference(values, study.eigenvalues(mesh_error::finer_order(order), refinement));
     if (row.error_estimate)
-        *row.error_estimate *= estimate_safety;
+        *row.error_estimate *= mesh_error::estimate_safety;
     // Against an order-p mesh as fine as the reference itself a difference says nothing.
     const int of_reference = study.unknowns(reference.order, reference.refinement);
     if (order == 1 || study.unknowns(order, refinement) < of_reference)
@@ -156,7 +160,7 @@ std::vector<std::pair<int, int>> ladder(const Study &study) {
     return rungs;
 }
 
-void describe(AccuracyResult &result, const Study &study, const Reference &reference) {
+void describe(results::AccuracyResult &result, const Study &study, const Reference &reference) {
     result.model.order = reference.order;
     result.model.elements = study.spans(reference.refinement);
     result.model.unknowns = study.unknowns(reference.order, reference.refinement);
@@ -171,15 +175,15 @@ void describe(AccuracyResult &result, const Study &study, const Reference &refer
 
 } // namespace
 
-AccuracyResult accuracy(const model::Case &scene) {
+results::AccuracyResult accuracy(const model::Case &scene) {
     const auto start = std::chrono::steady_clock::now();
     if (scene.rotor.shaft.rigid)
         throw model::BadInput(fmt::format("{}: shaft.rigid: expected false for a study of the "
                                           "discretisation error, got true",
                                           scene.file.string()));
-    const model::SpeedRange &range = required_speeds(scene);
-    AccuracyResult result;
-    result.model.formulation = choose_formulation(scene);
+    const model::SpeedRange &range = model::required_speeds(scene);
+    results::AccuracyResult result;
+    result.model.formulation = modes::choose_formulation(scene);
     result.speed = range.count == 1 ? range.from : range.to;
     const Study study{scene.rotor, result.model.formulation.form, result.speed,
                       scene.campbell.modes};

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/accuracy.h"
 
 namespace whirl::analyses {
 
@@ -12,6 +12,6 @@ namespace whirl::analyses {
 /// is itself compared with one of lower order to know how many of its digits hold. At speeds.to
 /// (speeds.from where count = 1).
 /// @throws model::BadInput without [speeds] or with a rigid shaft.
-[[nodiscard]] AccuracyResult accuracy(const model::Case &scene);
+[[nodiscard]] results::AccuracyResult accuracy(const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -1,18 +1,18 @@
 #include "analyses/balance.h"
 
-#include "analyses/balance_bands.h"
-#include "analyses/balance_error.h"
-#include "analyses/balance_pendulum.h"
-#include "analyses/balance_placement.h"
-#include "analyses/balance_rigid.h"
-#include "analyses/balance_scene.h"
-#include "analyses/balance_tier_three.h"
-#include "analyses/balance_tier_two.h"
-#include "analyses/balance_words.h"
-#include "analyses/progress.h"
-#include "analyses/speeds.h"
+#include "analyses/balance_findings.h"
+#include "analyses/balance_in_time.h"
+#include "analyses/balance_stability.h"
+#include "criterion/bands.h"
+#include "criterion/error.h"
+#include "criterion/pendulum.h"
+#include "criterion/placement.h"
+#include "criterion/rigid_form.h"
+#include "criterion/rotor.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "process/parallel.h"
+#include "process/progress.h"
 
 #include <fmt/format.h>
 
@@ -25,9 +25,10 @@ namespace whirl::analyses {
 namespace {
 
 /// Ends of the bands strictly inside the range.
-std::vector<BandEnd> inner_ends(const std::vector<SpeedBand> &bands, double from, double to) {
-    std::vector<BandEnd> ends;
-    for (const SpeedBand &band : bands) {
+std::vector<results::BandEnd> inner_ends(const std::vector<results::SpeedBand> &bands, double from,
+                                         double to) {
+    std::vector<results::BandEnd> ends;
+    for (const results::SpeedBand &band : bands) {
         if (band.from > from)
             ends.push_back({band.from, false, {}, {}, {}, {}});
         if (band.to < to)
@@ -36,7 +37,7 @@ std::vector<BandEnd> inner_ends(const std::vector<SpeedBand> &bands, double from
     return ends;
 }
 
-std::optional<double> error_of(const BalanceBands &bands, const BandEnd &end) {
+std::optional<double> error_of(const results::BalanceBands &bands, const results::BandEnd &end) {
     for (std::size_t i = 0; i < bands.errors.size(); ++i)
         if ((end.upper ? bands.bands[i].to : bands.bands[i].from) == end.speed)
             return end.upper ? bands.errors[i].second : bands.errors[i].first;
@@ -53,11 +54,11 @@ template <class Ends> auto nearest_end(Ends &ends, double speed, bool upper) {
 }
 
 /// Ends beside the rigid ones: two belong together where each is the other's nearest.
-void complete(BalanceBands &bands, double from, double to) {
+void complete(results::BalanceBands &bands, double from, double to) {
     bands.ends = inner_ends(bands.bands, from, to);
-    const std::vector<BandEnd> rigid =
-        inner_ends(bands.rigid_bands.value_or(std::vector<SpeedBand>{}), from, to);
-    for (BandEnd &end : bands.ends) {
+    const std::vector<results::BandEnd> rigid =
+        inner_ends(bands.rigid_bands.value_or(std::vector<results::SpeedBand>{}), from, to);
+    for (results::BandEnd &end : bands.ends) {
         end.error = error_of(bands, end);
         const auto partner = nearest_end(rigid, end.speed, end.upper);
         // Farther apart than by half, they have nothing to do with each other.
@@ -72,48 +73,53 @@ void complete(BalanceBands &bands, double from, double to) {
     }
 }
 
-void fill_bands(const BalanceScene &s, const BalanceBreakpoints &points, BalanceForm &form,
-                BalanceResult &result) {
+void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakpoints &points,
+                criterion::BalanceForm &form, results::BalanceResult &result) {
     std::vector<double> samples;
     if (!points.sharp)
-        samples = samples_around(points.hints, s.speeds, s.from, s.to);
-    const auto bands = [&](const SpeedFunction &criterion, const std::vector<double> &pinned) {
-        return points.sharp ? sharp_bands(criterion, points.critical, pinned, s.from, s.to)
-                            : sampled_bands(criterion, samples);
+        samples = criterion::samples_around(points.hints, s.speeds, s.from, s.to);
+    const auto bands = [&](const criterion::SpeedFunction &criterion,
+                           const std::vector<double> &pinned) {
+        return points.sharp
+                   ? criterion::sharp_bands(criterion, points.critical, pinned, s.from, s.to)
+                   : criterion::sampled_bands(criterion, samples);
     };
     for (std::size_t i = 0; i < s.planes.size(); ++i) {
-        BalanceBands &plane = result.planes[i].bands;
+        results::BalanceBands &plane = result.planes[i].bands;
         plane.pinned = points.pinned[i];
         plane.bands = bands([&](double speed) { return form.plane(static_cast<int>(i), speed); },
                             plane.pinned);
     }
-    BalanceBands &joint = result.joint.bands;
+    results::BalanceBands &joint = result.joint.bands;
     joint.pinned = points.pinned_all;
     joint.bands = s.planes.size() == 1
                       ? result.planes[0].bands.bands
                       : bands([&](double speed) { return form.joint(speed); }, joint.pinned);
 }
 
-void fill_rigid(const BalanceScene &s, BalanceResult &result) {
-    result.rigid = rigid_equivalent(s.rotor, s.from);
+void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result) {
+    result.rigid = criterion::rigid_equivalent(s.rotor, s.from);
     std::vector<double> z;
     for (const model::CorrectionPlane &plane : s.planes)
         z.push_back(plane.z);
     if (result.rigid && s.has_range()) {
-        for (BalancePlane &plane : result.planes)
-            plane.bands.rigid_bands = rigid_plane_bands(*result.rigid, plane.z, s.from, s.to);
-        result.joint.bands.rigid_bands = rigid_joint_bands(*result.rigid, z, s.from, s.to);
+        for (results::BalancePlane &plane : result.planes)
+            plane.bands.rigid_bands =
+                criterion::rigid_plane_bands(*result.rigid, plane.z, s.from, s.to);
+        result.joint.bands.rigid_bands =
+            criterion::rigid_joint_bands(*result.rigid, z, s.from, s.to);
     }
-    for (BalancePlane &plane : result.planes)
+    for (results::BalancePlane &plane : result.planes)
         complete(plane.bands, s.from, s.to);
     complete(result.joint.bands, s.from, s.to);
 }
 
 /// One row a speed: the eigenvalues, the diagonal, the worst imbalances.
-void fill_signature(const BalanceScene &s, BalanceForm &form, BalanceResult &result) {
+void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &form,
+                    results::BalanceResult &result) {
     const std::size_t count = s.planes.size();
     const auto row = [&](double speed) {
-        const SignaturePoint point = form.signature(speed);
+        const results::SignaturePoint point = form.signature(speed);
         std::vector<double> values = point.eigenvalues;
         values.push_back(point.negative);
         values.push_back(point.relative);
@@ -123,16 +129,16 @@ void fill_signature(const BalanceScene &s, BalanceForm &form, BalanceResult &res
             values.insert(values.end(), {s_i.real(), s_i.imag()});
         return values;
     };
-    const std::vector<std::vector<double>> rows = rows_at(s.speeds, row);
+    const std::vector<std::vector<double>> rows = process::rows_at(s.speeds, row);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         auto next = rows[k].begin();
-        SignaturePoint point;
+        results::SignaturePoint point;
         point.speed = s.speeds[k];
         point.eigenvalues.assign(next, next + static_cast<std::ptrdiff_t>(count));
         next += static_cast<std::ptrdiff_t>(count);
         point.negative = static_cast<int>(*next++);
         point.relative = *next++;
-        for (BalancePlane &plane : result.planes)
+        for (results::BalancePlane &plane : result.planes)
             plane.criterion.push_back(*next++);
         for (std::size_t i = 0; i < count; ++i, next += 2)
             point.worst.emplace_back(*next, *(next + 1));
@@ -140,7 +146,8 @@ void fill_signature(const BalanceScene &s, BalanceForm &form, BalanceResult &res
     }
 }
 
-void fill_notes(const model::Case &scene, const BalanceScene &s, BalanceResult &result) {
+void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
+                results::BalanceResult &result) {
     std::vector<std::string> &notes = result.model.notes;
     const model::Rotor &rotor = scene.rotor;
     if (!rotor.balancers.empty())
@@ -169,10 +176,10 @@ void fill_notes(const model::Case &scene, const BalanceScene &s, BalanceResult &
         notes.emplace_back("one speed only: bands need a range of speeds");
 }
 
-BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
-                        const assembly::Discretization &d) {
-    BalanceForm form(d, s.formulation.form, s.places(d), s.plane_positions());
-    BalanceResult result;
+results::BalanceResult criterion(const model::Case &scene, const criterion::BalanceScene &s,
+                                 const assembly::Discretization &d) {
+    criterion::BalanceForm form(d, s.formulation.form, s.places(d), s.plane_positions());
+    results::BalanceResult result;
     result.model.formulation = s.formulation;
     result.model.order = s.order;
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
@@ -181,16 +188,17 @@ BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
     for (const model::CorrectionPlane &plane : s.planes)
         result.planes.push_back({plane.name, plane.z, {}, {}});
     result.joint.rank = form.rank();
-    const BalanceBreakpoints points = balance_breakpoints(s, d, form.receptance().undamped());
+    const criterion::BalanceBreakpoints points =
+        criterion::balance_breakpoints(s, d, form.receptance().undamped());
     result.sharp = points.sharp;
     result.critical_speeds = points.critical;
-    report_progress(0.1);
+    process::report_progress(0.1);
     if (s.has_range())
         fill_bands(s, points, form, result);
-    report_progress(0.2);
+    process::report_progress(0.2);
     if (s.has_range())
-        judge_band_ends(s, form, result);
-    report_progress(0.3);
+        criterion::judge_band_ends(s, form, result);
+    process::report_progress(0.3);
     fill_rigid(s, result);
     fill_signature(s, form, result);
     fill_notes(scene, s, result);
@@ -199,21 +207,21 @@ BalanceResult criterion(const model::Case &scene, const BalanceScene &s,
 
 } // namespace
 
-BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
+results::BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
     const auto start = std::chrono::steady_clock::now();
-    const BalanceScene s(scene);
+    const criterion::BalanceScene s(scene);
     const assembly::Discretization d(s.rotor, s.order);
     try {
-        BalanceResult result = criterion(scene, s, d);
+        results::BalanceResult result = criterion(scene, s, d);
         if (options.map)
-            result.placement = placement(s, d, result.critical_speeds);
-        result.pendulum = pendulum_balance(scene, s, result.model.notes);
-        report_progress(0.5);
+            result.placement = criterion::placement(s, d, result.critical_speeds);
+        result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
+        process::report_progress(0.5);
         result.balanced_position = balanced_position(scene, result.model.notes);
         if (s.has_range())
             result.simulated = simulated_speeds(scene, result.model.notes);
         result.findings = balance_findings(result, scene);
-        report_progress(1);
+        process::report_progress(1);
         result.model.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return result;

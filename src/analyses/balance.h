@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/balance_result.h"
 #include "model/case.h"
+#include "results/balance.h"
 
 namespace whirl::analyses {
 
@@ -17,6 +17,7 @@ struct BalanceOptions {
 /// flexible rotor". Collective over MPI processes: the signature is complete on process 0.
 /// @throws model::BadInput without planes and balancers, without [speeds], or with negative ones;
 ///         model::AnalysisFailure where the rotor is free to move.
-[[nodiscard]] BalanceResult balance(const model::Case &scene, const BalanceOptions &options = {});
+[[nodiscard]] results::BalanceResult balance(const model::Case &scene,
+                                             const BalanceOptions &options = {});
 
 } // namespace whirl::analyses

@@ -1,13 +1,18 @@
 #include "analyses/campbell.h"
 
-#include "analyses/crossings.h"
-#include "analyses/discretization_error.h"
-#include "analyses/line_errors.h"
-#include "analyses/spectra.h"
-#include "analyses/tracking.h"
 #include "assembly/discretization.h"
-#include "linalg/session.h"
+#include "mesh_error/estimate.h"
 #include "model/errors.h"
+#include "modes/formulation.h"
+#include "process/session.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
+#include "results/whirl.h"
+#include "tracking/crossings.h"
+#include "tracking/line_errors.h"
+#include "tracking/spectra.h"
+#include "tracking/tracking.h"
 
 #include <fmt/format.h>
 
@@ -21,50 +26,52 @@ namespace whirl::analyses {
 namespace {
 
 /// Lines that are among the `modes` lowest at some speed.
-std::vector<Line> wanted_lines(std::vector<Line> lines, int modes) {
-    std::erase_if(lines, [modes](const Line &line) {
-        return std::none_of(line.place.begin(), line.place.end(),
-                            [modes](int place) { return place != Line::absent && place < modes; });
+std::vector<tracking::Line> wanted_lines(std::vector<tracking::Line> lines, int modes) {
+    std::erase_if(lines, [modes](const tracking::Line &line) {
+        return std::none_of(line.place.begin(), line.place.end(), [modes](int place) {
+            return place != tracking::Line::absent && place < modes;
+        });
     });
     return lines;
 }
 
 /// Where a line leaves the computed part of the spectrum more modes find it again.
-bool left_spectrum(const Line &line) {
-    return std::count(line.absence.begin(), line.absence.end(), Absence::beyond) > 0;
+bool left_spectrum(const tracking::Line &line) {
+    return std::count(line.absence.begin(), line.absence.end(), tracking::Absence::beyond) > 0;
 }
 
-std::string word(Absence why) {
+std::string word(tracking::Absence why) {
     switch (why) {
-    case Absence::overdamped:
+    case tracking::Absence::overdamped:
         return "overdamped";
-    case Absence::divergent:
+    case tracking::Absence::divergent:
         return "diverges";
-    case Absence::beyond:
+    case tracking::Absence::beyond:
         return "beyond the modes computed";
-    case Absence::lost:
+    case tracking::Absence::lost:
         return "not followed";
     default:
         return "";
     }
 }
 
-CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
-                        const std::vector<std::optional<double>> &errors, bool rotating) {
-    CampbellMode out;
+results::CampbellMode mode_along(const tracking::Line &line,
+                                 const std::vector<modes::Spectrum> &spectra,
+                                 const std::vector<std::optional<double>> &errors, bool rotating) {
+    results::CampbellMode out;
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         out.absent.push_back(word(line.absence[k]));
-        if (line.place[k] == Line::absent) {
+        if (line.place[k] == tracking::Line::absent) {
             for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
                                &out.error, &out.residual})
                 list->emplace_back();
             if (rotating)
                 out.frequency_rotating.emplace_back();
-            out.whirl.push_back(Whirl::mixed);
+            out.whirl.push_back(results::Whirl::mixed);
             out.forward_fraction.push_back(0.5);
             continue;
         }
-        const WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
+        const modes::WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
         const double re = mode.eigenvalue.real();
         const double im = mode.eigenvalue.imag();
         const double size = std::abs(mode.eigenvalue);
@@ -85,36 +92,38 @@ CampbellMode mode_along(const Line &line, const std::vector<Spectrum> &spectra,
 }
 
 /// The sense a line has at most of its speeds names it.
-Whirl usual_whirl(const CampbellMode &mode) {
+results::Whirl usual_whirl(const results::CampbellMode &mode) {
     int votes[3] = {0, 0, 0};
     for (std::size_t k = 0; k < mode.whirl.size(); ++k)
         if (mode.frequency[k])
             ++votes[static_cast<int>(mode.whirl[k])];
     if (votes[2] >= votes[0] && votes[2] >= votes[1])
-        return Whirl::mixed;
-    return votes[0] >= votes[1] ? Whirl::forward : Whirl::backward;
+        return results::Whirl::mixed;
+    return votes[0] >= votes[1] ? results::Whirl::forward : results::Whirl::backward;
 }
 
-void name_modes(std::vector<CampbellMode> &modes) {
+void name_modes(std::vector<results::CampbellMode> &modes) {
     int counts[3] = {0, 0, 0};
-    for (CampbellMode &mode : modes) {
-        const Whirl whirl = usual_whirl(mode);
-        const char letter = whirl == Whirl::forward ? 'F' : whirl == Whirl::backward ? 'B' : 'M';
+    for (results::CampbellMode &mode : modes) {
+        const results::Whirl whirl = usual_whirl(mode);
+        const char letter = whirl == results::Whirl::forward    ? 'F'
+                            : whirl == results::Whirl::backward ? 'B'
+                                                                : 'M';
         mode.label = fmt::format("{}{}", ++counts[static_cast<int>(whirl)], letter);
     }
 }
 
 /// What the absence of a mode at some speeds means.
-std::string absence_note(const std::string &label, Absence why) {
+std::string absence_note(const std::string &label, tracking::Absence why) {
     switch (why) {
-    case Absence::overdamped:
+    case tracking::Absence::overdamped:
         return fmt::format("mode {} is overdamped at some speeds and has no whirl frequency there",
                            label);
-    case Absence::divergent:
+    case tracking::Absence::divergent:
         return fmt::format("mode {} diverges at some speeds: its eigenvalue is real and positive "
                            "there, it grows without whirling",
                            label);
-    case Absence::beyond:
+    case tracking::Absence::beyond:
         return fmt::format("mode {} lies beyond the computed modes at some speeds", label);
     default:
         return fmt::format("mode {} could not be followed to some speeds; it goes on there as "
@@ -123,27 +132,29 @@ std::string absence_note(const std::string &label, Absence why) {
     }
 }
 
-void note_absent(CampbellResult &result, const std::vector<Line> &lines) {
+void note_absent(results::CampbellResult &result, const std::vector<tracking::Line> &lines) {
     for (std::size_t i = 0; i < lines.size(); ++i)
-        for (const Absence why :
-             {Absence::overdamped, Absence::divergent, Absence::beyond, Absence::lost})
+        for (const tracking::Absence why :
+             {tracking::Absence::overdamped, tracking::Absence::divergent,
+              tracking::Absence::beyond, tracking::Absence::lost})
             if (std::count(lines[i].absence.begin(), lines[i].absence.end(), why) > 0)
                 result.model.notes.push_back(absence_note(result.modes[i].label, why));
 }
 
-void note_gaps(ModelSummary &model, const std::vector<Gap> &gaps, const std::string &what) {
-    for (const Gap &gap : gaps)
+void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
+               const std::string &what) {
+    for (const tracking::Gap &gap : gaps)
         model.notes.push_back(fmt::format("between {:.6g} and {:.6g} rad/s {} (near {:.6g} rad/s)",
                                           gap.from, gap.to, what, gap.frequency));
 }
 
 /// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
-void note_real(CampbellResult &result, const std::vector<Spectrum> &spectra) {
+void note_real(results::CampbellResult &result, const std::vector<modes::Spectrum> &spectra) {
     std::size_t overdamped = 0;
     std::size_t diverging = 0;
     double worst = 0;
     double at = 0;
-    for (const Spectrum &spectrum : spectra) {
+    for (const modes::Spectrum &spectrum : spectra) {
         overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
         result.divergence.emplace_back();
         if (spectrum.growing.empty())
@@ -168,10 +179,12 @@ void note_real(CampbellResult &result, const std::vector<Spectrum> &spectra) {
                         overdamped));
 }
 
-void note_few(ModelSummary &model, const std::vector<Spectrum> &spectra, int wanted) {
-    const bool few = std::any_of(spectra.begin(), spectra.end(), [wanted](const Spectrum &s) {
-        return static_cast<int>(s.modes.size()) < wanted;
-    });
+void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
+              int wanted) {
+    const bool few =
+        std::any_of(spectra.begin(), spectra.end(), [wanted](const modes::Spectrum &s) {
+            return static_cast<int>(s.modes.size()) < wanted;
+        });
     if (few)
         model.notes.push_back(
             fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "
@@ -181,20 +194,21 @@ void note_few(ModelSummary &model, const std::vector<Spectrum> &spectra, int wan
 }
 
 /// Spectra with enough modes that no wanted line leaves them. Collective.
-Tracking followed_lines(const SpectrumSolver &solver, const std::vector<double> &speeds, int modes,
-                        std::vector<Spectrum> &spectra) {
+tracking::Tracking followed_lines(const modes::SpectrumSolver &solver,
+                                  const std::vector<double> &speeds, int modes,
+                                  std::vector<modes::Spectrum> &spectra) {
     int computed = modes + 2;
-    Tracking tracking;
+    tracking::Tracking tracking;
     for (int attempt = 0;; ++attempt) {
-        spectra = spectra_at(solver, speeds, computed);
+        spectra = tracking::spectra_at(solver, speeds, computed);
         std::vector<char> more(1, 0);
-        if (linalg::process_rank() == 0) {
-            tracking = track(solver, spectra, modes);
+        if (process::process_rank() == 0) {
+            tracking = tracking::track(solver, spectra, modes);
             tracking.lines = wanted_lines(std::move(tracking.lines), modes);
             more[0] = attempt < 3 &&
                       std::any_of(tracking.lines.begin(), tracking.lines.end(), left_spectrum);
         }
-        linalg::broadcast(more);
+        process::broadcast(more);
         if (more[0] == 0)
             return tracking;
         computed += std::max(4, modes / 2);
@@ -203,28 +217,32 @@ Tracking followed_lines(const SpectrumSolver &solver, const std::vector<double> 
 
 } // namespace
 
-CampbellResult campbell(const model::Case &scene) {
+results::CampbellResult campbell(const model::Case &scene) {
     if (!scene.speeds)
         throw model::BadInput("speeds: expected a table [speeds] with from, to and count for a "
                               "Campbell diagram, got none");
     const auto start = std::chrono::steady_clock::now();
-    CampbellResult result;
-    result.model.formulation = choose_formulation(scene);
-    result.model.order = resolve_order(scene, result.model.formulation);
+    results::CampbellResult result;
+    result.model.formulation = modes::choose_formulation(scene);
+    result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     result.speeds = scene.speeds->values();
-    const SpectrumSolver solver(scene.rotor, result.model.formulation.form, result.model.order);
+    const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
+                                       result.model.order);
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
-    std::vector<Spectrum> spectra;
-    const Tracking tracking = followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
-    if (linalg::process_rank() != 0)
+    std::vector<modes::Spectrum> spectra;
+    const tracking::Tracking tracking =
+        followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
+    if (process::process_rank() != 0)
         return result;
-    const LineErrors errors = line_errors(scene.rotor, solver, tracking.lines, spectra);
+    const tracking::LineErrors errors =
+        tracking::line_errors(scene.rotor, solver, tracking.lines, spectra);
     for (std::size_t i = 0; i < tracking.lines.size(); ++i)
-        result.modes.push_back(
-            mode_along(tracking.lines[i], spectra, errors[i], in_rotating_axes(solver.form())));
+        result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
+                                          results::in_rotating_axes(solver.form())));
     name_modes(result.modes);
-    Crossings crossed = crossings(solver, tracking, spectra, scene.campbell.multiples);
+    tracking::Crossings crossed =
+        tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
     result.crossings = std::move(crossed.found);
     note_absent(result, tracking.lines);
     note_real(result, spectra);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/campbell.h"
 
 namespace whirl::analyses {
 
@@ -13,6 +13,6 @@ namespace whirl::analyses {
 /// residual of the eigenpair and the rounding of the matrix entries.
 /// Collective under mpirun; complete on process 0.
 /// @throws model::BadInput without [speeds]; model::AnalysisFailure where modes are not found.
-[[nodiscard]] CampbellResult campbell(const model::Case &scene);
+[[nodiscard]] results::CampbellResult campbell(const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -1,12 +1,16 @@
 #include "analyses/critical.h"
 
-#include "analyses/critical_error.h"
-#include "analyses/discretization_error.h"
-#include "analyses/synchronous.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
+#include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "modes/formulation.h"
+#include "results/critical.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
+#include "synchronous/critical_error.h"
+#include "synchronous/critical_speeds.h"
 
 #include <fmt/format.h>
 
@@ -26,10 +30,10 @@ model::Case undamped(model::Case scene) {
     return scene;
 }
 
-void note_damping(Form form, bool damped, ModelSummary &model) {
+void note_damping(results::Form form, bool damped, results::ModelSummary &model) {
     if (damped)
         model.notes.emplace_back(
-            form == Form::rotating
+            form == results::Form::rotating
                 ? "critical speeds of the asymmetric rotor are those without damping; with it a "
                   "root is zero at the ends of the unstable ranges, which stability lists"
                 : "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
@@ -37,14 +41,14 @@ void note_damping(Form form, bool damped, ModelSummary &model) {
                   "ratio squared");
 }
 
-void note_balls_held(Form form, ModelSummary &model) {
-    if (form == Form::rotating)
+void note_balls_held(results::Form form, results::ModelSummary &model) {
+    if (form == results::Form::rotating)
         model.notes.emplace_back("forward critical speeds only, the balls of balancers held in "
                                  "place; stability lists the speeds at which they are free");
 }
 
-void refuse_hill(Form form) {
-    if (form == Form::hill)
+void refuse_hill(results::Form form) {
+    if (form == results::Form::hill)
         throw model::AnalysisFailure(
             "critical speeds are not defined for this scene: with bearings that differ between "
             "their directions nothing stands still in axes that turn with an asymmetric rotor; "
@@ -52,10 +56,10 @@ void refuse_hill(Form form) {
 }
 
 /// The modes asked for, more while they are in the range of the case.
-void keep_lowest(SynchronousModes &list, int wanted, double top) {
+void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
     const auto in_range = static_cast<std::size_t>(
         std::count_if(list.modes.begin(), list.modes.end(),
-                      [top](const WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
+                      [top](const modes::WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
     const std::size_t keep =
         std::min(list.modes.size(), std::max(static_cast<std::size_t>(wanted), in_range));
     list.modes.resize(keep);
@@ -64,9 +68,10 @@ void keep_lowest(SynchronousModes &list, int wanted, double top) {
 }
 
 /// Errors against a finer model; a note where there is none, or where it lacks a critical speed.
-std::vector<double> judged_errors(const model::Case &scene, Form form,
-                                  const assembly::Discretization &d, const SynchronousModes &list,
-                                  bool symmetric, ModelSummary &model) {
+std::vector<double> judged_errors(const model::Case &scene, results::Form form,
+                                  const assembly::Discretization &d,
+                                  const synchronous::SynchronousModes &list, bool symmetric,
+                                  results::ModelSummary &model) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
     std::vector<double> errors(list.modes.size(), unknown);
     if (list.modes.empty())
@@ -77,11 +82,11 @@ std::vector<double> judged_errors(const model::Case &scene, Form form,
         return errors;
     }
     try {
-        const assembly::Discretization finer(scene.rotor, finer_order(d.order()));
-        const SynchronousModes of_finer =
-            all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
-                                  list.modes.back().eigenvalue.imag(), symmetric);
-        const auto found = critical_errors(d, form, list, finer, of_finer);
+        const assembly::Discretization finer(scene.rotor, mesh_error::finer_order(d.order()));
+        const synchronous::SynchronousModes of_finer =
+            synchronous::all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
+                                               list.modes.back().eigenvalue.imag(), symmetric);
+        const auto found = synchronous::critical_errors(d, form, list, finer, of_finer);
         for (std::size_t i = 0; i < errors.size(); ++i) {
             errors[i] = found[i].value_or(unknown);
             if (!found[i])
@@ -98,8 +103,8 @@ std::vector<double> judged_errors(const model::Case &scene, Form form,
 }
 
 /// Which critical speeds the list can lack, in words.
-void note_completeness(const SynchronousModes &found, bool more_wanted, bool rigid,
-                       CriticalResult &result) {
+void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, bool rigid,
+                       results::CriticalResult &result) {
     std::vector<std::string> &notes = result.model.notes;
     for (const auto &[from, to] : found.doubtful)
         notes.push_back(fmt::format("critical speeds between {:.6g} and {:.6g} rad/s may be "
@@ -115,9 +120,9 @@ void note_completeness(const SynchronousModes &found, bool more_wanted, bool rig
 }
 
 /// The same motion in two directions, where nothing asymmetric takes part, is one whirl.
-void drop_second_directions(std::vector<CriticalSpeed> &speeds, int wanted, double top) {
+void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wanted, double top) {
     speeds.erase(std::unique(speeds.begin(), speeds.end(),
-                             [](const CriticalSpeed &a, const CriticalSpeed &b) {
+                             [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
                                  return std::abs(a.speed - b.speed) < 1e-9 * a.speed &&
                                         std::abs(a.real - b.real) < 1e-9 * a.speed;
                              }),
@@ -127,49 +132,52 @@ void drop_second_directions(std::vector<CriticalSpeed> &speeds, int wanted, doub
 }
 
 /// Critical speeds with elements of one order.
-CriticalResult of_order(const model::Case &scene, const Formulation &formulation, int order) {
-    CriticalResult result;
-    ModelSummary &model = result.model;
-    const Form form = formulation.form;
+results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
+                                 int order) {
+    results::CriticalResult result;
+    results::ModelSummary &model = result.model;
+    const results::Form form = formulation.form;
     model.formulation = formulation;
     model.order = order;
     const assembly::Discretization d(scene.rotor, order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    model.unknowns = form == Form::planar ? d.planar_size() : 2 * d.planar_size();
+    model.unknowns = form == results::Form::planar ? d.planar_size() : 2 * d.planar_size();
     const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
     const bool symmetric = scene.formulation != model::FormChoice::general;
     const int wanted = scene.campbell.modes;
     // In rotating axes the same motion in two directions counts twice.
-    const int ask = form == Form::rotating ? 2 * wanted : wanted;
-    SynchronousModes list = all_synchronous_modes(d, form, ask, top, symmetric);
+    const int ask = form == results::Form::rotating ? 2 * wanted : wanted;
+    synchronous::SynchronousModes list =
+        synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
     keep_lowest(list, ask, top);
     const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
-        const WhirlMode &mode = list.modes[i];
+        const modes::WhirlMode &mode = list.modes[i];
         result.critical_speeds.push_back(
             {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(), errors[i], mode.residual});
     }
-    if (form == Form::rotating)
+    if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
     note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
     return result;
 }
 
-double largest_error(const CriticalResult &result) {
+double largest_error(const results::CriticalResult &result) {
     double largest = 0;
-    for (const CriticalSpeed &critical : result.critical_speeds)
+    for (const results::CriticalSpeed &critical : result.critical_speeds)
         largest = std::max(largest, critical.error);
     return largest;
 }
 
 /// With order = "auto" the lowest at which every critical speed listed meets the tolerance.
-CriticalResult of_resolved_order(const model::Case &scene, const Formulation &formulation) {
+results::CriticalResult of_resolved_order(const model::Case &scene,
+                                          const results::Formulation &formulation) {
     const model::Shaft &shaft = scene.rotor.shaft;
     if (!shaft.order_auto || shaft.rigid)
         return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order);
-    CriticalResult result;
-    (void)lowest_order(shaft.tolerance, [&](int order) {
+    results::CriticalResult result;
+    (void)mesh_error::lowest_order(shaft.tolerance, [&](int order) {
         result = of_order(scene, formulation, order);
         return largest_error(result);
     });
@@ -178,12 +186,13 @@ CriticalResult of_resolved_order(const model::Case &scene, const Formulation &fo
 
 } // namespace
 
-CriticalResult critical_speeds(const model::Case &as_given) {
+results::CriticalResult critical_speeds(const model::Case &as_given) {
     const auto start = std::chrono::steady_clock::now();
-    const Formulation formulation = choose_formulation(as_given);
+    const results::Formulation formulation = modes::choose_formulation(as_given);
     refuse_hill(formulation.form);
-    const model::Case scene = formulation.form == Form::rotating ? undamped(as_given) : as_given;
-    CriticalResult result;
+    const model::Case scene =
+        formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
+    results::CriticalResult result;
     try {
         result = of_resolved_order(scene, formulation);
     } catch (const linalg::SolverError &) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/critical.h"
 
 namespace whirl::analyses {
 
@@ -15,6 +15,6 @@ namespace whirl::analyses {
 /// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
 /// (SymmetricSynchronous, FollowedSynchronous). Asymmetric rotors on equal bearings: forward, balls
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
-[[nodiscard]] CriticalResult critical_speeds(const model::Case &scene);
+[[nodiscard]] results::CriticalResult critical_speeds(const model::Case &scene);
 
 } // namespace whirl::analyses

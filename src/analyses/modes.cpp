@@ -1,9 +1,13 @@
 #include "analyses/modes.h"
 
-#include "analyses/discretization_error.h"
-#include "analyses/orbits.h"
-#include "analyses/spectrum.h"
-#include "analyses/speeds.h"
+#include "mesh_error/estimate.h"
+#include "model/case.h"
+#include "modes/formulation.h"
+#include "modes/orbits.h"
+#include "modes/spectrum.h"
+#include "process/parallel.h"
+#include "results/modes.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -37,7 +41,8 @@ std::complex<double> largest_component(const Eigen::VectorXcd &x, const Eigen::V
     return largest == 0.0 ? 1.0 : largest;
 }
 
-ModeShape shape_of(const SpectrumSolver &solver, const Stations &stations, const WhirlMode &mode) {
+results::ModeShape shape_of(const modes::SpectrumSolver &solver, const modes::Stations &stations,
+                            const modes::WhirlMode &mode) {
     const Eigen::VectorXcd x = solver.x_at(mode, stations);
     const Eigen::VectorXcd y = solver.y_at(mode, stations);
     const std::complex<double> largest = largest_component(x, y);
@@ -49,28 +54,29 @@ ModeShape shape_of(const SpectrumSolver &solver, const Stations &stations, const
             scaled(y, largest)};
 }
 
-char letter(Whirl whirl) {
-    return whirl == Whirl::forward ? 'F' : whirl == Whirl::backward ? 'B' : 'M';
+char letter(results::Whirl whirl) {
+    return whirl == results::Whirl::forward ? 'F' : whirl == results::Whirl::backward ? 'B' : 'M';
 }
 
 } // namespace
 
-ModesResult mode_shapes(const model::Case &scene) {
+results::ModesResult mode_shapes(const model::Case &scene) {
     const auto start = std::chrono::steady_clock::now();
-    ModesResult result;
-    result.speed = required_speeds(scene).from;
-    result.model.formulation = choose_formulation(scene);
-    result.model.order = resolve_order(scene, result.model.formulation);
-    const SpectrumSolver solver(scene.rotor, result.model.formulation.form, result.model.order);
+    results::ModesResult result;
+    result.speed = model::required_speeds(scene).from;
+    result.model.formulation = modes::choose_formulation(scene);
+    result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
+    const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
+                                       result.model.order);
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     result.model.unknowns = solver.unknowns();
-    const Stations stations(solver.discretization(), inner_stations(result.model.elements));
+    const modes::Stations stations(solver.discretization(), inner_stations(result.model.elements));
     result.z = stations.z();
-    Spectrum spectrum = solver.at(result.speed, scene.campbell.modes);
+    modes::Spectrum spectrum = solver.at(result.speed, scene.campbell.modes);
     if (static_cast<int>(spectrum.modes.size()) > scene.campbell.modes)
         spectrum.modes.resize(static_cast<std::size_t>(scene.campbell.modes));
-    std::map<Whirl, int> counted;
-    for (const WhirlMode &mode : spectrum.modes) {
+    std::map<results::Whirl, int> counted;
+    for (const modes::WhirlMode &mode : spectrum.modes) {
         result.modes.push_back(shape_of(solver, stations, mode));
         result.modes.back().label = fmt::format("{}{}", ++counted[mode.whirl], letter(mode.whirl));
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/modes.h"
 
 namespace whirl::analyses {
 
@@ -9,6 +9,6 @@ namespace whirl::analyses {
 /// at stations close enough to draw. Each is scaled by a complex number so that the largest
 /// component of any deflection is 1. Labels count the modes of each sense, ascending: 1B, 1F, 2B...
 /// @throws model::BadInput without [speeds]; model::AnalysisFailure where the modes are not found.
-[[nodiscard]] ModesResult mode_shapes(const model::Case &scene);
+[[nodiscard]] results::ModesResult mode_shapes(const model::Case &scene);
 
 } // namespace whirl::analyses

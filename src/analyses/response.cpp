@@ -1,12 +1,15 @@
 #include "analyses/response.h"
 
-#include "analyses/discretization_error.h"
-#include "analyses/forced_motion.h"
-#include "analyses/orbits.h"
-#include "analyses/response_error.h"
-#include "analyses/speeds.h"
 #include "linalg/check.h"
+#include "mesh_error/estimate.h"
+#include "model/case.h"
 #include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/orbits.h"
+#include "process/parallel.h"
+#include "results/formulation.h"
+#include "synchronous/forced_motion.h"
+#include "synchronous/response_error.h"
 
 #include <fmt/format.h>
 
@@ -61,22 +64,22 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
 }
 
 /// The lists of a result, in the order of a row: one value of each a speed.
-std::vector<std::vector<double> *> lists_of(ResponseResult &result) {
+std::vector<std::vector<double> *> lists_of(results::ResponseResult &result) {
     std::vector<std::vector<double> *> lists;
-    for (ResponseNode &node : result.nodes)
+    for (results::ResponseNode &node : result.nodes)
         lists.insert(lists.end(),
                      {&node.amplitude, &node.phase, &node.major, &node.minor, &node.x,
                       &node.x_phase, &node.y, &node.y_phase, &node.inclination, &node.error});
-    for (ResponseBearing &bearing : result.bearings)
+    for (results::ResponseBearing &bearing : result.bearings)
         lists.insert(lists.end(), {&bearing.force, &bearing.error});
-    for (ResponseProbe &probe : result.probes)
+    for (results::ResponseProbe &probe : result.probes)
         lists.insert(lists.end(), {&probe.amplitude, &probe.phase, &probe.error});
     return lists;
 }
 
 /// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a
 /// circle: where its direction is decided by rounding.
-double inclination_of(const Phasor &u, double rounding) {
+double inclination_of(const synchronous::Phasor &u, double rounding) {
     // x(t) + i y(t) = a exp(i w t) + conj(d) exp(-i w t): longest where the two
     // are parallel.
     const std::complex<double> i(0, 1);
@@ -93,7 +96,8 @@ double inclination_of(const Phasor &u, double rounding) {
 /// The response at one speed, as rows for lists_of().
 class Response {
   public:
-    Response(const assembly::Discretization &d, Form form, const std::map<int, std::string> &nodes)
+    Response(const assembly::Discretization &d, results::Form form,
+             const std::map<int, std::string> &nodes)
         : _discretization(d), _nodes(nodes), _forced(d, form), _finer(d, form) {}
 
     [[nodiscard]] int unknowns() const { return _forced.unknowns(); }
@@ -122,8 +126,8 @@ class Response {
   private:
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
-    ForcedMotion _forced;
-    ResponseError _finer;
+    synchronous::ForcedMotion _forced;
+    synchronous::ResponseError _finer;
     bool _error_known = true;
 
     /// By the elements and by rounding; where the finer model has confirmed what
@@ -141,13 +145,14 @@ class Response {
             return false;
         const auto &mesh = _discretization.shaft_mesh();
         return std::all_of(_nodes.begin(), _nodes.end(), [&](const auto &node) {
-            const Phasor u = _forced.motion(_discretization.deflection_at_node(node.first));
+            const synchronous::Phasor u =
+                _forced.motion(_discretization.deflection_at_node(node.first));
             return _finer.at(mesh.nodes[static_cast<std::size_t>(node.first)], u) < 0.1;
         });
     }
 
-    [[nodiscard]] std::vector<Phasor> motions() const {
-        std::vector<Phasor> out;
+    [[nodiscard]] std::vector<synchronous::Phasor> motions() const {
+        std::vector<synchronous::Phasor> out;
         for (const auto &[node, name] : _nodes)
             out.push_back(_forced.motion(_discretization.deflection_at_node(node)));
         return out;
@@ -158,9 +163,9 @@ class Response {
     [[nodiscard]] bool unexcited(double speed) {
         constexpr double beside = 1e-8;
         constexpr double same = 1e-4;
-        const std::vector<Phasor> here = motions();
+        const std::vector<synchronous::Phasor> here = motions();
         _forced.solve(speed * (1 + beside));
-        const std::vector<Phasor> there = motions();
+        const std::vector<synchronous::Phasor> there = motions();
         _forced.solve(speed);
         double difference = 0;
         double size = 0;
@@ -175,8 +180,8 @@ class Response {
     void add_nodes(std::vector<double> &row) {
         const auto &mesh = _discretization.shaft_mesh();
         for (const auto &[node, name] : _nodes) {
-            const Phasor u = _forced.motion(_discretization.deflection_at_node(node));
-            const Ellipse orbit = ellipse_of(u.x, u.y);
+            const synchronous::Phasor u = _forced.motion(_discretization.deflection_at_node(node));
+            const modes::Ellipse orbit = modes::ellipse_of(u.x, u.y);
             const double z = mesh.nodes[static_cast<std::size_t>(node)];
             row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor,
                                    std::abs(u.x), std::arg(u.x), std::abs(u.y), std::arg(u.y),
@@ -188,16 +193,16 @@ class Response {
     void add_bearings(std::vector<double> &row) {
         const auto bearings = static_cast<int>(_discretization.rotor().bearings.size());
         for (int bearing = 0; bearing < bearings; ++bearing) {
-            const Phasor force = _forced.bearing_force(bearing);
-            row.insert(row.end(), {ellipse_of(force.x, force.y).major,
+            const synchronous::Phasor force = _forced.bearing_force(bearing);
+            row.insert(row.end(), {modes::ellipse_of(force.x, force.y).major,
                                    error(_error_known ? _finer.of_force(bearing, force) : 0)});
         }
     }
 
     void add_probes(std::vector<double> &row) {
         for (const model::Probe &probe : _discretization.rotor().probes) {
-            const Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
-            const std::complex<double> seen = reading(u, probe.angle);
+            const synchronous::Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
+            const std::complex<double> seen = synchronous::reading(u, probe.angle);
             row.insert(row.end(),
                        {std::abs(seen), std::arg(seen),
                         error(_error_known ? _finer.of_probe(probe.z, probe.angle, u) : 0)});
@@ -219,10 +224,10 @@ class Response {
 };
 
 /// Empty lists with places and names.
-void prepare_lists(ResponseResult &result, const assembly::Discretization &d,
+void prepare_lists(results::ResponseResult &result, const assembly::Discretization &d,
                    const std::map<int, std::string> &nodes) {
     for (const auto &[index, name] : nodes) {
-        ResponseNode node;
+        results::ResponseNode node;
         node.z = d.shaft_mesh().nodes[static_cast<std::size_t>(index)];
         node.name = name;
         result.nodes.push_back(node);
@@ -233,7 +238,7 @@ void prepare_lists(ResponseResult &result, const assembly::Discretization &d,
         result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
 }
 
-void note_resonances(ResponseResult &result) {
+void note_resonances(results::ResponseResult &result) {
     std::string speeds;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         if (std::isinf(result.nodes.front().amplitude[i]))
@@ -250,50 +255,22 @@ void note_resonances(ResponseResult &result) {
 
 } // namespace
 
-Formulation response_formulation(const model::Case &scene) {
-    model::Case without = scene; // the response leaves balancers out
-    without.rotor.balancers.clear();
-    if (without.rotor.rotating_anisotropy() || scene.formulation == model::FormChoice::rotating) {
-        const Formulation formulation = choose_formulation(without);
-        if (formulation.form == Form::hill)
-            throw model::AnalysisFailure(
-                "the response of an asymmetric rotor on bearings that differ between "
-                "their "
-                "directions has many frequencies and is not computed; use bearings "
-                "that are the "
-                "same from every direction, or remove the asymmetry");
-        return formulation;
-    }
-    const bool isotropic = scene.rotor.bearings_isotropic();
-    if (scene.formulation == model::FormChoice::planar && !isotropic)
-        throw model::BadInput("formulation: expected one that can describe the scene, got "
-                              "\"planar\": a bearing differs between x and y or couples them");
-    if (scene.formulation == model::FormChoice::planar)
-        return {Form::planar, "asked for by the case"};
-    if (scene.formulation != model::FormChoice::automatic)
-        return {Form::general, "asked for by the case: forced motion in x and y"};
-    if (isotropic)
-        return {Form::planar, "isotropic bearings, axisymmetric rotor: the motion is circular and "
-                              "w = x + i y halves the unknowns"};
-    return {Form::general, "a bearing differs between x and y or couples them: forced motion in "
-                           "x and y"};
-}
-
-ResponseResult unbalance_response(const model::Case &scene) {
+results::ResponseResult unbalance_response(const model::Case &scene) {
     const auto start = std::chrono::steady_clock::now();
     refuse_what_is_missing(scene);
-    const std::vector<double> speeds = required_speeds(scene).values();
-    ResponseResult result;
-    result.model.formulation = response_formulation(scene);
+    const std::vector<double> speeds = model::required_speeds(scene).values();
+    results::ResponseResult result;
+    result.model.formulation = synchronous::response_formulation(scene);
     model::Case free_choice = scene; // the order is judged by frequencies, in their best form
     free_choice.rotor.balancers.clear();
     free_choice.formulation = model::FormChoice::automatic;
-    result.model.order = resolve_order(free_choice, choose_formulation(free_choice));
+    result.model.order =
+        mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
     const assembly::Discretization d(scene.rotor, result.model.order);
     const std::map<int, std::string> nodes = attached_nodes(d);
     Response response(d, result.model.formulation.form, nodes);
     const std::vector<std::vector<double>> rows =
-        rows_at(speeds, [&](double speed) { return response.row(speed); });
+        process::rows_at(speeds, [&](double speed) { return response.row(speed); });
     if (rows.empty())
         return {};
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());

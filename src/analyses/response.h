@@ -1,7 +1,8 @@
 #pragma once
 
-#include "analyses/response_result.h"
 #include "model/case.h"
+#include "results/formulation.h"
+#include "results/response.h"
 
 namespace whirl::analyses {
 
@@ -18,10 +19,6 @@ namespace whirl::analyses {
 /// @throws model::BadInput without [[imbalance]] or [speeds];
 ///         model::AnalysisFailure for an asymmetric rotor on bearings that differ between their
 ///         directions.
-[[nodiscard]] ResponseResult unbalance_response(const model::Case &scene);
-
-/// The form the response uses: planar with isotropic bearings, damped or not, else general.
-/// @throws model::BadInput where the case forces the planar form and it cannot describe the scene.
-[[nodiscard]] Formulation response_formulation(const model::Case &scene);
+[[nodiscard]] results::ResponseResult unbalance_response(const model::Case &scene);
 
 } // namespace whirl::analyses

@@ -1,11 +1,14 @@
 #include "analyses/rigid_limit.h"
 
-#include "analyses/discretization_error.h"
-#include "analyses/progress.h"
-#include "analyses/rigid_limit_model.h"
-#include "analyses/rigid_limit_shaft.h"
 #include "assembly/discretization.h"
+#include "mesh_error/estimate.h"
 #include "model/errors.h"
+#include "modes/formulation.h"
+#include "process/progress.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
+#include "rigid/model.h"
+#include "rigid/shaft.h"
 
 #include <fmt/format.h>
 
@@ -21,9 +24,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double one_percent = 0.01;
-using Values = std::vector<std::optional<ModelValue>>;
+using Values = std::vector<std::optional<rigid::ModelValue>>;
 
-double difference(const RigidTarget &target, const ModelValue &found) {
+double difference(const rigid::RigidTarget &target, const rigid::ModelValue &found) {
     return std::abs(found.value - target.closed_form) / target.closed_form;
 }
 
@@ -54,15 +57,17 @@ struct Worst {
 /// The comparison at any stiffness; what has been computed is kept.
 class Comparison {
   public:
-    Comparison(const model::Rotor &rotor, int order, const std::vector<RigidTarget> &targets)
+    Comparison(const model::Rotor &rotor, int order, const std::vector<rigid::RigidTarget> &targets)
         : _rotor(rotor), _order(order), _targets(targets) {}
 
     const Values &at(double factor) {
         const auto found = _kept.find(factor);
         if (found != _kept.end())
             return found->second;
-        report_progress(std::min(0.8, 0.03 * static_cast<double>(_kept.size())));
-        return _kept.emplace(factor, model_values(stiffened(_rotor, factor), _order, _targets))
+        process::report_progress(std::min(0.8, 0.03 * static_cast<double>(_kept.size())));
+        return _kept
+            .emplace(factor,
+                     rigid::model_values(rigid::stiffened(_rotor, factor), _order, _targets))
             .first->second;
     }
 
@@ -94,7 +99,7 @@ class Comparison {
   private:
     const model::Rotor &_rotor;
     int _order;
-    const std::vector<RigidTarget> &_targets;
+    const std::vector<rigid::RigidTarget> &_targets;
     std::map<double, Values> _kept;
 };
 
@@ -151,7 +156,7 @@ std::optional<double> one_percent_factor(Comparison &comparison) {
 }
 
 /// Fits the rate over points well above rounding and in the range where the first order dominates.
-void close_row(RigidLimitRow &row, const RigidTarget &target, const Values &found,
+void close_row(results::RigidLimitRow &row, const rigid::RigidTarget &target, const Values &found,
                const std::vector<double> &abscissa) {
     constexpr double first_order = 0.01;
     std::vector<std::pair<double, double>> points;
@@ -173,8 +178,8 @@ void close_row(RigidLimitRow &row, const RigidTarget &target, const Values &foun
     row.rate = slope(points);
 }
 
-RigidLimitRow row_of(const RigidTarget &target, int order) {
-    RigidLimitRow row;
+results::RigidLimitRow row_of(const rigid::RigidTarget &target, int order) {
+    results::RigidLimitRow row;
     row.quantity = target.quantity;
     row.unit = target.unit;
     row.closed_form = target.closed_form;
@@ -193,7 +198,7 @@ Values values_of(const std::vector<Values> &points, std::size_t i) {
 
 /// Largest difference of the model without elastic unknowns, which is that of rounding alone.
 /// @throws model::AnalysisFailure where it is not.
-double rigid_difference(const std::vector<RigidTarget> &targets, const Values &rigid) {
+double rigid_difference(const std::vector<rigid::RigidTarget> &targets, const Values &rigid) {
     constexpr double rounding = 1e-6; // near A = C the inertias leave few digits
     double largest = 0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -207,11 +212,12 @@ double rigid_difference(const std::vector<RigidTarget> &targets, const Values &r
     return largest;
 }
 
-void add_stiffness_rows(RigidLimitResult &result, const std::vector<RigidTarget> &targets,
+void add_stiffness_rows(results::RigidLimitResult &result,
+                        const std::vector<rigid::RigidTarget> &targets,
                         const std::vector<double> &factors, const std::vector<Values> &points,
                         const Values &rigid) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        RigidLimitRow row = row_of(targets[i], result.model.order);
+        results::RigidLimitRow row = row_of(targets[i], result.model.order);
         row.factor = factors;
         for (const double factor : factors)
             row.stiffness.push_back(std::isfinite(factor) ? factor * result.stiffness : infinite);
@@ -223,13 +229,13 @@ void add_stiffness_rows(RigidLimitResult &result, const std::vector<RigidTarget>
 }
 
 /// Mass, centre, inertias of the model on rigid motions, against the sum over the parts.
-void add_inertia_rows(RigidLimitResult &result, const RigidInertia &exact, double length,
-                      const std::vector<model::Rotor> &meshes, int order) {
-    std::vector<RigidInertia> found;
+void add_inertia_rows(results::RigidLimitResult &result, const rigid::RigidInertia &exact,
+                      double length, const std::vector<model::Rotor> &meshes, int order) {
+    std::vector<rigid::RigidInertia> found;
     for (const model::Rotor &mesh : meshes)
-        found.push_back(model_inertia(mesh, order));
+        found.push_back(rigid::model_inertia(mesh, order));
     const auto add = [&](const char *name, const char *unit, double scale, auto number) {
-        RigidLimitRow row;
+        results::RigidLimitRow row;
         row.quantity = name;
         row.unit = unit;
         row.closed_form = number(exact);
@@ -237,7 +243,7 @@ void add_inertia_rows(RigidLimitResult &result, const RigidInertia &exact, doubl
         row.inertia = true;
         row.order = order;
         for (std::size_t k = 0; k < meshes.size(); ++k) {
-            row.elements.push_back(element_count(meshes[k]));
+            row.elements.push_back(rigid::element_count(meshes[k]));
             row.factor.push_back(result.mesh_factor);
             row.fe.emplace_back(number(found[k]));
             row.relative_difference.emplace_back(std::abs(*row.fe.back() - row.closed_form) /
@@ -245,34 +251,36 @@ void add_inertia_rows(RigidLimitResult &result, const RigidInertia &exact, doubl
         }
         result.rows.push_back(row);
     };
-    add("mass", "kg", exact.mass, [](const RigidInertia &r) { return r.mass; });
-    add("centre of mass", "m", length, [](const RigidInertia &r) { return r.center; });
-    add("mean diametral inertia", "kg m2", exact.A, [](const RigidInertia &r) { return r.A; });
-    add("polar inertia", "kg m2", exact.C, [](const RigidInertia &r) { return r.C; });
+    add("mass", "kg", exact.mass, [](const rigid::RigidInertia &r) { return r.mass; });
+    add("centre of mass", "m", length, [](const rigid::RigidInertia &r) { return r.center; });
+    add("mean diametral inertia", "kg m2", exact.A,
+        [](const rigid::RigidInertia &r) { return r.A; });
+    add("polar inertia", "kg m2", exact.C, [](const rigid::RigidInertia &r) { return r.C; });
     if (meshes.front().rotating_anisotropy())
         add("anisotropy", "kg m2", std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.A,
-            [](const RigidInertia &r) { return std::abs(r.a); });
+            [](const rigid::RigidInertia &r) { return std::abs(r.a); });
 }
 
-void add_mesh_rows(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+void add_mesh_rows(results::RigidLimitResult &result, const model::Rotor &rotor,
+                   const rigid::RigidForms &forms) {
     constexpr int most_elements = 32;
     const bool rigid = rotor.shaft.rigid;
-    const model::Rotor stiff = rigid ? rotor : stiffened(rotor, result.mesh_factor);
-    const std::vector<model::Rotor> meshes = meshes_to_coarsest(stiff, most_elements);
+    const model::Rotor stiff = rigid ? rotor : rigid::stiffened(rotor, result.mesh_factor);
+    const std::vector<model::Rotor> meshes = rigid::meshes_to_coarsest(stiff, most_elements);
     std::vector<int> orders{result.model.order};
     if (orders.front() != 1 && !rigid)
         orders.push_back(1);
     for (const int order : orders) {
         std::vector<Values> points;
         for (const model::Rotor &mesh : meshes)
-            points.push_back(model_values(mesh, order, forms.targets));
+            points.push_back(rigid::model_values(mesh, order, forms.targets));
         for (std::size_t i = 0; i < forms.targets.size(); ++i) {
-            RigidLimitRow row = row_of(forms.targets[i], order);
+            results::RigidLimitRow row = row_of(forms.targets[i], order);
             std::vector<double> abscissa;
             for (const model::Rotor &mesh : meshes) {
-                row.elements.push_back(element_count(mesh));
+                row.elements.push_back(rigid::element_count(mesh));
                 row.factor.push_back(result.mesh_factor);
-                abscissa.push_back(element_count(mesh));
+                abscissa.push_back(rigid::element_count(mesh));
             }
             close_row(row, forms.targets[i], values_of(points, i), abscissa);
             result.rows.push_back(row);
@@ -281,7 +289,8 @@ void add_mesh_rows(RigidLimitResult &result, const model::Rotor &rotor, const Ri
     }
 }
 
-RigidShaft shaft_at(Comparison &comparison, const RigidLimitResult &result, double factor) {
+results::RigidShaft shaft_at(Comparison &comparison, const results::RigidLimitResult &result,
+                             double factor) {
     const Worst worst = comparison.worst(factor);
     const double stiffness = factor * result.stiffness;
     return {factor, stiffness, stiffness / result.bearing_stiffness, worst.difference,
@@ -292,15 +301,15 @@ std::string percent(double share) {
     return share >= 1e-4 ? fmt::format("{:.3g} %", 100 * share) : fmt::format("{:.1e}", share);
 }
 
-std::string stiffness_text(const RigidShaft &shaft) {
+std::string stiffness_text(const results::RigidShaft &shaft) {
     return fmt::format("48 EI/L^3 = {:.4g} N/m, {:.3g} times the bearings together",
                        shaft.stiffness, shaft.over_bearings);
 }
 
-std::string sentence_of(const RigidLimitResult &result) {
+std::string sentence_of(const results::RigidLimitResult &result) {
     if (!result.one_percent)
         return "The rigid formulas are within 1 % however soft the shaft: it does not bend.";
-    const RigidShaft &limit = *result.one_percent;
+    const results::RigidShaft &limit = *result.one_percent;
     if (limit.factor > 1)
         return fmt::format(
             "The rigid formulas are within 1 % once the shaft is {:.4g} times as stiff as it is "
@@ -317,9 +326,10 @@ std::string sentence_of(const RigidLimitResult &result) {
 }
 
 /// Sweep, 1 % stiffness and sentence of an elastic shaft.
-void stiffen(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+void stiffen(results::RigidLimitResult &result, const model::Rotor &rotor,
+             const rigid::RigidForms &forms) {
     constexpr double stiff_enough = 1e-3; // for the mesh sweep
-    result.stiffness = bending_stiffness(rotor);
+    result.stiffness = rigid::bending_stiffness(rotor);
     Comparison comparison(rotor, result.model.order, forms.targets);
     if (const auto factor = one_percent_factor(comparison))
         result.one_percent = shaft_at(comparison, result, *factor);
@@ -327,7 +337,8 @@ void stiffen(RigidLimitResult &result, const model::Rotor &rotor, const RigidFor
     std::vector<Values> points;
     for (const double factor : factors)
         points.push_back(comparison.at(factor));
-    const Values rigid = model_values(without_elasticity(rotor), result.model.order, forms.targets);
+    const Values rigid =
+        rigid::model_values(rigid::without_elasticity(rotor), result.model.order, forms.targets);
     static_cast<void>(rigid_difference(forms.targets, rigid));
     add_stiffness_rows(result, forms.targets, factors, points, rigid);
     if (std::isfinite(comparison.worst(1).difference))
@@ -340,10 +351,11 @@ void stiffen(RigidLimitResult &result, const model::Rotor &rotor, const RigidFor
 }
 
 /// The model without elastic unknowns in the place of the sweep.
-void compare_rigid(RigidLimitResult &result, const model::Rotor &rotor, const RigidForms &forms) {
+void compare_rigid(results::RigidLimitResult &result, const model::Rotor &rotor,
+                   const rigid::RigidForms &forms) {
     result.stiffness = infinite;
     result.mesh_factor = infinite;
-    const Values values = model_values(rotor, result.model.order, forms.targets);
+    const Values values = rigid::model_values(rotor, result.model.order, forms.targets);
     add_stiffness_rows(result, forms.targets, {infinite}, {values}, values);
     result.sentence =
         fmt::format("The shaft is rigid: model and closed forms differ by {:.1e} at most.",
@@ -352,20 +364,22 @@ void compare_rigid(RigidLimitResult &result, const model::Rotor &rotor, const Ri
 
 } // namespace
 
-RigidLimitResult rigid_limit(const model::Case &given) {
+results::RigidLimitResult rigid_limit(const model::Case &given) {
     const auto start = std::chrono::steady_clock::now();
-    RigidLimitResult result;
-    ModelSummary &model = result.model;
-    model::Case scene = rigid_limit_scene(given, model.notes);
-    const RigidForms forms = rigid_forms(scene);
+    results::RigidLimitResult result;
+    results::ModelSummary &model = result.model;
+    model::Case scene = rigid::rigid_limit_scene(given, model.notes);
+    const rigid::RigidForms forms = rigid::rigid_forms(scene);
     model.notes.insert(model.notes.end(), forms.notes.begin(), forms.notes.end());
-    model.order = resolve_order(scene, choose_formulation(scene));
+    model.order = mesh_error::resolve_order(scene, modes::choose_formulation(scene));
     model.formulation =
         scene.rotor.rotating_anisotropy()
-            ? Formulation{Form::rotating, "something that turns is not axisymmetric: motions that "
-                                          "stand still in axes that turn with the rotor"}
-            : Formulation{Form::planar, "forward critical speeds without damping on isotropic "
-                                        "bearings: symmetric matrices of half size"};
+            ? results::Formulation{results::Form::rotating,
+                                   "something that turns is not axisymmetric: motions that "
+                                   "stand still in axes that turn with the rotor"}
+            : results::Formulation{results::Form::planar,
+                                   "forward critical speeds without damping on isotropic "
+                                   "bearings: symmetric matrices of half size"};
     const assembly::Discretization d(scene.rotor, model.order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = (scene.rotor.rotating_anisotropy() ? 2 : 1) * d.planar_size();
@@ -374,9 +388,9 @@ RigidLimitResult rigid_limit(const model::Case &given) {
         compare_rigid(result, scene.rotor, forms);
     else
         stiffen(result, scene.rotor, forms);
-    report_progress(0.9);
+    process::report_progress(0.9);
     add_mesh_rows(result, scene.rotor, forms);
-    report_progress(1);
+    process::report_progress(1);
     model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/rigid_limit_result.h"
 #include "model/case.h"
+#include "results/rigid_limit.h"
 
 namespace whirl::analyses {
 
@@ -12,6 +12,6 @@ namespace whirl::analyses {
 /// attachments allow; and the stiffness above which every compared speed is within 1 %.
 /// @throws model::AnalysisFailure where the rigid rotor has no closed form or the model does not
 /// approach it; model::BadInput where a balancer has no balanced position.
-[[nodiscard]] RigidLimitResult rigid_limit(const model::Case &scene);
+[[nodiscard]] results::RigidLimitResult rigid_limit(const model::Case &scene);
 
 } // namespace whirl::analyses

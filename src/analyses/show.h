@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/show.h"
 
 namespace whirl::analyses {
 
@@ -9,6 +9,6 @@ namespace whirl::analyses {
 /// Id > Ip, short: Id < Ip, spherical: equal to 1e-9), and the form of the equations that each
 /// command will use; what each balancer adds at its balanced position, and the chart of a rotor
 /// with anisotropy. Balls and point-mass imbalances count, pedestals do not.
-[[nodiscard]] ShowResult show(const model::Case &scene);
+[[nodiscard]] results::ShowResult show(const model::Case &scene);
 
 } // namespace whirl::analyses

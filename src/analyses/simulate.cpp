@@ -1,16 +1,17 @@
 #include "analyses/simulate.h"
 
-#include "analyses/interruption.h"
-#include "analyses/linear_growth.h"
-#include "analyses/motion_outcome.h"
-#include "analyses/motion_recorder.h"
-#include "analyses/motion_restart.h"
-#include "analyses/motion_scene.h"
-#include "analyses/progress.h"
 #include "linalg/check.h"
-#include "linalg/ode_solver.h"
-#include "linalg/session.h"
 #include "model/errors.h"
+#include "process/interruption.h"
+#include "process/progress.h"
+#include "process/session.h"
+#include "results/formulation.h"
+#include "simulation/equations.h"
+#include "simulation/linear_growth.h"
+#include "simulation/ode_solver.h"
+#include "simulation/outcome.h"
+#include "simulation/recorder.h"
+#include "simulation/restart.h"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -28,9 +29,9 @@ namespace {
 constexpr double stiff_from = 300;
 
 /// Fastest decay of the shaft on its supports, 1/s.
-double fastest_decay(const ReducedRotor &rotor, double speed) {
+double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
     const Eigen::Index r = rotor.size();
-    const ReducedRotor::Supports at = rotor.supports_at(speed);
+    const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
     // On (q, q' / |speed|), so that all entries are frequencies, whatever the unit of time.
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * r, 4 * r);
     A.topRightCorner(2 * r, 2 * r).diagonal().setConstant(std::abs(speed));
@@ -53,11 +54,11 @@ struct Scales {
     double energy = 0;       ///< J
 };
 
-Scales scales_of(const MotionScene &motion) {
+Scales scales_of(const simulation::MotionScene &motion) {
     double moment = 0;
-    for (const FixedMass &mass : motion.parts.fixed)
+    for (const simulation::FixedMass &mass : motion.parts.fixed)
         moment += std::abs(mass.mass.moment);
-    for (const FreeMass &mass : motion.parts.free)
+    for (const simulation::FreeMass &mass : motion.parts.free)
         moment += mass.pendulums ? mass.pair.mass * mass.pair.arm : mass.ball.moment;
     const double mass = motion.parts.rotor.mass;
     const double speed = motion.fastest;
@@ -65,7 +66,7 @@ Scales scales_of(const MotionScene &motion) {
 }
 
 /// The error allowed in each unknown: `tolerance` times the size of its kind.
-void allowed_error(const RotorMotion &motion, const Scales &scales, double tolerance,
+void allowed_error(const simulation::RotorMotion &motion, const Scales &scales, double tolerance,
                    const double *state, double *allowed) {
     const int n = motion.coordinates();
     const int shapes = motion.first_angle();
@@ -94,7 +95,7 @@ void allowed_error(const RotorMotion &motion, const Scales &scales, double toler
 }
 
 /// State at the start: all at rest, the free masses at their angles.
-Eigen::VectorXd rest(const RotorMotion &motion, const MotionScene &scene) {
+Eigen::VectorXd rest(const simulation::RotorMotion &motion, const simulation::MotionScene &scene) {
     Eigen::VectorXd state = Eigen::VectorXd::Zero(motion.size());
     for (std::size_t i = 0; i < scene.start_angles.size(); ++i)
         state(motion.first_angle() + static_cast<Eigen::Index>(i)) = scene.start_angles[i];
@@ -103,8 +104,8 @@ Eigen::VectorXd rest(const RotorMotion &motion, const MotionScene &scene) {
     return state;
 }
 
-std::vector<Row> recorded_rows(const MotionScene &scene) {
-    std::vector<Row> rows;
+std::vector<reduction::Row> recorded_rows(const simulation::MotionScene &scene) {
+    std::vector<reduction::Row> rows;
     for (const int plane : scene.plane_of)
         rows.push_back(scene.parts.planes[static_cast<std::size_t>(plane)].w);
     return rows;
@@ -113,34 +114,34 @@ std::vector<Row> recorded_rows(const MotionScene &scene) {
 /// One integration from its start (or restart) to its end (or interruption).
 class Run {
   public:
-    Run(const model::Case &scene, MotionScene &motion)
+    Run(const model::Case &scene, simulation::MotionScene &motion)
         : _scene(scene), _prepared(motion), _motion(motion.parts),
           _recorder(_motion, recorded_rows(motion), scene.simulate.time,
                     scene.simulate.output_points),
           _scales(scales_of(motion)),
           _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-          _solver(problem(), _stiff ? linalg::OdeMethod::implicit_stiff
-                                    : linalg::OdeMethod::explicit_high_order) {}
+          _solver(problem(), _stiff ? simulation::OdeMethod::implicit_stiff
+                                    : simulation::OdeMethod::explicit_high_order) {}
 
     /// @returns whether the end was reached.
     bool integrate(const model::Restart *from);
 
-    void fill(SimulateResult &result) const;
+    void fill(results::SimulateResult &result) const;
     [[nodiscard]] model::Restart restart() const;
 
   private:
     const model::Case &_scene;
-    const MotionScene &_prepared;
-    RotorMotion _motion;
-    MotionRecorder _recorder;
+    const simulation::MotionScene &_prepared;
+    simulation::RotorMotion _motion;
+    simulation::MotionRecorder _recorder;
     Scales _scales;
     bool _stiff;
-    linalg::OdeSolver _solver;
+    simulation::OdeSolver _solver;
     double _t = 0;
     double _energy = 0;
     double _momentum = 0;
 
-    linalg::OdeProblem problem() {
+    simulation::OdeProblem problem() {
         return {_motion.size(),
                 [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
                 [this](const double *y, double *allowed) {
@@ -170,9 +171,9 @@ void Run::begin(const model::Restart *from) {
     Eigen::VectorXd state = rest(_motion, _prepared);
     if (from) {
         _t = from->time;
-        state = state_of(*from, _scene, _motion);
-        _recorder.resume(*from,
-                         series_of(*from, _prepared.plane_of.size(), _motion.parts().free.size()));
+        state = simulation::state_of(*from, _scene, _motion);
+        _recorder.resume(*from, simulation::series_of(*from, _prepared.plane_of.size(),
+                                                      _motion.parts().free.size()));
         _energy = from->energy;
         _momentum = from->momentum;
     } else {
@@ -186,11 +187,11 @@ void Run::begin(const model::Restart *from) {
 
 bool Run::reach(double stop) {
     while (_t < stop) {
-        if (take_interruption())
+        if (process::take_interruption())
             return false;
         _t = _solver.step(stop);
         _recorder.step(_t, _solver.state());
-        report_progress(_t / _scene.simulate.time);
+        process::report_progress(_t / _scene.simulate.time);
     }
     return true;
 }
@@ -217,7 +218,8 @@ bool Run::integrate(const model::Restart *from) {
 }
 
 model::Restart Run::restart() const {
-    model::Restart restart = restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
+    model::Restart restart =
+        simulation::restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
     _recorder.save(restart);
     restart.case_name = _scene.name;
     restart.time = _t;
@@ -227,7 +229,7 @@ model::Restart Run::restart() const {
     return restart;
 }
 
-void Run::fill(SimulateResult &result) const {
+void Run::fill(results::SimulateResult &result) const {
     const double *state = _solver.state();
     const double *books = state + _motion.books();
     const double energy = _motion.energy(_t, state) - _energy;
@@ -247,7 +249,7 @@ void Run::fill(SimulateResult &result) const {
     result.series = _recorder.series();
     result.integrator = _stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
                                : "explicit Runge-Kutta, order 8";
-    const linalg::OdeCounts counts = _solver.counts();
+    const simulation::OdeCounts counts = _solver.counts();
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;
     for (const double amplitude : _recorder.last_amplitudes()) {
@@ -256,10 +258,12 @@ void Run::fill(SimulateResult &result) const {
     }
 }
 
-void describe_model(const model::Case &scene, const MotionScene &motion, SimulateResult &result) {
-    const ReducedRotor &rotor = motion.parts.rotor;
-    result.model.formulation = {Form::general, "motion in time, fixed frame: modal coordinates of "
-                                               "the shaft in x and y, an angle for each ball"};
+void describe_model(const model::Case &scene, const simulation::MotionScene &motion,
+                    results::SimulateResult &result) {
+    const reduction::ReducedRotor &rotor = motion.parts.rotor;
+    result.model.formulation = {results::Form::general,
+                                "motion in time, fixed frame: modal coordinates of "
+                                "the shaft in x and y, an angle for each ball"};
     result.model.order = motion.order;
     result.model.elements = motion.elements;
     result.model.unknowns = 2 * rotor.size() + static_cast<int>(motion.parts.free.size());
@@ -276,7 +280,8 @@ void describe_model(const model::Case &scene, const MotionScene &motion, Simulat
 }
 
 /// Of each balancer, in the rotor, rad.
-std::vector<std::vector<double>> last_angles(const model::Case &scene, const MotionSeries &series) {
+std::vector<std::vector<double>> last_angles(const model::Case &scene,
+                                             const results::MotionSeries &series) {
     std::vector<std::vector<double>> angles;
     std::size_t next = 0;
     for (const model::Balancer &b : scene.rotor.balancers) {
@@ -288,7 +293,7 @@ std::vector<std::vector<double>> last_angles(const model::Case &scene, const Mot
 }
 
 /// A motion that grows beyond all numbers has an outcome all the same: what was followed is judged.
-void end_early(SimulateResult &result, const std::string &failure) {
+void end_early(results::SimulateResult &result, const std::string &failure) {
     constexpr std::size_t enough = 100; // points of the series
     if (result.series.time.size() < enough)
         throw model::AnalysisFailure(failure);
@@ -300,9 +305,9 @@ void end_early(SimulateResult &result, const std::string &failure) {
 }
 
 /// One motion, told apart where it was interrupted by result.restart.
-SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
-                           const model::Restart *from) {
-    SimulateResult result;
+results::SimulateResult motion_from(const model::Case &scene, simulation::MotionScene &motion,
+                                    const model::Restart *from) {
+    results::SimulateResult result;
     describe_model(scene, motion, result);
     Run run(scene, motion);
     std::string failure;
@@ -319,26 +324,26 @@ SimulateResult motion_from(const model::Case &scene, MotionScene &motion,
         end_early(result, failure);
     try {
         const std::vector<double> references =
-            unbalanced_amplitudes(scene, motion.order, result.speed);
+            simulation::unbalanced_amplitudes(scene, motion.order, result.speed);
         for (std::size_t i = 0; i < references.size(); ++i)
             result.balancers[i].reference = references[i];
     } catch (const model::AnalysisFailure &none) { // the motion is worth having all the same
         result.model.notes.push_back(
             fmt::format("{}; balanced is judged by the amplitude of a free rotor", none.what()));
     }
-    if (ends_at_constant_speed(result))
+    if (simulation::ends_at_constant_speed(result))
         result.linear_growth =
-            linear_growth(scene, result.speed, last_angles(scene, result.series));
-    classify(scene, result);
-    if (!failure.empty() && result.outcome != Outcome::growing)
+            simulation::linear_growth(scene, result.speed, last_angles(scene, result.series));
+    simulation::classify(scene, result);
+    if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);
     return result;
 }
 
-OtherStart other_start(const SimulateResult &motion) {
-    OtherStart out{
+results::OtherStart other_start(const results::SimulateResult &motion) {
+    results::OtherStart out{
         motion.start_angles, motion.outcome, motion.evidence, motion.residual_ratio, {}, {}};
-    for (const BalancerMotion &b : motion.balancers)
+    for (const results::BalancerMotion &b : motion.balancers)
         out.angles.push_back(b.angles);
     for (const std::vector<double> &plane : motion.series.amplitude) {
         out.amplitude.resize(plane.size(), 0);
@@ -349,12 +354,13 @@ OtherStart other_start(const SimulateResult &motion) {
 }
 
 /// The motions from simulate.other_starts; ends early where interrupted, and says so.
-void add_other_starts(const model::Case &scene, MotionScene &motion, SimulateResult &result) {
+void add_other_starts(const model::Case &scene, simulation::MotionScene &motion,
+                      results::SimulateResult &result) {
     for (const auto &start : scene.simulate.other_starts) {
         motion.start_angles.clear();
         for (const std::vector<double> &angles : start)
             motion.start_angles.insert(motion.start_angles.end(), angles.begin(), angles.end());
-        const SimulateResult other = motion_from(scene, motion, nullptr);
+        const results::SimulateResult other = motion_from(scene, motion, nullptr);
         if (other.restart) {
             result.model.notes.push_back(
                 fmt::format("interrupted: {} of {} other starts were followed to the end",
@@ -367,15 +373,15 @@ void add_other_starts(const model::Case &scene, MotionScene &motion, SimulateRes
 
 } // namespace
 
-SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
-    if (linalg::process_rank() != 0)
+results::SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
+    if (process::process_rank() != 0)
         return {};
     const auto start = std::chrono::steady_clock::now();
-    MotionScene motion = motion_scene(scene);
-    SimulateResult result = motion_from(scene, motion, from);
+    simulation::MotionScene motion = simulation::motion_scene(scene);
+    results::SimulateResult result = motion_from(scene, motion, from);
     if (!result.restart)
         add_other_starts(scene, motion, result);
-    report_progress(1);
+    process::report_progress(1);
     result.model.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/simulate_result.h"
 #include "model/case.h"
+#include "results/simulate.h"
 
 namespace whirl::analyses {
 
@@ -10,12 +10,12 @@ namespace whirl::analyses {
 /// prescribed (constant or a run-up) or follows from a motor's torque. The shaft moves in few
 /// shapes, whose error against the full model is part of the result.
 ///
-/// A run that is interrupted (analyses/interruption.h) ends early with `restart` set; given as
+/// A run that is interrupted (process/interruption.h) ends early with `restart` set; given as
 /// `from` to a second call it goes on. Other starts of the case follow the first motion, each from
 /// its beginning. Runs on process 0; the others return an empty result.
 /// @throws model::BadInput where the case lacks something or asks for an absurd time span;
 ///         model::AnalysisFailure where the integration cannot go on.
-[[nodiscard]] SimulateResult simulate(const model::Case &scene,
-                                      const model::Restart *from = nullptr);
+[[nodiscard]] results::SimulateResult simulate(const model::Case &scene,
+                                               const model::Restart *from = nullptr);
 
 } // namespace whirl::analyses

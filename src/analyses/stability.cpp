@@ -1,18 +1,20 @@
 #include "analyses/stability.h"
 
-#include "analyses/balanced_position.h"
-#include "analyses/band_errors.h"
-#include "analyses/band_finder.h"
-#include "analyses/hill_motions.h"
-#include "analyses/permissible.h"
-#include "analyses/progress.h"
-#include "analyses/speeds.h"
 #include "analyses/stability_map.h"
-#include "analyses/stability_model.h"
+#include "balancers/balanced_position.h"
 #include "linalg/check.h"
-#include "linalg/session.h"
+#include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "process/parallel.h"
+#include "process/progress.h"
+#include "process/session.h"
+#include "results/formulation.h"
+#include "stability/band_errors.h"
+#include "stability/band_finder.h"
+#include "stability/hill_motions.h"
+#include "stability/permissible.h"
+#include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
@@ -28,37 +30,38 @@ namespace {
 /// Motions at the speeds of a grid, kept: they are asked for by several parts of the analysis.
 class KeptMotions {
   public:
-    KeptMotions(const MotionSolver &solver, const std::vector<double> &grid) : _solver(solver) {
+    KeptMotions(const stability::MotionSolver &solver, const std::vector<double> &grid)
+        : _solver(solver) {
         for (const double speed : grid)
             _kept.try_emplace(speed);
     }
-    std::vector<Motion> operator()(double speed) {
+    std::vector<stability::Motion> operator()(double speed) {
         const auto found = _kept.find(speed);
         if (found == _kept.end())
             return _solver.at(speed);
         if (found->second.empty()) {
             found->second = _solver.at(speed);
-            report_progress(
+            process::report_progress(
                 std::min(0.9, static_cast<double>(++_done) / static_cast<double>(_kept.size())));
         }
         return found->second;
     }
 
   private:
-    const MotionSolver &_solver;
-    std::map<double, std::vector<Motion>> _kept;
+    const stability::MotionSolver &_solver;
+    std::map<double, std::vector<stability::Motion>> _kept;
     int _done = 0;
 };
 
 /// Neighbours among sorted lists of one length each: least and largest of the first values, of the
 /// second ones, ...; lists may differ in length where a speed leaves the range.
-std::vector<SpeedInterval> intervals_of(const std::vector<std::vector<double>> &lists) {
+std::vector<stability::SpeedInterval> intervals_of(const std::vector<std::vector<double>> &lists) {
     std::size_t longest = 0;
     for (const auto &list : lists)
         longest = std::max(longest, list.size());
-    std::vector<SpeedInterval> out;
+    std::vector<stability::SpeedInterval> out;
     for (std::size_t i = 0; i < longest; ++i) {
-        SpeedInterval interval{std::numeric_limits<double>::infinity(), 0};
+        stability::SpeedInterval interval{std::numeric_limits<double>::infinity(), 0};
         for (const auto &list : lists)
             if (i < list.size())
                 interval = {std::min(interval.first, list[i]), std::max(interval.second, list[i])};
@@ -68,20 +71,21 @@ std::vector<SpeedInterval> intervals_of(const std::vector<std::vector<double>> &
 }
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
-void sharpen(std::vector<SpeedInterval> &bands, const std::vector<StandingSpeed> &standing) {
-    for (SpeedInterval &band : bands)
+void sharpen(std::vector<stability::SpeedInterval> &bands,
+             const std::vector<stability::StandingSpeed> &standing) {
+    for (stability::SpeedInterval &band : bands)
         for (double *end : {&band.first, &band.second})
-            for (const StandingSpeed &at : standing)
+            for (const stability::StandingSpeed &at : standing)
                 if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
                     *end = at.speed;
 }
 
 /// Those inside the range; spinning the other way, the rotor has the same ones with a minus.
-std::vector<StandingSpeed> inside(const std::vector<StandingSpeed> &standing, double from,
-                                  double to) {
-    std::vector<StandingSpeed> out;
+std::vector<stability::StandingSpeed> inside(const std::vector<stability::StandingSpeed> &standing,
+                                             double from, double to) {
+    std::vector<stability::StandingSpeed> out;
     for (const double sense : {-1.0, 1.0})
-        for (const StandingSpeed &at : standing)
+        for (const stability::StandingSpeed &at : standing)
             if (sense * at.speed >= from && sense * at.speed <= to)
                 out.push_back({sense * at.speed, at.exact});
     std::sort(out.begin(), out.end(),
@@ -89,20 +93,22 @@ std::vector<StandingSpeed> inside(const std::vector<StandingSpeed> &standing, do
     return out;
 }
 
-std::vector<double> speeds_of(const std::vector<StandingSpeed> &standing) {
+std::vector<double> speeds_of(const std::vector<stability::StandingSpeed> &standing) {
     std::vector<double> out;
-    for (const StandingSpeed &at : standing)
+    for (const stability::StandingSpeed &at : standing)
         out.push_back(at.speed);
     return out;
 }
 
 /// Those of the range of the grid; none where they cannot be resolved beside the other roots.
-std::vector<StandingSpeed> standing_or_none(const assembly::Discretization &d,
-                                            const Arrangement &arrangement, bool frozen,
-                                            const std::vector<double> &grid, bool &failed) {
+std::vector<stability::StandingSpeed> standing_or_none(const assembly::Discretization &d,
+                                                       const balancers::Arrangement &arrangement,
+                                                       bool frozen, const std::vector<double> &grid,
+                                                       bool &failed) {
     const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
     try {
-        return inside(standing_speeds(d, arrangement, frozen, top), grid.front(), grid.back());
+        return inside(stability::standing_speeds(d, arrangement, frozen, top), grid.front(),
+                      grid.back());
     } catch (const linalg::SolverError &) {
         failed = true;
         return {};
@@ -113,23 +119,24 @@ constexpr int sampled = 16;
 
 /// @param first   unstable bands of the first arrangement, known already
 /// @param shapes  that were good for it
-ArrangementFamily family_of(const model::Case &scene, const StabilityModel &model,
-                            const std::vector<Arrangement> &arrangements,
-                            const std::vector<SpeedInterval> &first,
-                            std::shared_ptr<const Eigen::MatrixXd> shapes,
-                            const std::vector<double> &grid) {
-    ArrangementFamily out;
+results::ArrangementFamily family_of(const model::Case &scene,
+                                     const stability::StabilityModel &model,
+                                     const std::vector<balancers::Arrangement> &arrangements,
+                                     const std::vector<stability::SpeedInterval> &first,
+                                     std::shared_ptr<const Eigen::MatrixXd> shapes,
+                                     const std::vector<double> &grid) {
+    results::ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
     std::vector<std::vector<double>> critical;
     std::vector<std::vector<double>> additional;
-    std::vector<SpeedInterval> some;
+    std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        BandFinder finder(scene.rotor, model, arrangements[k], shapes);
+        stability::BandFinder finder(scene.rotor, model, arrangements[k], shapes);
         const auto bands = k == 0 ? first : finder.find(grid).bands;
         shapes = finder.shapes();
-        out.always_unstable = k == 0 ? bands : common(out.always_unstable, bands);
+        out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
-        if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
+        if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
             const auto &d = finder.solver().discretization();
             const assembly::Discretization undamped(model::without_damping(scene.rotor),
                                                     model.order);
@@ -138,14 +145,14 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
             additional.push_back(
                 speeds_of(standing_or_none(d, arrangements[k], false, grid, out.incomplete)));
         }
-        report_progress(0.9 * static_cast<double>(k + 1) /
-                        static_cast<double>(arrangements.size()));
+        process::report_progress(0.9 * static_cast<double>(k + 1) /
+                                 static_cast<double>(arrangements.size()));
     }
-    out.unstable = joined(std::move(some));
+    out.unstable = stability::joined(std::move(some));
     out.critical_speeds = intervals_of(critical);
     out.additional_speeds = intervals_of(additional);
     for (const model::Balancer &balancer : scene.rotor.balancers) {
-        const auto interval = anisotropy_interval(balancer);
+        const auto interval = balancers::anisotropy_interval(balancer);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result
         out.anisotropy.push_back(interval ? std::pair(interval->least, interval->largest)
                                           : std::pair(unknown, unknown));
@@ -154,7 +161,8 @@ ArrangementFamily family_of(const model::Case &scene, const StabilityModel &mode
 }
 
 /// The longest run of speeds that a Hill series describes.
-std::vector<double> described(const std::vector<double> &speeds, const StabilityModel &model) {
+std::vector<double> described(const std::vector<double> &speeds,
+                              const stability::StabilityModel &model) {
     std::vector<double> forward;
     std::vector<double> backward;
     for (const double speed : speeds)
@@ -174,25 +182,27 @@ int neutral_pairs(const model::Rotor &rotor) {
     return pairs;
 }
 
-Verdict verdict_of(const std::vector<Motion> &motions) {
-    const double growth = growth_of(motions);
+results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
+    const double growth = stability::growth_of(motions);
     if (growth <= 0)
-        return growth < 0 ? Verdict::stable : Verdict::neutral;
-    const bool real = std::any_of(motions.begin(), motions.end(), [growth](const Motion &motion) {
-        return motion.value.real() == growth && motion.value.imag() == 0;
-    });
-    return real ? Verdict::diverges : Verdict::unstable;
+        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
+    const bool real =
+        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
+            return motion.value.real() == growth && motion.value.imag() == 0;
+        });
+    return real ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
 /// Speeds at which the Hill series does not settle, and all slower ones, are given up.
-void give_up_unsettled(const MotionsAt &at, std::vector<double> &grid, StabilityModel &model) {
-    if (model.form != Form::hill)
+void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
+                       stability::StabilityModel &model) {
+    if (model.form != results::Form::hill)
         return;
     double unsettled = -1;
     for (const double speed : grid)
         try {
             (void)at(speed);
-        } catch (const NotSettled &) {
+        } catch (const stability::NotSettled &) {
             unsettled = std::max(unsettled, std::abs(speed));
         }
     if (unsettled < 0)
@@ -205,31 +215,32 @@ void give_up_unsettled(const MotionsAt &at, std::vector<double> &grid, Stability
 }
 
 /// Bands, their errors, and where they may have been missed.
-void search_bands(const model::Case &scene, const StabilityModel &model,
-                  const Arrangement &arrangement, BandFinder &finder, const MotionsAt &at,
-                  const std::vector<double> &grid, StabilityResult &result) {
-    const BandsFound found = finder.find(at, grid);
+void search_bands(const model::Case &scene, const stability::StabilityModel &model,
+                  const balancers::Arrangement &arrangement, stability::BandFinder &finder,
+                  const stability::MotionsAt &at, const std::vector<double> &grid,
+                  results::StabilityResult &result) {
+    const stability::BandsFound found = finder.find(at, grid);
     result.unstable = found.bands;
     for (const auto &[from, to] : found.doubtful)
         result.model.notes.push_back(
             fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
                         "unstable band narrower than that may be missing there",
                         from, to));
-    result.unstable_error =
-        band_errors(at, scene.rotor, model, arrangement, found.bands, {grid.front(), grid.back()});
+    result.unstable_error = stability::band_errors(at, scene.rotor, model, arrangement, found.bands,
+                                                   {grid.front(), grid.back()});
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
-void search_standing(const model::Case &scene, const StabilityModel &model,
-                     const Arrangement &arrangement, const assembly::Discretization &d,
-                     const std::vector<double> &grid, StabilityResult &result) {
+void search_standing(const model::Case &scene, const stability::StabilityModel &model,
+                     const balancers::Arrangement &arrangement, const assembly::Discretization &d,
+                     const std::vector<double> &grid, results::StabilityResult &result) {
     bool failed = false;
     const assembly::Discretization undamped(model::without_damping(scene.rotor), model.order);
     result.critical_speeds = speeds_of(standing_or_none(undamped, arrangement, true, grid, failed));
     const auto free = standing_or_none(d, arrangement, false, grid, failed);
     if (!scene.rotor.balancers.empty())
         result.additional_speeds = speeds_of(free);
-    for (const StandingSpeed &standing : free)
+    for (const stability::StandingSpeed &standing : free)
         if (standing.exact)
             result.zero_root_speeds.push_back(standing.speed);
     sharpen(result.unstable, free);
@@ -239,44 +250,48 @@ void search_standing(const model::Case &scene, const StabilityModel &model,
 }
 
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
-void search(const model::Case &scene, StabilityModel &model, StabilityResult &result) {
-    std::vector<double> grid = described(search_speeds(*scene.speeds), model);
-    const Arrangement arrangement = arrangement_at_balance(scene.rotor);
-    BandFinder finder(scene.rotor, model, arrangement);
-    const MotionSolver &solver = finder.solver();
+void search(const model::Case &scene, stability::StabilityModel &model,
+            results::StabilityResult &result) {
+    std::vector<double> grid = described(stability::search_speeds(*scene.speeds), model);
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
+    stability::BandFinder finder(scene.rotor, model, arrangement);
+    const stability::MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     KeptMotions kept(solver, grid);
-    const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, grid, model);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const double speed : result.speeds) {
         const bool known = std::abs(speed) >= model.from;
-        const std::vector<Motion> motions = known ? at(speed) : std::vector<Motion>{};
-        result.growth.push_back(known ? growth_of(motions) : unknown);
-        result.verdict.push_back(known ? verdict_of(motions) : Verdict::unknown);
+        const std::vector<stability::Motion> motions =
+            known ? at(speed) : std::vector<stability::Motion>{};
+        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
     }
     if (grid.size() > 1)
         search_bands(scene, model, arrangement, finder, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
-    if (model.form == Form::rotating && !scene.rotor.bearings_depend_on_speed())
+    if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
         search_standing(scene, model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1)
-        result.permissible = permissible_anisotropies(scene, model, arrangement, grid);
-    const std::vector<Arrangement> arrangements = sampled_arrangements(scene.rotor, sampled);
+        result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
+    const std::vector<balancers::Arrangement> arrangements =
+        balancers::sampled_arrangements(scene.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
         result.family =
             family_of(scene, model, arrangements, result.unstable, finder.shapes(), grid);
 }
 
-void add_notes(const model::Case &scene, const StabilityModel &model, StabilityResult &result) {
+void add_notes(const model::Case &scene, const stability::StabilityModel &model,
+               results::StabilityResult &result) {
     auto &notes = result.model.notes;
     if (model.conservative)
         notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");
     if (result.speeds.size() == 1)
         notes.emplace_back("one speed: stable or unstable there; bands need a range of [speeds]");
-    if (model.form == Form::hill)
+    if (model.form == results::Form::hill)
         result.model.notes.push_back(
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
@@ -285,7 +300,8 @@ void add_notes(const model::Case &scene, const StabilityModel &model, StabilityR
             fmt::format("below {:.6g} rad/s the Hill series does not settle at every speed (its "
                         "harmonics lie 2 x speed apart): nothing is said of these speeds",
                         model.from));
-    if (in_rotating_axes(model.form) && !scene.rotor.damped() && !scene.rotor.balancers.empty())
+    if (results::in_rotating_axes(model.form) && !scene.rotor.damped() &&
+        !scene.rotor.balancers.empty())
         notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "
                            "and drives every motion slower than the rotor");
     if (result.family && result.family->incomplete)
@@ -301,40 +317,25 @@ void add_notes(const model::Case &scene, const StabilityModel &model, StabilityR
 
 } // namespace
 
-std::string verdict_name(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::stable:
-        return "stable";
-    case Verdict::neutral:
-        return "neutral";
-    case Verdict::unstable:
-        return "unstable";
-    case Verdict::diverges:
-        return "diverges";
-    default:
-        return {};
-    }
-}
-
-UnstableBands unstable_bands_of(const model::Case &scene, const Arrangement &arrangement,
+UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
                                 bool with_errors) {
-    const std::vector<double> grid = search_speeds(required_speeds(scene));
-    StabilityModel model = stability_model(scene, grid);
+    const std::vector<double> grid = stability::search_speeds(model::required_speeds(scene));
+    stability::StabilityModel model = stability::stability_model(scene, grid);
     UnstableBands out;
     if (model.conservative)
         return out;
-    BandFinder finder(scene.rotor, model, arrangement);
+    stability::BandFinder finder(scene.rotor, model, arrangement);
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
-    const MotionsAt at = [&kept](double speed) { return kept(speed); };
+    const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, known, model);
     if (known.size() > 1) {
-        BandsFound found = finder.find(at, known);
+        stability::BandsFound found = finder.find(at, known);
         out.bands = std::move(found.bands);
         out.doubtful = std::move(found.doubtful);
         if (with_errors)
-            out.errors = band_errors(at, scene.rotor, model, arrangement, out.bands,
-                                     {known.front(), known.back()});
+            out.errors = stability::band_errors(at, scene.rotor, model, arrangement, out.bands,
+                                                {known.front(), known.back()});
     }
     const auto not_described = [&](double from, double to) {
         out.bands.emplace_back(from, to);
@@ -348,17 +349,18 @@ UnstableBands unstable_bands_of(const model::Case &scene, const Arrangement &arr
     return out;
 }
 
-StabilityResult stability(const model::Case &scene, const CaseWith &with) {
+results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     const auto start = std::chrono::steady_clock::now();
-    StabilityResult result;
-    result.speeds = required_speeds(scene).values();
-    StabilityModel model = stability_model(scene, search_speeds(*scene.speeds));
+    results::StabilityResult result;
+    result.speeds = model::required_speeds(scene).values();
+    stability::StabilityModel model =
+        stability::stability_model(scene, stability::search_speeds(*scene.speeds));
     result.model.formulation = model.formulation;
     result.model.order = model.order;
     result.neutral_pairs = neutral_pairs(scene.rotor);
     if (model.conservative) {
         result.growth.assign(result.speeds.size(), 0.0);
-        result.verdict.assign(result.speeds.size(), Verdict::neutral);
+        result.verdict.assign(result.speeds.size(), results::Verdict::neutral);
         const assembly::Discretization d(scene.rotor, model.order);
         result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
         result.model.unknowns = 2 * d.planar_size();
@@ -370,7 +372,7 @@ StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     if (result.map && !result.map->why.empty())
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
-    report_progress(1);
+    process::report_progress(1);
     result.model.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;

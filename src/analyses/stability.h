@@ -1,9 +1,9 @@
 #pragma once
 
-#include "analyses/arrangement.h"
-#include "analyses/stability_result.h"
-#include "analyses/unstable_bands.h"
+#include "balancers/arrangement.h"
 #include "model/case.h"
+#include "results/stability.h"
+#include "stability/unstable_bands.h"
 
 #include <functional>
 #include <string>
@@ -20,16 +20,18 @@ using CaseWith = std::function<model::Case(const std::vector<std::string> &overr
 /// Maps are collective under mpirun and complete on process 0.
 /// @throws model::BadInput without [speeds] or a balanced position; model::AnalysisFailure where
 /// eigenvalues are not found or a Hill series does not settle.
-[[nodiscard]] StabilityResult stability(const model::Case &scene, const CaseWith &with);
+[[nodiscard]] results::StabilityResult stability(const model::Case &scene, const CaseWith &with);
 
 /// Unstable bands for one arrangement of the balls.
 struct UnstableBands {
-    std::vector<SpeedInterval> bands;
-    std::vector<SpeedInterval> errors;   ///< of both ends of each, rad/s; none where not asked for
-    std::vector<SpeedInterval> doubtful; ///< motions could not be followed through
+    std::vector<stability::SpeedInterval> bands;
+    std::vector<stability::SpeedInterval>
+        errors; ///< of both ends of each, rad/s; none where not asked for
+    std::vector<stability::SpeedInterval> doubtful; ///< motions could not be followed through
 };
 /// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
-                                              const Arrangement &arrangement, bool with_errors);
+                                              const balancers::Arrangement &arrangement,
+                                              bool with_errors);
 
 } // namespace whirl::analyses

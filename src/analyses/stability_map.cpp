@@ -1,9 +1,10 @@
 #include "analyses/stability_map.h"
 
-#include "analyses/progress.h"
-#include "analyses/speeds.h"
-#include "analyses/stability_model.h"
+#include "model/case.h"
 #include "model/errors.h"
+#include "process/parallel.h"
+#include "process/progress.h"
+#include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
@@ -28,14 +29,15 @@ bool is_speed(const model::MapAxis &axis) { return axis.path == "speed"; }
 
 /// Growth of one case at each of some speeds.
 std::vector<double> growth_at(const model::Case &scene, const std::vector<double> &speeds) {
-    const StabilityModel model = stability_model(scene, speeds);
+    const stability::StabilityModel model = stability::stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
-    const MotionSolver solver(scene.rotor, model.form, model.order,
-                              arrangement_at_balance(scene.rotor), model.harmonics);
+    const stability::MotionSolver solver(scene.rotor, model.form, model.order,
+                                         balancers::arrangement_at_balance(scene.rotor),
+                                         model.harmonics);
     std::vector<double> out;
     for (const double speed : speeds)
-        out.push_back(std::abs(speed) >= model.from ? growth_of(solver.at(speed))
+        out.push_back(std::abs(speed) >= model.from ? stability::growth_of(solver.at(speed))
                                                     : std::numeric_limits<double>::quiet_NaN());
     return out;
 }
@@ -63,7 +65,8 @@ std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWi
     for (const double x : x_values)
         row.push_back(where_possible(1, why, [&]() -> std::vector<double> {
                           const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
-                          const auto growth = growth_at(scene, required_speeds(scene).values());
+                          const auto growth =
+                              growth_at(scene, model::required_speeds(scene).values());
                           return {*std::max_element(growth.begin(), growth.end())};
                       }).front());
     return row;
@@ -71,11 +74,12 @@ std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWi
 
 } // namespace
 
-StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with) {
-    StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y), {}, {}};
+results::StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with) {
+    results::StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y),
+                              {},         {}};
     if (!is_speed(settings.x) && is_speed(settings.y)) {
         // A case is read once for each column: turn the map, and turn it back.
-        const StabilityMap turned = stability_map({settings.y, settings.x}, with);
+        const results::StabilityMap turned = stability_map({settings.y, settings.x}, with);
         map.why = turned.why;
         map.growth.assign(turned.growth.empty() ? 0 : map.y_values.size(),
                           std::vector<double>(map.x_values.size()));
@@ -85,8 +89,9 @@ StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &w
         return map;
     }
     std::size_t done = 0;
-    map.growth = rows_at(map.y_values, [&](double y) {
-        report_progress(static_cast<double>(done++) / static_cast<double>(map.y_values.size()));
+    map.growth = process::rows_at(map.y_values, [&](double y) {
+        process::report_progress(static_cast<double>(done++) /
+                                 static_cast<double>(map.y_values.size()));
         return row_of(settings, y, with, map.why);
     });
     return map;

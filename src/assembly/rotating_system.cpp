@@ -108,7 +108,7 @@ Directions directions(const Eigen::Matrix2d &k) {
             {(k(0, 0) - k(1, 1)) / 2, (k(1, 0) + k(0, 1)) / 2}};
 }
 
-void add_balancer(const Discretization &d, const elements::BalancerElement &b, int sigma,
+void add_balancer(const Discretization &d, const balancers::BalancerElement &b, int sigma,
                   RotatingEntries &out) {
     const Combination w = d.deflection_at(b.z);
     const Combination phi = d.slope_at(b.z);
@@ -145,7 +145,7 @@ linalg::Matrix RotatingSystem::stiffness(double speed) const {
 }
 
 RotatingSystem assemble_rotating(const Discretization &discretization, double bearing_speed,
-                                 const std::vector<elements::BalancerElement> &balancers,
+                                 const std::vector<balancers::BalancerElement> &balancers,
                                  bool frozen) {
     RotatingEntries out;
     add_rotating_parts(discretization, out);
@@ -160,7 +160,7 @@ RotatingSystem assemble_rotating(const Discretization &discretization, double be
                               out.external_damping(i, j, round);
                       });
     int unknowns = discretization.planar_size();
-    for (const elements::BalancerElement &balancer : balancers)
+    for (const balancers::BalancerElement &balancer : balancers)
         add_balancer(discretization, balancer, frozen ? -1 : unknowns++, out);
     const int n = 2 * unknowns;
     return {out.M.matrix(n), out.C.matrix(n),  out.Cs.matrix(n),

@@ -2,7 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "assembly/system.h"
-#include "elements/balancer.h"
+#include "balancers/element.h"
 #include "linalg/matrix.h"
 
 #include <vector>
@@ -40,7 +40,7 @@ struct TurningSupports {
 ///                   are held in place: no unknowns sigma
 [[nodiscard]] RotatingSystem
 assemble_rotating(const Discretization &discretization, double bearing_speed,
-                  const std::vector<elements::BalancerElement> &balancers, bool frozen = false);
+                  const std::vector<balancers::BalancerElement> &balancers, bool frozen = false);
 
 /// @param unknowns  real unknowns of the system it goes with
 [[nodiscard]] TurningSupports turning_supports(const Discretization &discretization,

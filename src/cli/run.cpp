@@ -5,7 +5,6 @@
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "analyses/modes.h"
-#include "analyses/progress.h"
 #include "analyses/response.h"
 #include "analyses/rigid_limit.h"
 #include "analyses/show.h"
@@ -15,8 +14,9 @@
 #include "cli/summary.h"
 #include "cli/summary_simulate.h"
 #include "input/case_file.h"
-#include "linalg/session.h"
 #include "model/errors.h"
+#include "process/progress.h"
+#include "process/session.h"
 #include "report/json.h"
 #include "report/json_simulate.h"
 #include "report/report.h"
@@ -48,7 +48,7 @@ std::string files_text(const report::Files &files) {
 
 template <class Result>
 void deliver(const Arguments &arguments, const model::Case &scene, const Result &result) {
-    if (linalg::process_rank() != 0)
+    if (process::process_rank() != 0)
         return;
     report::Files files;
     if (!arguments.json || arguments.out) {
@@ -66,7 +66,7 @@ void show_progress(const Arguments &arguments) {
     if (arguments.quiet || !first_process() || isatty(STDERR_FILENO) == 0)
         return;
     using Clock = std::chrono::steady_clock;
-    analyses::on_progress([start = Clock::now(), last = Clock::now()](double share) mutable {
+    process::on_progress([start = Clock::now(), last = Clock::now()](double share) mutable {
         const Clock::time_point now = Clock::now();
         const bool end = share >= 1;
         if (now - start < std::chrono::seconds(1) ||
@@ -115,7 +115,7 @@ void analyse(const Arguments &arguments, const model::Case &scene) {
 
 void run(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
-    const linalg::Session session;
+    const process::Session session;
     show_progress(arguments);
     try {
         analyse(arguments, scene);

@@ -1,8 +1,8 @@
 #include "cli/simulate.h"
 
-#include "analyses/interruption.h"
 #include "analyses/simulate.h"
 #include "model/errors.h"
+#include "process/interruption.h"
 #include "report/restart_file.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ class InterruptionBySignal {
   public:
     InterruptionBySignal() {
         struct sigaction action {};
-        action.sa_handler = [](int) { analyses::request_interruption(); };
+        action.sa_handler = [](int) { process::request_interruption(); };
         action.sa_flags = SA_RESETHAND;
         sigaction(SIGINT, &action, &_before);
     }
@@ -35,13 +35,13 @@ class InterruptionBySignal {
 
 } // namespace
 
-analyses::SimulateResult simulate_or_leave_restart(const Arguments &arguments,
-                                                   const model::Case &scene) {
+results::SimulateResult simulate_or_leave_restart(const Arguments &arguments,
+                                                  const model::Case &scene) {
     std::optional<model::Restart> from;
     if (!scene.simulate.restart.empty())
         from = report::read_restart(scene.simulate.restart);
     const InterruptionBySignal interruption;
-    analyses::SimulateResult result = analyses::simulate(scene, from ? &*from : nullptr);
+    results::SimulateResult result = analyses::simulate(scene, from ? &*from : nullptr);
     if (!result.restart)
         return result;
     const auto usual = std::filesystem::path("out") / scene.name / arguments.command;

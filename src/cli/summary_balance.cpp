@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rpm = 30 / std::numbers::pi; // rev/min in one rad/s
 
-std::string bands_text(const std::vector<analyses::SpeedBand> &bands, double factor) {
+std::string bands_text(const std::vector<results::SpeedBand> &bands, double factor) {
     std::string text;
     for (const auto &band : bands)
         text += fmt::format("{}{:.6g} to {:.6g}", text.empty() ? "" : ", ", band.from * factor,
@@ -22,7 +22,7 @@ std::string bands_text(const std::vector<analyses::SpeedBand> &bands, double fac
 }
 
 /// Largest error of an end.
-std::string errors_text(const analyses::BalanceBands &of) {
+std::string errors_text(const results::BalanceBands &of) {
     double largest = 0;
     for (const auto &[at_from, at_to] : of.errors) {
         if (!at_from || !at_to)
@@ -32,12 +32,12 @@ std::string errors_text(const analyses::BalanceBands &of) {
     return of.errors.empty() ? "-" : fmt::format("{:.1e}", largest);
 }
 
-void add(Table &table, const std::string &name, const analyses::BalanceBands &of) {
+void add(Table &table, const std::string &name, const results::BalanceBands &of) {
     table.add({name, bands_text(of.bands, rpm), bands_text(of.bands, 1), errors_text(of),
                of.rigid_bands ? bands_text(*of.rigid_bands, 1) : "-"});
 }
 
-std::string placement_text(const analyses::Placement &map) {
+std::string placement_text(const results::Placement &map) {
     std::string text = "\nBest places for all speeds of the range:\n";
     for (const auto &[name, place] :
          {std::pair("one plane ", &map.best), std::pair("two planes", &map.best_pair)}) {
@@ -54,7 +54,7 @@ std::string placement_text(const analyses::Placement &map) {
     return text;
 }
 
-std::string pendulum_text(const analyses::PendulumBalance &p) {
+std::string pendulum_text(const results::PendulumBalance &p) {
     std::string text = fmt::format(
         "\nFour pendulums at z = {:.4g} m: rho = {:.5g}, better than held above {:.6g} rpm "
         "({:.4g} of the resonance), at best 1/{:.3g} of the deflection\n",
@@ -75,7 +75,7 @@ std::string pendulum_text(const analyses::PendulumBalance &p) {
 
 } // namespace
 
-std::string balance_text(const analyses::BalanceResult &result) {
+std::string balance_text(const results::BalanceResult &result) {
     Table table({"planes", "balanced, rpm", "rad/s", "error, rad/s", "rigid closed form, rad/s"});
     for (std::size_t i = 0; i < result.planes.size(); ++i)
         add(table,

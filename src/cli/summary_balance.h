@@ -1,12 +1,12 @@
 #pragma once
 
-#include "analyses/balance_result.h"
+#include "results/balance.h"
 
 #include <string>
 
 namespace whirl::cli {
 
 /// Bands, findings, placement and pendulums for the terminal.
-[[nodiscard]] std::string balance_text(const analyses::BalanceResult &result);
+[[nodiscard]] std::string balance_text(const results::BalanceResult &result);
 
 } // namespace whirl::cli

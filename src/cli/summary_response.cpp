@@ -2,6 +2,7 @@
 
 #include "cli/table.h"
 #include "cli/words.h"
+#include "results/response.h"
 
 #include <fmt/format.h>
 
@@ -38,17 +39,17 @@ std::string error_of(const Peak &peak) {
 
 } // namespace
 
-std::string summary(const model::Case &scene, const analyses::ResponseResult &result) {
+std::string summary(const model::Case &scene, const results::ResponseResult &result) {
     std::string text = heading(scene, "Unbalance response, " + range_text(result.speeds));
     Table nodes({"station", "largest amplitude m", "at rpm", "error"});
-    for (const analyses::ResponseNode &node : result.nodes) {
+    for (const results::ResponseNode &node : result.nodes) {
         const Peak peak = peak_of(node.amplitude, node.error, result.speeds);
         nodes.add(
             {place(node.name, node.z), size_of(peak), readable(peak.speed * rpm), error_of(peak)});
     }
     text += nodes.text();
     Table probes({"probe", "looks along deg", "largest reading m", "at rpm", "error"});
-    for (const analyses::ResponseProbe &probe : result.probes) {
+    for (const results::ResponseProbe &probe : result.probes) {
         const Peak peak = peak_of(probe.amplitude, probe.error, result.speeds);
         probes.add({place(probe.name, probe.z), readable(probe.angle * 180 / std::numbers::pi),
                     size_of(peak), readable(peak.speed * rpm), error_of(peak)});
@@ -56,7 +57,7 @@ std::string summary(const model::Case &scene, const analyses::ResponseResult &re
     if (!probes.empty())
         text += "\n" + probes.text();
     Table bearings({"bearing", "largest force N", "at rpm", "error"});
-    for (const analyses::ResponseBearing &bearing : result.bearings) {
+    for (const results::ResponseBearing &bearing : result.bearings) {
         const Peak peak = peak_of(bearing.force, bearing.error, result.speeds);
         bearings.add({place(bearing.name, bearing.z), size_of(peak), readable(peak.speed * rpm),
                       error_of(peak)});

@@ -2,6 +2,7 @@
 
 #include "cli/table.h"
 #include "cli/words.h"
+#include "results/rigid_limit.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,8 @@ namespace whirl::cli {
 
 namespace {
 
-using analyses::RigidLimitResult;
-using analyses::RigidLimitRow;
+using results::RigidLimitResult;
+using results::RigidLimitRow;
 
 std::string rate_text(const RigidLimitRow &row) {
     return row.rate ? fmt::format("{:.4f}", *row.rate) : "-";

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "analyses/results.h"
+#include "results/show.h"
 
 #include <string>
 
 namespace whirl::cli {
 
 /// What the balancers add and the anisotropy does, for the terminal; empty without either.
-[[nodiscard]] std::string rotating_parts_text(const analyses::ShowResult &result);
+[[nodiscard]] std::string rotating_parts_text(const results::ShowResult &result);
 
 } // namespace whirl::cli

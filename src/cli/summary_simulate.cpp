@@ -22,13 +22,13 @@ std::string angles_text(const std::vector<double> &angles) {
 
 } // namespace
 
-std::string summary(const model::Case &scene, const analyses::SimulateResult &result) {
+std::string summary(const model::Case &scene, const results::SimulateResult &result) {
     std::string text =
         fmt::format("{}\nMotion in time, {:.6g} s, {:.6g} revolutions, {:.6g} rpm at the end\n\n",
                     scene.title.empty() ? scene.name : scene.title, result.time, result.revolutions,
                     result.speed * rpm);
     text +=
-        fmt::format("Outcome: {}\n  {}\n", analyses::outcome_name(result.outcome), result.evidence);
+        fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome), result.evidence);
     if (result.residual_ratio)
         text +=
             fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
@@ -40,18 +40,18 @@ std::string summary(const model::Case &scene, const analyses::SimulateResult &re
         text += fmt::format("  a motion of {:.3g} s would decide\n", *result.decision_time);
     Table table({"balancer", "kind", "capacity E", "amplitude m", "without balls m",
                  "final angles in the rotor, deg"});
-    for (const analyses::BalancerMotion &b : result.balancers)
+    for (const results::BalancerMotion &b : result.balancers)
         table.add({b.name.empty() ? fmt::format("z = {:.6g} m", b.z) : b.name, b.kind,
                    b.capacity ? fmt::format("{:.4g}", *b.capacity) : "-",
                    fmt::format("{:.4g}", b.amplitude), fmt::format("{:.4g}", b.reference),
                    angles_text(b.angles)});
     text += "\n" + table.text();
-    for (const analyses::OtherStart &start : result.other_starts)
+    for (const results::OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", angles_text(start.start_angles),
-            analyses::outcome_name(start.outcome),
+            results::outcome_name(start.outcome),
             start.residual_ratio ? fmt::format(", residual {:.4g}", *start.residual_ratio) : "");
-    const analyses::MotionAudit &audit = result.audit;
+    const results::MotionAudit &audit = result.audit;
     text += fmt::format("\nmodel: {} shapes of the shaft with its lowest {} modes (order {}, {} "
                         "elements); relative error by it {:.1e} in response, {:.1e} in whirl "
                         "speeds\n",

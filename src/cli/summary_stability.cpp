@@ -2,6 +2,7 @@
 
 #include "cli/table.h"
 #include "cli/words.h"
+#include "results/stability.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,7 @@ std::string bands_text(const std::string &title,
 }
 
 /// Unstable bands with the errors of their ends.
-std::string unstable_text(const analyses::StabilityResult &result) {
+std::string unstable_text(const results::StabilityResult &result) {
     if (result.unstable.empty())
         return "Unstable: none in this range\n";
     Table table({"from rad/s", "to rad/s", "from rpm", "to rpm", "width rad/s", "error of from",
@@ -38,17 +39,17 @@ std::string unstable_text(const analyses::StabilityResult &result) {
 }
 
 /// Of one speed: what becomes of a small motion there.
-std::string verdict_text(const analyses::StabilityResult &result) {
+std::string verdict_text(const results::StabilityResult &result) {
     const std::string growth = readable(result.growth.front());
     switch (result.verdict.front()) {
-    case analyses::Verdict::stable:
+    case results::Verdict::stable:
         return fmt::format("Stable: every motion dies out, the slowest with {} 1/s\n", growth);
-    case analyses::Verdict::neutral:
+    case results::Verdict::neutral:
         return "Neither stable nor unstable: no motion grows, some do not die out either (no "
                "damping)\n";
-    case analyses::Verdict::unstable:
+    case results::Verdict::unstable:
         return fmt::format("Unstable: a whirl grows with {} 1/s\n", growth);
-    case analyses::Verdict::diverges:
+    case results::Verdict::diverges:
         return fmt::format("Unstable: it diverges, a real root of +{} 1/s\n", growth);
     default:
         return "No answer at this speed\n";
@@ -64,7 +65,7 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 
 } // namespace
 
-std::string summary(const model::Case &scene, const analyses::StabilityResult &result) {
+std::string summary(const model::Case &scene, const results::StabilityResult &result) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
     text += result.speeds.size() == 1 ? verdict_text(result) : unstable_text(result);
     text += speeds_text("Critical speeds, balls held, undamped", result.critical_speeds);

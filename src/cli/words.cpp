@@ -1,5 +1,8 @@
 #include "cli/words.h"
 
+#include "results/formulation.h"
+#include "results/model_summary.h"
+
 #include <fmt/format.h>
 
 namespace whirl::cli {
@@ -22,9 +25,9 @@ std::string heading(const model::Case &scene, const std::string &what) {
     return fmt::format("{}\n{}\n\n", scene.title.empty() ? scene.name : scene.title, what);
 }
 
-std::string model_text(const analyses::ModelSummary &model) {
+std::string model_text(const results::ModelSummary &model) {
     std::string text =
-        fmt::format("\nmodel: {} form ({})\n", analyses::form_name(model.formulation.form),
+        fmt::format("\nmodel: {} form ({})\n", results::form_name(model.formulation.form),
                     model.formulation.why);
     text +=
         fmt::format("       {} elements of {}, {} unknowns, {:.3g} s\n", model.elements,

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/model_summary.h"
 
 #include <numbers>
 #include <optional>
@@ -22,7 +22,7 @@ inline constexpr double hertz = 0.5 / std::numbers::pi; ///< Hz in one rad/s
 /// Title of the case and what was computed.
 [[nodiscard]] std::string heading(const model::Case &scene, const std::string &what);
 /// The model behind a result, and its notes.
-[[nodiscard]] std::string model_text(const analyses::ModelSummary &model);
+[[nodiscard]] std::string model_text(const results::ModelSummary &model);
 /// One place of a rotor: its name, or where it is.
 [[nodiscard]] std::string place(const std::string &name, double z);
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".

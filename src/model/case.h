@@ -94,4 +94,11 @@ struct Case {
     std::optional<MapSettings> map;
 };
 
+/// The spin speeds of a case.
+/// @throws BadInput where it has no [speeds].
+[[nodiscard]] const SpeedRange &required_speeds(const Case &scene);
+
+/// Least and largest |speed| between two speeds.
+[[nodiscard]] std::pair<double, double> range_of_moduli(double from, double to);
+
 } // namespace whirl::model

@@ -1,5 +1,6 @@
 #include "report/csv.h"
 
+#include "results/balance.h"
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ std::string cell(std::optional<double> value) {
 }
 
 std::string band_rows(const std::string &which, const std::string &z,
-                      const analyses::BalanceBands &of) {
+                      const results::BalanceBands &of) {
     std::string csv;
     for (const auto &band : of.bands)
         csv += fmt::format("band,{},{},,{},{},,\n", which, z, cell(band.from), cell(band.to));
@@ -29,7 +30,7 @@ std::string band_rows(const std::string &which, const std::string &z,
 
 } // namespace
 
-std::string to_csv(const analyses::BalanceResult &result) {
+std::string to_csv(const results::BalanceResult &result) {
     std::string csv = "kind,which,z [m],speed [rad/s],from [rad/s],to [rad/s],value [1/kg],ratio\n";
     for (std::size_t i = 0; i < result.planes.size(); ++i)
         csv += band_rows(std::to_string(i + 1), cell(result.planes[i].z), result.planes[i].bands);

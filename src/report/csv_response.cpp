@@ -1,5 +1,7 @@
 #include "report/csv.h"
+
 #include "report/csv_cell.h"
+#include "results/response.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +23,7 @@ std::string place(double speed, const char *kind, const std::string &name, doubl
 
 } // namespace
 
-std::string to_csv(const analyses::ResponseResult &result) {
+std::string to_csv(const results::ResponseResult &result) {
     constexpr const std::vector<double> *no = nullptr;
     std::string csv = "speed [rad/s],kind,name,z [m],amplitude [m],phase [rad],major [m],minor [m],"
                       "force [N],x [m],x_phase [rad],y [m],y_phase [rad],inclination [rad],error,"

@@ -1,5 +1,6 @@
 #include "report/csv.h"
 
+#include "results/rigid_limit.h"
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +23,7 @@ std::string quoted(const std::string &text) {
 
 } // namespace
 
-std::string to_csv(const analyses::RigidLimitResult &result) {
+std::string to_csv(const results::RigidLimitResult &result) {
     // A point of the stiffness sweep has a stiffness, one of the mesh sweep a number of elements;
     // the rigid model has neither a factor nor a stiffness.
     std::string csv = "quantity,unit,order,elements,factor of E and G,stiffness [N/m],closed "

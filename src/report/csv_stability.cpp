@@ -1,5 +1,6 @@
 #include "report/csv.h"
 
+#include "results/stability.h"
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,7 +25,7 @@ std::string band_rows(const char *kind, const std::vector<std::pair<double, doub
     return csv;
 }
 
-std::string map_rows(const analyses::StabilityMap &map) {
+std::string map_rows(const results::StabilityMap &map) {
     std::string csv;
     for (std::size_t j = 0; j < map.growth.size(); ++j)
         for (std::size_t i = 0; i < map.growth[j].size(); ++i)
@@ -35,13 +36,13 @@ std::string map_rows(const analyses::StabilityMap &map) {
 
 } // namespace
 
-std::string to_csv(const analyses::StabilityResult &result) {
+std::string to_csv(const results::StabilityResult &result) {
     // Of a band from and to are its ends; of a map they are its two entries.
     std::string csv = "kind,from,to,growth [1/s],verdict,error of from,error of to\n";
     for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i)
-        csv += fmt::format("growth,{0},{0},{1},{2},,\n", result.speeds[i],
-                           growth_cell(result.growth[i]),
-                           i < result.verdict.size() ? verdict_name(result.verdict[i]) : "");
+        csv += fmt::format(
+            "growth,{0},{0},{1},{2},,\n", result.speeds[i], growth_cell(result.growth[i]),
+            i < result.verdict.size() ? results::verdict_name(result.verdict[i]) : "");
     csv += band_rows("unstable", result.unstable, result.unstable_error);
     for (const double speed : result.critical_speeds)
         csv += fmt::format("critical speed,{0},{0},,,,\n", speed);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
 

@@ -5,6 +5,8 @@
 #include "report/plot_scene.h"
 #include "report/plot_style.h"
 #include "report/plotly.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
 
 #include <fmt/format.h>
 
@@ -43,13 +45,13 @@ std::string notes(const std::vector<std::string> &lines) {
 }
 
 /// "planar form, in the fixed frame".
-std::string form_and_frame(analyses::Form form) {
-    return fmt::format("{} form, in {}", analyses::form_name(form),
-                       analyses::in_rotating_axes(form) ? "axes that turn with the rotor"
-                                                        : "the fixed frame");
+std::string form_and_frame(results::Form form) {
+    return fmt::format("{} form, in {}", results::form_name(form),
+                       results::in_rotating_axes(form) ? "axes that turn with the rotor"
+                                                       : "the fixed frame");
 }
 
-std::string formulation(const analyses::ModelSummary &model) {
+std::string formulation(const results::ModelSummary &model) {
     return fmt::format("<h2>Formulation</h2>\n<p>{}: {}.</p>\n"
                        "<div class=\"formula\">{}</div>\n<p>Shaft elements of order {}{}, {} of "
                        "them, {} unknowns; "
@@ -77,29 +79,29 @@ std::string html_table(const std::vector<std::string> &head,
     return html + "</tbody></table></div>\n";
 }
 
-std::string form_formula(analyses::Form form) {
+std::string form_formula(results::Form form) {
     switch (form) {
-    case analyses::Form::planar:
+    case results::Form::planar:
         return "<b>M</b> ẅ − iΩ<b>G</b> ẇ + <b>K</b> w = 0, w = x + iy; with w = ŵ "
                "e<sup>iωt</sup>: "
                "(−ω²<b>M</b> + ωΩ<b>G</b> + <b>K</b>) ŵ = 0";
-    case analyses::Form::hyperbolic:
+    case results::Form::hyperbolic:
         return "(ω²<b>M</b> + ωΩ<b>S</b> − <b>K</b>) q = 0, <b>S</b> = [0 <b>G</b>; <b>G</b> 0], "
                "with λ = iω and y → iy";
-    case analyses::Form::rotating:
+    case results::Form::rotating:
         return "<b>M</b> q̈ + (<b>C</b> + Ω<b>C</b><sub>1</sub>) q̇ + (<b>K</b> + Ω<b>K</b>"
                "<sub>1</sub> + Ω²<b>K</b><sub>2</sub>) q = 0 in axes that turn with the rotor";
-    case analyses::Form::hill:
+    case results::Form::hill:
         return "the same in axes that turn with the rotor, with supports in cos 2Ωt and sin 2Ωt: "
                "q = e<sup>λt</sup> Σ q<sub>k</sub> e<sup>2ikΩt</sup>";
-    case analyses::Form::general:
+    case results::Form::general:
         break;
     }
     return "<b>M</b> q̈ + (<b>C</b><sub>e</sub> + <b>C</b><sub>i</sub> + Ω<b>G</b>) q̇ + "
            "(<b>K</b> + Ω<b>K</b><sub>c</sub>) q = 0, q = q̂ e<sup>λt</sup>";
 }
 
-std::string page(const model::Case &scene, const analyses::ModelSummary &model,
+std::string page(const model::Case &scene, const results::ModelSummary &model,
                  const PageContent &content) {
     const bool interactive = !plotly_bundle().empty() && !content.script.empty();
     std::string html = fmt::format(

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
 
 #include <string>
 #include <utility>
@@ -20,7 +21,7 @@ struct PageContent {
 };
 
 /// One self-contained page: nothing is loaded from elsewhere.
-[[nodiscard]] std::string page(const model::Case &scene, const analyses::ModelSummary &model,
+[[nodiscard]] std::string page(const model::Case &scene, const results::ModelSummary &model,
                                const PageContent &content);
 
 /// HTML table; cells are escaped here.
@@ -28,6 +29,6 @@ struct PageContent {
                                      const std::vector<std::vector<std::string>> &rows);
 
 /// The equations of the form, as HTML.
-[[nodiscard]] std::string form_formula(analyses::Form form);
+[[nodiscard]] std::string form_formula(results::Form form);
 
 } // namespace whirl::report

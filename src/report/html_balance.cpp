@@ -12,23 +12,23 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string bands_text(const std::vector<analyses::SpeedBand> &bands) {
+std::string bands_text(const std::vector<results::SpeedBand> &bands) {
     std::string text;
     for (const auto &band : bands)
         text += (text.empty() ? "" : "; ") + readable(band.from, 8) + " … " + readable(band.to, 8);
     return text.empty() ? "none" : text;
 }
 
-std::vector<std::string> bands_row(const std::string &name, const analyses::BalanceBands &of) {
+std::vector<std::string> bands_row(const std::string &name, const results::BalanceBands &of) {
     return {name, bands_text(of.bands), of.rigid_bands ? bands_text(*of.rigid_bands) : "–"};
 }
 
-std::string plane_name(const analyses::BalancePlane &plane, std::size_t index) {
+std::string plane_name(const results::BalancePlane &plane, std::size_t index) {
     return (plane.name.empty() ? "plane " + std::to_string(index + 1) : plane.name) +
            ", z = " + readable(plane.z) + " m";
 }
 
-void add_ends(Rows &rows, const std::string &name, const analyses::BalanceBands &of) {
+void add_ends(Rows &rows, const std::string &name, const results::BalanceBands &of) {
     for (const auto &end : of.ends)
         rows.push_back({name, end.upper ? "upper" : "lower", readable(end.speed, 10),
                         readable(end.speed * rpm, 8), end.error ? readable(*end.error, 2) : "–",
@@ -44,7 +44,7 @@ std::string findings(const std::vector<std::string> &sentences) {
     return html.empty() ? "<p>Nothing beyond the bands.</p>\n" : html;
 }
 
-std::string placement(const analyses::Placement &map) {
+std::string placement(const results::Placement &map) {
     Rows rows;
     for (const auto &[name, place] :
          {std::pair("one plane", &map.best), std::pair("two planes", &map.best_pair)}) {
@@ -62,7 +62,7 @@ std::string placement(const analyses::Placement &map) {
 } // namespace
 
 std::vector<std::pair<std::string, std::string>>
-balance_sections(const analyses::BalanceResult &result) {
+balance_sections(const results::BalanceResult &result) {
     std::vector<std::pair<std::string, std::string>> sections;
     sections.emplace_back("What it says", findings(result.findings));
     Rows bands;

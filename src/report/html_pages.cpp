@@ -8,6 +8,13 @@
 #include "report/plot_modes.h"
 #include "report/plot_style.h"
 #include "report/plotly.h"
+#include "results/accuracy.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/formulation.h"
+#include "results/modes.h"
+#include "results/show.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +58,7 @@ std::string share(const std::vector<double> &errors, std::size_t at) {
 }
 
 /// Crossings with multiples of the spin speed; those with 1× are critical speeds.
-std::string crossings_table(const analyses::CampbellResult &result) {
+std::string crossings_table(const results::CampbellResult &result) {
     Rows rows;
     for (const auto &crossing : result.crossings) {
         const auto index = static_cast<std::size_t>(crossing.mode);
@@ -66,11 +73,11 @@ std::string crossings_table(const analyses::CampbellResult &result) {
         rows);
 }
 
-std::string why_none(const analyses::CampbellMode &mode) {
+std::string why_none(const results::CampbellMode &mode) {
     return mode.absent.empty() ? "" : mode.absent.back();
 }
 
-std::string last_speed_table(const analyses::CampbellResult &result) {
+std::string last_speed_table(const results::CampbellResult &result) {
     Rows rows;
     for (const auto &mode : result.modes) {
         const auto frequency = last(mode.frequency);
@@ -78,7 +85,7 @@ std::string last_speed_table(const analyses::CampbellResult &result) {
             {mode.label, cell(frequency, 10),
              frequency ? readable(*frequency * hertz, 10) : why_none(mode),
              cell(last(mode.real), 6), cell(last(mode.damping_ratio), 6),
-             mode.whirl.empty() ? "" : analyses::whirl_name(mode.whirl.back()),
+             mode.whirl.empty() ? "" : results::whirl_name(mode.whirl.back()),
              mode.forward_fraction.empty() ? "" : readable(mode.forward_fraction.back(), 4),
              cell(last(mode.error), 2)});
     }
@@ -97,7 +104,7 @@ std::string script_array(const std::vector<double> &values) {
 }
 
 /// The curves of the still picture for the script of the page.
-std::string drawn_modes(const analyses::ModesResult &result) {
+std::string drawn_modes(const results::ModesResult &result) {
     std::string text = "const drawnModes = [";
     for (const auto &mode : result.modes) {
         const ModeCurves curves = mode_curves(mode);
@@ -109,7 +116,7 @@ std::string drawn_modes(const analyses::ModesResult &result) {
 
 } // namespace
 
-std::string to_html(const model::Case &scene, const analyses::CampbellResult &result,
+std::string to_html(const model::Case &scene, const results::CampbellResult &result,
                     const std::string &picture) {
     PageContent parts = content("campbell", "Campbell diagram", scene, result, picture);
     parts.sections.emplace_back("Critical speeds (1×) and other crossings",
@@ -121,14 +128,14 @@ std::string to_html(const model::Case &scene, const analyses::CampbellResult &re
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::CriticalResult &result,
+std::string to_html(const model::Case &scene, const results::CriticalResult &result,
                     const std::string &picture) {
     PageContent parts = content("critical", "Critical speeds", scene, result, picture);
     Rows rows;
     for (const auto &critical : result.critical_speeds)
         rows.push_back({std::to_string(rows.size() + 1), readable(critical.speed * rpm, 10),
                         readable(critical.speed, 10), readable(critical.speed * hertz, 10),
-                        analyses::whirl_name(critical.whirl), readable(critical.real, 5),
+                        results::whirl_name(critical.whirl), readable(critical.real, 5),
                         std::isfinite(critical.error) ? readable(critical.error, 2) : "–"});
     parts.sections.emplace_back("Table", html_table({"No.", "rpm", "rad/s", "Hz", "Whirl",
                                                      "Real part (1/s)", "Relative error"},
@@ -136,7 +143,7 @@ std::string to_html(const model::Case &scene, const analyses::CriticalResult &re
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::ResponseResult &result,
+std::string to_html(const model::Case &scene, const results::ResponseResult &result,
                     const std::string &picture) {
     PageContent parts = content("response", "Unbalance response", scene, result, picture);
     Rows rows;
@@ -161,7 +168,7 @@ std::string to_html(const model::Case &scene, const analyses::ResponseResult &re
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::ModesResult &result,
+std::string to_html(const model::Case &scene, const results::ModesResult &result,
                     const std::string &picture) {
     PageContent parts = content("modes", "Mode shapes", scene, result, picture);
     parts.script = drawn_modes(result) + parts.script;
@@ -169,7 +176,7 @@ std::string to_html(const model::Case &scene, const analyses::ModesResult &resul
     for (const auto &mode : result.modes)
         rows.push_back({mode.label, readable(mode.eigenvalue.imag(), 10),
                         readable(mode.eigenvalue.imag() * hertz, 10),
-                        readable(mode.eigenvalue.real(), 6), analyses::whirl_name(mode.whirl),
+                        readable(mode.eigenvalue.real(), 6), results::whirl_name(mode.whirl),
                         readable(mode.forward_fraction, 4)});
     parts.sections.emplace_back(fmt::format("Modes at {} rpm", readable(result.speed * rpm, 6)),
                                 html_table({"Mode", "Frequency (rad/s)", "Frequency (Hz)",
@@ -178,7 +185,7 @@ std::string to_html(const model::Case &scene, const analyses::ModesResult &resul
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::ShowResult &result,
+std::string to_html(const model::Case &scene, const results::ShowResult &result,
                     const std::string &picture, const std::string &more) {
     PageContent parts = content("show", "Scene", scene, result, picture);
     parts.sections.emplace_back(
@@ -196,13 +203,13 @@ std::string to_html(const model::Case &scene, const analyses::ShowResult &result
         parts.sections.emplace_back("Curves of the rigid rotor", more);
     Rows rows;
     for (const auto &[command, used] : result.formulations)
-        rows.push_back({command, analyses::form_name(used.form), used.why});
+        rows.push_back({command, results::form_name(used.form), used.why});
     parts.sections.emplace_back("Form each analysis uses",
                                 html_table({"Command", "Form", "Why"}, rows));
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::AccuracyResult &result,
+std::string to_html(const model::Case &scene, const results::AccuracyResult &result,
                     const std::string &picture) {
     PageContent parts = content("accuracy", "Speed and accuracy", scene, result, picture);
     Rows rows;
@@ -217,7 +224,7 @@ std::string to_html(const model::Case &scene, const analyses::AccuracyResult &re
     return page(scene, result.model, parts);
 }
 
-std::string to_html(const model::Case &scene, const analyses::BalanceResult &result,
+std::string to_html(const model::Case &scene, const results::BalanceResult &result,
                     const std::string &picture) {
     PageContent parts = content("balance", "Auto-balancing", scene, result, picture);
     // With an interactive diagram the page has no picture of its own: those of the placement and

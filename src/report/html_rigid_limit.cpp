@@ -5,6 +5,7 @@
 #include "report/html_scripts.h"
 #include "report/json.h"
 #include "report/plot_style.h"
+#include "results/rigid_limit.h"
 
 #include <fmt/format.h>
 
@@ -14,8 +15,8 @@ namespace whirl::report {
 
 namespace {
 
-using analyses::RigidLimitResult;
-using analyses::RigidLimitRow;
+using results::RigidLimitResult;
+using results::RigidLimitRow;
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string cell(std::optional<double> value, int digits) {

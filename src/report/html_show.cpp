@@ -2,6 +2,7 @@
 
 #include "report/html.h"
 #include "report/plot_style.h"
+#include "results/show.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ std::string cell(const std::optional<double> &value, const char *unit = "") {
     return std::isfinite(*value) ? readable(*value, 8) + unit : "∞";
 }
 
-std::string cell(const std::optional<analyses::Interval> &interval, const char *unit = "") {
+std::string cell(const std::optional<results::Interval> &interval, const char *unit = "") {
     return interval ? readable(interval->first, 8) + " … " + readable(interval->second, 8) + unit
                     : "–";
 }
@@ -34,7 +35,7 @@ std::string position_text(const std::vector<double> &angles) {
     return text.empty() ? "–" : text;
 }
 
-std::string composite_table(const analyses::BalancerNumbers &balancer) {
+std::string composite_table(const results::BalancerNumbers &balancer) {
     const auto real = balancer.D ? std::optional(balancer.D->real()) : std::nullopt;
     const auto imaginary = balancer.D ? std::optional(balancer.D->imag()) : std::nullopt;
     return html_table(
@@ -54,14 +55,14 @@ std::string composite_table(const analyses::BalancerNumbers &balancer) {
          {"from its centre of mass to the balancer", readable(balancer.bare.z_GA, 8) + " m"}});
 }
 
-std::string dimensionless_table(const analyses::DimensionlessNumbers &d) {
+std::string dimensionless_table(const results::DimensionlessNumbers &d) {
     return html_table(
         {"C", "A", "A_m", "A_m0", "m", "z_A", "p²", "c_y", "h_x", "h_β", "h_y", "h_s"},
         {{cell(d.C), cell(d.A), cell(d.A_m), cell(d.A_m0), cell(d.m), cell(d.z_A), cell(d.p2),
           cell(d.c_y), cell(d.h_x), cell(d.h_beta), cell(d.h_y), cell(d.h_s)}});
 }
 
-std::string chart_table(const analyses::AnisotropyChart &chart) {
+std::string chart_table(const results::AnisotropyChart &chart) {
     Rows rows{{"Polar over mean diametral inertia, C", cell(chart.C)},
               {"Anisotropy over the mean diametral inertia", cell(chart.anisotropy)},
               {"Natural frequency of tilt at rest, p", cell(chart.p, " rad/s")},
@@ -80,10 +81,10 @@ std::string chart_table(const analyses::AnisotropyChart &chart) {
 
 } // namespace
 
-std::vector<std::pair<std::string, std::string>> show_sections(const analyses::ShowResult &result) {
+std::vector<std::pair<std::string, std::string>> show_sections(const results::ShowResult &result) {
     std::vector<std::pair<std::string, std::string>> sections;
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
-        const analyses::BalancerNumbers &balancer = result.balancers[i];
+        const results::BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
             balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
         sections.emplace_back("Composite rotor: " + name,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/results.h"
+#include "results/show.h"
 
 #include <string>
 #include <utility>
@@ -10,6 +10,6 @@ namespace whirl::report {
 
 /// Headings and tables of the balancers and of the anisotropy, for the page of show.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>>
-show_sections(const analyses::ShowResult &result);
+show_sections(const results::ShowResult &result);
 
 } // namespace whirl::report

@@ -18,9 +18,9 @@ std::string degrees(const std::vector<double> &angles) {
     return text;
 }
 
-std::string result_table(const analyses::SimulateResult &result) {
+std::string result_table(const results::SimulateResult &result) {
     return html_table({"Quantity", "Value"},
-                      {{"Outcome", analyses::outcome_name(result.outcome)},
+                      {{"Outcome", results::outcome_name(result.outcome)},
                        {"Evidence", result.evidence},
                        {"Amplitude left over that without balls",
                         result.residual_ratio ? readable(*result.residual_ratio, 5) : "–"},
@@ -36,30 +36,30 @@ std::string result_table(const analyses::SimulateResult &result) {
 }
 
 /// The first motion and those from other starts, side by side.
-std::string starts_table(const analyses::SimulateResult &result) {
+std::string starts_table(const results::SimulateResult &result) {
     Rows rows;
-    const auto add = [&rows](const std::vector<double> &start, analyses::Outcome outcome,
+    const auto add = [&rows](const std::vector<double> &start, results::Outcome outcome,
                              const std::optional<double> &ratio,
                              const std::vector<std::vector<double>> &angles) {
         std::string last;
         for (const std::vector<double> &of : angles)
             last += (last.empty() ? "" : "; ") + degrees(of);
-        rows.push_back({degrees(start), analyses::outcome_name(outcome),
+        rows.push_back({degrees(start), results::outcome_name(outcome),
                         ratio ? readable(*ratio, 5) : "–", last});
     };
     std::vector<std::vector<double>> first;
-    for (const analyses::BalancerMotion &b : result.balancers)
+    for (const results::BalancerMotion &b : result.balancers)
         first.push_back(b.angles);
     add(result.start_angles, result.outcome, result.residual_ratio, first);
-    for (const analyses::OtherStart &start : result.other_starts)
+    for (const results::OtherStart &start : result.other_starts)
         add(start.start_angles, start.outcome, start.residual_ratio, start.angles);
     return html_table(
         {"Start (deg)", "Outcome", "Amplitude left over that without balls", "Final angles (deg)"},
         rows);
 }
 
-std::string quality_table(const analyses::SimulateResult &result) {
-    const analyses::MotionAudit &a = result.audit;
+std::string quality_table(const results::SimulateResult &result) {
+    const results::MotionAudit &a = result.audit;
     return html_table(
         {"Quantity", "Value"},
         {{"Shapes of the shaft", std::to_string(result.shapes) + ", with the lowest " +
@@ -77,13 +77,13 @@ std::string quality_table(const analyses::SimulateResult &result) {
 
 } // namespace
 
-std::string to_html(const model::Case &scene, const analyses::SimulateResult &result,
+std::string to_html(const model::Case &scene, const results::SimulateResult &result,
                     const std::string &picture) {
     PageContent parts{"simulate", "Motion in time",       plot_script("simulate"),
                       picture,    to_json(scene, result), {}};
     parts.sections.emplace_back("How it ended", result_table(result));
     Rows rows;
-    for (const analyses::BalancerMotion &b : result.balancers)
+    for (const results::BalancerMotion &b : result.balancers)
         rows.push_back({b.name, readable(b.z), b.kind, b.capacity ? readable(*b.capacity) : "–",
                         degrees(b.angles), readable(b.amplitude * 1e6, 5),
                         readable(b.reference * 1e6, 5)});

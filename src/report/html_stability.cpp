@@ -4,6 +4,7 @@
 #include "report/html_scripts.h"
 #include "report/json.h"
 #include "report/plot_style.h"
+#include "results/stability.h"
 
 #include <fmt/format.h>
 
@@ -34,15 +35,15 @@ std::string bands_table(const std::vector<std::pair<double, double>> &bands,
 }
 
 /// Of one speed: what becomes of a small motion there.
-std::string verdict_text(const analyses::StabilityResult &result) {
-    const std::string name = verdict_name(result.verdict.front());
+std::string verdict_text(const results::StabilityResult &result) {
+    const std::string name = results::verdict_name(result.verdict.front());
     if (name.empty())
         return "<p>No answer at this speed.</p>\n";
     return fmt::format("<p>{} at {} rad/s: largest growth {} 1/s.</p>\n", name,
                        readable(result.speeds.front()), readable(result.growth.front(), 8));
 }
 
-std::string speeds_table(const analyses::StabilityResult &result) {
+std::string speeds_table(const results::StabilityResult &result) {
     Rows rows;
     for (const double speed : result.critical_speeds)
         rows.push_back(
@@ -57,7 +58,7 @@ std::string speeds_table(const analyses::StabilityResult &result) {
                         : html_table({"Kind", "rad/s", "rpm"}, rows);
 }
 
-std::string permissible_table(const analyses::StabilityResult &result) {
+std::string permissible_table(const results::StabilityResult &result) {
     Rows rows;
     const auto text = [](const std::optional<double> &value) {
         return value ? readable(*value, 8) : "–";
@@ -73,7 +74,7 @@ std::string permissible_table(const analyses::StabilityResult &result) {
 
 } // namespace
 
-std::string to_html(const model::Case &scene, const analyses::StabilityResult &result,
+std::string to_html(const model::Case &scene, const results::StabilityResult &result,
                     const std::string &picture) {
     PageContent parts{
         "stability", "Stability", plot_script("stability"), picture, to_json(scene, result), {}};

@@ -3,15 +3,21 @@
 #include "report/json_balance.h"
 #include "report/json_parts.h"
 #include "report/json_show.h"
+#include "results/accuracy.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/show.h"
+#include "results/whirl.h"
 
 namespace whirl::report {
 
 namespace {
 
-Json campbell_mode(const analyses::CampbellMode &mode) {
+Json campbell_mode(const results::CampbellMode &mode) {
     Json whirl = Json::array();
-    for (const analyses::Whirl sense : mode.whirl)
-        whirl.push_back(analyses::whirl_name(sense));
+    for (const results::Whirl sense : mode.whirl)
+        whirl.push_back(results::whirl_name(sense));
     Json absent = Json::array();
     for (const std::string &why : mode.absent)
         absent.push_back(why.empty() ? Json(nullptr) : Json(why));
@@ -29,11 +35,11 @@ Json campbell_mode(const analyses::CampbellMode &mode) {
     return out;
 }
 
-Json mode_shape(const analyses::ModeShape &mode) {
+Json mode_shape(const results::ModeShape &mode) {
     Json shape{{"label", mode.label},
                {"frequency", mode.eigenvalue.imag()},
                {"real", mode.eigenvalue.real()},
-               {"whirl", analyses::whirl_name(mode.whirl)},
+               {"whirl", results::whirl_name(mode.whirl)},
                {"forward_share", mode.forward_fraction},
                {"forward_fraction", mode.forward_fraction}}; // its older name
     for (const char *key : {"x_real", "x_imag", "y_real", "y_imag"})
@@ -51,7 +57,7 @@ Json mode_shape(const analyses::ModeShape &mode) {
 
 } // namespace
 
-std::string to_json(const model::Case &scene, const analyses::CampbellResult &result) {
+std::string to_json(const model::Case &scene, const results::CampbellResult &result) {
     Json json = json_envelope("campbell", scene, result.model);
     json["speeds"] = result.speeds;
     json["modes"] = Json::array();
@@ -67,19 +73,19 @@ std::string to_json(const model::Case &scene, const analyses::CampbellResult &re
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::CriticalResult &result) {
+std::string to_json(const model::Case &scene, const results::CriticalResult &result) {
     Json json = json_envelope("critical", scene, result.model);
     json["critical_speeds"] = Json::array();
     for (const auto &critical : result.critical_speeds)
         json["critical_speeds"].push_back({{"speed", critical.speed},
-                                           {"whirl", analyses::whirl_name(critical.whirl)},
+                                           {"whirl", results::whirl_name(critical.whirl)},
                                            {"real", critical.real},
                                            {"error", critical.error},
                                            {"residual", critical.residual}});
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::ModesResult &result) {
+std::string to_json(const model::Case &scene, const results::ModesResult &result) {
     Json json = json_envelope("modes", scene, result.model);
     json["speed"] = result.speed;
     json["z"] = result.z;
@@ -89,7 +95,7 @@ std::string to_json(const model::Case &scene, const analyses::ModesResult &resul
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::ShowResult &result) {
+std::string to_json(const model::Case &scene, const results::ShowResult &result) {
     Json json = json_envelope("show", scene, result.model);
     json["mass"] = result.mass;
     json["center_of_mass"] = result.center_of_mass;
@@ -113,7 +119,7 @@ std::string to_json(const model::Case &scene, const analyses::ShowResult &result
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::AccuracyResult &result) {
+std::string to_json(const model::Case &scene, const results::AccuracyResult &result) {
     Json json = json_envelope("accuracy", scene, result.model);
     json["reference"] = result.reference;
     json["speed"] = result.speed;
@@ -130,7 +136,7 @@ std::string to_json(const model::Case &scene, const analyses::AccuracyResult &re
     return json_text(json);
 }
 
-std::string to_json(const model::Case &scene, const analyses::BalanceResult &result) {
+std::string to_json(const model::Case &scene, const results::BalanceResult &result) {
     Json json = json_envelope("balance", scene, result.model);
     json.update(balance_json(result));
     return json_text(json);

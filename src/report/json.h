@@ -1,11 +1,15 @@
 #pragma once
 
-#include "analyses/balance_result.h"
-#include "analyses/response_result.h"
-#include "analyses/results.h"
-#include "analyses/rigid_limit_result.h"
-#include "analyses/stability_result.h"
 #include "model/case.h"
+#include "results/accuracy.h"
+#include "results/balance.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/response.h"
+#include "results/rigid_limit.h"
+#include "results/show.h"
+#include "results/stability.h"
 
 #include <string>
 
@@ -13,17 +17,16 @@ namespace whirl::report {
 
 /// The result as JSON (keys: docs/case_format.md, "Results"): SI and radians, numbers with all
 /// digits, null for what is missing or not finite.
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::CampbellResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::CriticalResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::ResponseResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::ModesResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::ShowResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::AccuracyResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::CampbellResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::CriticalResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::ResponseResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::ModesResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::ShowResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::AccuracyResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::StabilityResult &result);
 [[nodiscard]] std::string to_json(const model::Case &scene,
-                                  const analyses::StabilityResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene,
-                                  const analyses::RigidLimitResult &result);
-[[nodiscard]] std::string to_json(const model::Case &scene, const analyses::BalanceResult &result);
+                                  const results::RigidLimitResult &result);
+[[nodiscard]] std::string to_json(const model::Case &scene, const results::BalanceResult &result);
 
 /// Version of the program, as in the results.
 [[nodiscard]] std::string program_version();

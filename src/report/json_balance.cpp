@@ -12,18 +12,18 @@ namespace whirl::report {
 
 namespace {
 
-Json bands(const std::vector<analyses::SpeedBand> &list) {
+Json bands(const std::vector<results::SpeedBand> &list) {
     Json out = Json::array();
     for (const auto &band : list)
         out.push_back({band.from, band.to});
     return out;
 }
 
-Json bands(const std::optional<std::vector<analyses::SpeedBand>> &list) {
+Json bands(const std::optional<std::vector<results::SpeedBand>> &list) {
     return list ? bands(*list) : Json(nullptr);
 }
 
-void add_bands(Json &json, const analyses::BalanceBands &of) {
+void add_bands(Json &json, const results::BalanceBands &of) {
     json["bands"] = bands(of.bands);
     json["band_errors"] = Json::array();
     for (const auto &[at_from, at_to] : of.errors)
@@ -40,7 +40,7 @@ void add_bands(Json &json, const analyses::BalanceBands &of) {
                                 {"pinned", json_number(end.pinned)}});
 }
 
-Json balanced_position(const std::optional<analyses::BalancedPosition> &of) {
+Json balanced_position(const std::optional<results::BalancedPosition> &of) {
     if (!of)
         return nullptr;
     Json errors = Json::array();
@@ -53,7 +53,7 @@ Json balanced_position(const std::optional<analyses::BalancedPosition> &of) {
             {"with_some", bands(of->with_some)}};
 }
 
-Json joint(const analyses::JointBalance &of) {
+Json joint(const results::JointBalance &of) {
     Json json = Json::object();
     add_bands(json, of.bands);
     json["rank"] = of.rank;
@@ -75,7 +75,7 @@ Json joint(const analyses::JointBalance &of) {
     return json;
 }
 
-Json rigid(const std::optional<analyses::RigidEquivalent> &of) {
+Json rigid(const std::optional<results::RigidEquivalent> &of) {
     if (!of)
         return nullptr;
     return {{"mass", of->mass},
@@ -89,11 +89,11 @@ Json rigid(const std::optional<analyses::RigidEquivalent> &of) {
             {"critical_speeds", of->critical_speeds}};
 }
 
-Json best(const analyses::BestPlace &place) {
+Json best(const results::BestPlace &place) {
     return {{"z", place.z}, {"share", place.share}, {"margin", place.margin}};
 }
 
-Json placement(const analyses::Placement &map) {
+Json placement(const results::Placement &map) {
     return {{"z", map.z},
             {"speeds", map.speeds},
             {"criterion", map.criterion},
@@ -106,7 +106,7 @@ Json placement(const analyses::Placement &map) {
               {"best", best(map.best_pair)}}}};
 }
 
-Json curves(const std::vector<analyses::PendulumCurve> &list) {
+Json curves(const std::vector<results::PendulumCurve> &list) {
     Json out = Json::array();
     for (const auto &curve : list) {
         Json exact = Json::array();
@@ -125,7 +125,7 @@ Json curves(const std::vector<analyses::PendulumCurve> &list) {
 }
 
 /// The motion of least deflection at each speed fills the lists; all are in `motions`.
-Json pendulum(const analyses::PendulumBalance &of) {
+Json pendulum(const results::PendulumBalance &of) {
     Json efficiency{
         {"speeds", of.speeds},     {"exact", Json::array()},     {"approximate", Json::array()},
         {"stable", Json::array()}, {"planar", Json::array()},    {"phi", Json::array()},
@@ -165,7 +165,7 @@ Json pendulum(const analyses::PendulumBalance &of) {
 
 } // namespace
 
-Json balance_json(const analyses::BalanceResult &result) {
+Json balance_json(const results::BalanceResult &result) {
     Json json = Json::object();
     json["findings"] = result.findings;
     json["speeds"] = result.speeds;

@@ -1,6 +1,8 @@
 #include "report/json_parts.h"
 
 #include "report/json.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
 
 namespace whirl::report {
 
@@ -18,15 +20,15 @@ Json json_list(const std::vector<std::optional<double>> &values) {
     return items;
 }
 
-Json json_formulation(const analyses::Formulation &used) {
-    return {{"frame", analyses::frame_name(used.form)},
-            {"unknowns", analyses::unknowns_name(used.form)},
-            {"form", analyses::form_name(used.form)},
+Json json_formulation(const results::Formulation &used) {
+    return {{"frame", results::frame_name(used.form)},
+            {"unknowns", results::unknowns_name(used.form)},
+            {"form", results::form_name(used.form)},
             {"why", used.why}};
 }
 
 Json json_envelope(const char *command, const model::Case &scene,
-                   const analyses::ModelSummary &model) {
+                   const results::ModelSummary &model) {
     return {{"program", "whirl"},
             {"version", program_version()},
             {"format", 1},

@@ -2,8 +2,9 @@
 
 // Parts that the JSON of several results is made of; only for sources in report.
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,11 +24,11 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json json_bands(const std::vector<std::pair<double, double>> &bands);
 
 /// frame, unknowns, form and why.
-[[nodiscard]] Json json_formulation(const analyses::Formulation &used);
+[[nodiscard]] Json json_formulation(const results::Formulation &used);
 
 /// What every result begins with.
 [[nodiscard]] Json json_envelope(const char *command, const model::Case &scene,
-                                 const analyses::ModelSummary &model);
+                                 const results::ModelSummary &model);
 
 /// As text; bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string json_text(const Json &json);

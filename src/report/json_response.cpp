@@ -1,9 +1,11 @@
 #include "report/json.h"
+
 #include "report/json_parts.h"
+#include "results/response.h"
 
 namespace whirl::report {
 
-std::string to_json(const model::Case &scene, const analyses::ResponseResult &result) {
+std::string to_json(const model::Case &scene, const results::ResponseResult &result) {
     Json json = json_envelope("response", scene, result.model);
     json["speeds"] = result.speeds;
     json["nodes"] = Json::array();

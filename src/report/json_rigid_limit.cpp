@@ -1,12 +1,13 @@
 #include "report/json.h"
 
 #include "report/json_parts.h"
+#include "results/rigid_limit.h"
 
 namespace whirl::report {
 
 namespace {
 
-Json shaft_json(const std::optional<analyses::RigidShaft> &shaft) {
+Json shaft_json(const std::optional<results::RigidShaft> &shaft) {
     if (!shaft)
         return nullptr;
     return {{"factor", shaft->factor},
@@ -23,7 +24,7 @@ Json numbers_json(const std::vector<double> &values) {
     return list;
 }
 
-Json row_json(const analyses::RigidLimitRow &row) {
+Json row_json(const results::RigidLimitRow &row) {
     Json json{{"quantity", row.quantity}, {"unit", row.unit}, {"closed_form", row.closed_form}};
     json["fe"] = json_list(row.fe);
     if (row.elements.empty())
@@ -42,7 +43,7 @@ Json row_json(const analyses::RigidLimitRow &row) {
 
 } // namespace
 
-std::string to_json(const model::Case &scene, const analyses::RigidLimitResult &result) {
+std::string to_json(const model::Case &scene, const results::RigidLimitResult &result) {
     Json json = json_envelope("rigid-limit", scene, result.model);
     json["sentence"] = result.sentence;
     json["stiffness_definition"] = "48 EI/L^3 (N/m): EI the mean over the length L of the shaft";

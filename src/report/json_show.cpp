@@ -6,11 +6,11 @@ namespace whirl::report {
 
 namespace {
 
-Json pair(const std::optional<analyses::Interval> &interval) {
+Json pair(const std::optional<results::Interval> &interval) {
     return interval ? Json{interval->first, interval->second} : Json(nullptr);
 }
 
-Json numbers_json(const analyses::DimensionlessNumbers &d) {
+Json numbers_json(const results::DimensionlessNumbers &d) {
     return {{"C", d.C},
             {"A", json_number(d.A)},
             {"A_m", d.A_m},
@@ -27,7 +27,7 @@ Json numbers_json(const analyses::DimensionlessNumbers &d) {
 
 } // namespace
 
-Json balancer_json(const analyses::BalancerNumbers &balancer) {
+Json balancer_json(const results::BalancerNumbers &balancer) {
     Json json{{"name", balancer.name}, {"z", balancer.z}, {"E", balancer.E}};
     json["D_c"] = balancer.D ? Json(balancer.D->real()) : Json(nullptr);
     json["D_s"] = balancer.D ? Json(balancer.D->imag()) : Json(nullptr);
@@ -45,7 +45,7 @@ Json balancer_json(const analyses::BalancerNumbers &balancer) {
     return json;
 }
 
-Json anisotropy_json(const std::optional<analyses::AnisotropyChart> &chart) {
+Json anisotropy_json(const std::optional<results::AnisotropyChart> &chart) {
     if (!chart)
         return nullptr;
     Json unstable = Json::array();

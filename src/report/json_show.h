@@ -1,14 +1,14 @@
 #pragma once
 
-#include "analyses/show_result.h"
+#include "results/show.h"
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace whirl::report {
 
 /// Entries of `balancers` and the value of `anisotropy` (null for none) in the result of show.
-[[nodiscard]] nlohmann::ordered_json balancer_json(const analyses::BalancerNumbers &balancer);
+[[nodiscard]] nlohmann::ordered_json balancer_json(const results::BalancerNumbers &balancer);
 [[nodiscard]] nlohmann::ordered_json
-anisotropy_json(const std::optional<analyses::AnisotropyChart> &chart);
+anisotropy_json(const std::optional<results::AnisotropyChart> &chart);
 
 } // namespace whirl::report

@@ -12,7 +12,7 @@ namespace whirl::report {
 
 namespace {
 
-Json balancer(const analyses::BalancerMotion &b) {
+Json balancer(const results::BalancerMotion &b) {
     return {{"z", b.z},
             {"name", b.name},
             {"kind", b.kind},
@@ -24,31 +24,31 @@ Json balancer(const analyses::BalancerMotion &b) {
             {"amplitude_without_balls", b.reference}};
 }
 
-Json integration(const analyses::SimulateResult &result) {
+Json integration(const results::SimulateResult &result) {
     return {{"method", result.integrator},
             {"steps", result.steps},
             {"rate_evaluations", result.rate_evaluations}};
 }
 
-Json reduction(const analyses::SimulateResult &result) {
+Json reduction(const results::SimulateResult &result) {
     return {{"modes", result.modes},
             {"shapes", result.shapes},
             {"response_error", result.response_error},
             {"frequency_error", result.frequency_error}};
 }
 
-Json audit(const analyses::MotionAudit &audit) {
+Json audit(const results::MotionAudit &audit) {
     return {{"energy_error", audit.energy_error},
             {"energy_scale", audit.energy_scale},
             {"momentum_error", audit.momentum_error},
             {"momentum_scale", audit.momentum_scale}};
 }
 
-Json other_starts(const std::vector<analyses::OtherStart> &list) {
+Json other_starts(const std::vector<results::OtherStart> &list) {
     Json out = Json::array();
-    for (const analyses::OtherStart &start : list)
+    for (const results::OtherStart &start : list)
         out.push_back({{"start_angles", start.start_angles},
-                       {"outcome", analyses::outcome_name(start.outcome)},
+                       {"outcome", results::outcome_name(start.outcome)},
                        {"evidence", start.evidence},
                        {"residual_ratio", json_number(start.residual_ratio)},
                        {"balls", start.angles},
@@ -58,9 +58,9 @@ Json other_starts(const std::vector<analyses::OtherStart> &list) {
 
 } // namespace
 
-std::string to_json(const model::Case &scene, const analyses::SimulateResult &result) {
+std::string to_json(const model::Case &scene, const results::SimulateResult &result) {
     Json json = json_envelope("simulate", scene, result.model);
-    json["outcome"] = analyses::outcome_name(result.outcome);
+    json["outcome"] = results::outcome_name(result.outcome);
     json["evidence"] = result.evidence;
     json["residual_ratio"] = json_number(result.residual_ratio);
     json["trend"] = json_number(result.trend);
@@ -71,7 +71,7 @@ std::string to_json(const model::Case &scene, const analyses::SimulateResult &re
     json["revolutions"] = result.revolutions;
     json["balls"] = Json::array(); // the final angles, a list for each balancer
     json["balancers"] = Json::array();
-    for (const analyses::BalancerMotion &b : result.balancers) {
+    for (const results::BalancerMotion &b : result.balancers) {
         json["balls"].push_back(b.angles);
         json["balancers"].push_back(balancer(b));
     }
@@ -87,8 +87,8 @@ std::string to_json(const model::Case &scene, const analyses::SimulateResult &re
     return json_text(json);
 }
 
-std::string to_csv(const analyses::SimulateResult &result) {
-    const analyses::MotionSeries &series = result.series;
+std::string to_csv(const results::SimulateResult &result) {
+    const results::MotionSeries &series = result.series;
     std::string csv = "time [s],speed [rad/s]";
     for (std::size_t i = 0; i < series.amplitude.size(); ++i)
         csv += fmt::format(",amplitude_{0} [m],x_{0} [m],y_{0} [m]", i);

@@ -1,12 +1,13 @@
 #include "report/json.h"
 
 #include "report/json_parts.h"
+#include "results/stability.h"
 
 namespace whirl::report {
 
 namespace {
 
-Json family_json(const analyses::ArrangementFamily &family) {
+Json family_json(const results::ArrangementFamily &family) {
     return {{"arrangements", family.arrangements},
             {"unstable", json_bands(family.unstable)},
             {"always_unstable", json_bands(family.always_unstable)},
@@ -15,16 +16,16 @@ Json family_json(const analyses::ArrangementFamily &family) {
             {"anisotropy", json_bands(family.anisotropy)}};
 }
 
-Json verdicts_json(const std::vector<analyses::Verdict> &verdicts) {
+Json verdicts_json(const std::vector<results::Verdict> &verdicts) {
     Json items = Json::array();
-    for (const analyses::Verdict verdict : verdicts) {
-        const std::string name = verdict_name(verdict);
+    for (const results::Verdict verdict : verdicts) {
+        const std::string name = results::verdict_name(verdict);
         items.push_back(name.empty() ? Json(nullptr) : Json(name));
     }
     return items;
 }
 
-Json map_json(const analyses::StabilityMap &map) {
+Json map_json(const results::StabilityMap &map) {
     return {{"x", {{"path", map.x.path}, {"values", map.x_values}}},
             {"y", {{"path", map.y.path}, {"values", map.y_values}}},
             {"growth", map.growth}};
@@ -32,7 +33,7 @@ Json map_json(const analyses::StabilityMap &map) {
 
 } // namespace
 
-std::string to_json(const model::Case &scene, const analyses::StabilityResult &result) {
+std::string to_json(const model::Case &scene, const results::StabilityResult &result) {
     Json json = json_envelope("stability", scene, result.model);
     json["speeds"] = result.speeds;
     json["growth"] = result.growth;

@@ -1,6 +1,7 @@
 #include "report/plot_accuracy.h"
 
 #include "report/plot_style.h"
+#include "results/accuracy.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +10,8 @@
 
 namespace whirl::report {
 
-using analyses::AccuracyResult;
-using analyses::AccuracyRow;
+using results::AccuracyResult;
+using results::AccuracyRow;
 
 namespace {
 

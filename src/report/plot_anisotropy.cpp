@@ -11,7 +11,7 @@ namespace whirl::report {
 
 namespace {
 
-using analyses::AnisotropyChart;
+using results::AnisotropyChart;
 
 const char *const unstable_fill = "#F6D5D0";
 const char *const limit_colour = "#B00020";

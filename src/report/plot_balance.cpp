@@ -9,7 +9,7 @@
 
 namespace whirl::report {
 
-using analyses::BalanceResult;
+using results::BalanceResult;
 
 namespace {
 
@@ -28,9 +28,9 @@ std::string quoted(const std::string &text) {
 /// A row of the upper panel.
 struct Row {
     std::string name;
-    const analyses::BalanceBands *bands = nullptr; ///< of the criterion; else of `position`
-    const analyses::BalancedPosition *position = nullptr;
-    const std::vector<analyses::SimulatedSpeed> *simulated = nullptr;
+    const results::BalanceBands *bands = nullptr; ///< of the criterion; else of `position`
+    const results::BalancedPosition *position = nullptr;
+    const std::vector<results::SimulatedSpeed> *simulated = nullptr;
 };
 
 std::vector<Row> rows_of(const BalanceResult &result) {
@@ -50,7 +50,7 @@ std::vector<Row> rows_of(const BalanceResult &result) {
     return rows;
 }
 
-std::string bars(const std::vector<analyses::SpeedBand> &bands, double low, double high,
+std::string bars(const std::vector<results::SpeedBand> &bands, double low, double high,
                  const char *colour) {
     std::string out;
     for (const auto &band : bands)
@@ -61,7 +61,7 @@ std::string bars(const std::vector<analyses::SpeedBand> &bands, double low, doub
 }
 
 /// Ends of the bands as numbers above their bars, where neighbours leave room.
-std::string end_labels(const analyses::BalanceBands &bands, double y, double width) {
+std::string end_labels(const results::BalanceBands &bands, double y, double width) {
     std::string out;
     double last = -1e300;
     for (const auto &end : bands.ends) {
@@ -85,7 +85,7 @@ std::string critical_lines(const BalanceResult &result, double top) {
 }
 
 /// A mark for each motion in time: a full one where it ends balanced, else a cross.
-std::string outcome_marks(const std::vector<analyses::SimulatedSpeed> &runs, double y) {
+std::string outcome_marks(const std::vector<results::SimulatedSpeed> &runs, double y) {
     std::string out;
     for (const auto &run : runs) {
         const bool balanced = run.outcome == "balanced";

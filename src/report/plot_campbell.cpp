@@ -1,6 +1,9 @@
 #include "report/plot_campbell.h"
 
 #include "report/plot_style.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +13,9 @@
 
 namespace whirl::report {
 
-using analyses::CampbellMode;
-using analyses::CampbellResult;
-using analyses::Whirl;
+using results::CampbellMode;
+using results::CampbellResult;
+using results::Whirl;
 
 namespace {
 
@@ -358,7 +361,7 @@ Figure campbell_figure(const model::Case &scene, const CampbellResult &result) {
     figure.script =
         figure_head("Campbell diagram: " + title_of(scene),
                     fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
-                                analyses::form_name(result.model.formulation.form),
+                                results::form_name(result.model.formulation.form),
                                 result.model.order, result.model.elements, result.model.unknowns),
                     figure.height);
     // Crossings that the low panel shows larger get their names there.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
+#include "results/campbell.h"
 
 namespace whirl::report {
 
@@ -10,9 +10,9 @@ namespace whirl::report {
 /// crossings; a second panel for the low range where the spin line would lie at the bottom, and one
 /// for the logarithmic decrements of a damped rotor.
 [[nodiscard]] Figure campbell_figure(const model::Case &scene,
-                                     const analyses::CampbellResult &result);
+                                     const results::CampbellResult &result);
 
 /// Whether the mode grows at the index-th speed by more than its own error estimate.
-[[nodiscard]] bool grows(const analyses::CampbellMode &mode, std::size_t index);
+[[nodiscard]] bool grows(const results::CampbellMode &mode, std::size_t index);
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 #include "report/plot_composite.h"
 
 #include "report/plot_style.h"
+#include "results/show.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,8 @@ namespace whirl::report {
 
 namespace {
 
-using analyses::BalancerNumbers;
-using analyses::CompositeCurves;
+using results::BalancerNumbers;
+using results::CompositeCurves;
 using Values = std::vector<double>;
 
 std::string block(const std::string &name, const Values &x, const Values &y) {
@@ -142,7 +143,7 @@ std::string hodograph_panel(const BalancerNumbers &balancer) {
 
 } // namespace
 
-Figure composite_figure(const model::Case &scene, const analyses::ShowResult &result,
+Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
                         std::size_t index) {
     const BalancerNumbers &balancer = result.balancers.at(index);
     Figure figure;

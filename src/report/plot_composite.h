@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
+#include "results/show.h"
 
 namespace whirl::report {
 
@@ -11,10 +11,10 @@ namespace whirl::report {
 /// axis; with the signed D, and with the unsigned D_A of the paper beside it.
 ///
 /// @param index  of a balancer with curves
-[[nodiscard]] Figure composite_figure(const model::Case &scene, const analyses::ShowResult &result,
+[[nodiscard]] Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
                                       std::size_t index);
 
 /// The same curves as a table; inertias over the mean diametral one.
-[[nodiscard]] std::string composite_csv(const analyses::CompositeCurves &curves);
+[[nodiscard]] std::string composite_csv(const results::CompositeCurves &curves);
 
 } // namespace whirl::report

@@ -1,6 +1,8 @@
 #include "report/plot_critical.h"
 
 #include "report/plot_style.h"
+#include "results/critical.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +12,13 @@ namespace whirl::report {
 
 namespace {
 
-int row_of(analyses::Whirl whirl) {
+int row_of(results::Whirl whirl) {
     switch (whirl) {
-    case analyses::Whirl::forward:
+    case results::Whirl::forward:
         return 3;
-    case analyses::Whirl::mixed:
+    case results::Whirl::mixed:
         return 2;
-    case analyses::Whirl::backward:
+    case results::Whirl::backward:
         break;
     }
     return 1;
@@ -24,7 +26,7 @@ int row_of(analyses::Whirl whirl) {
 
 } // namespace
 
-Figure critical_figure(const model::Case &scene, const analyses::CriticalResult &result) {
+Figure critical_figure(const model::Case &scene, const results::CriticalResult &result) {
     Figure figure;
     figure.width = 1080;
     figure.height = 380;
@@ -41,7 +43,7 @@ Figure critical_figure(const model::Case &scene, const analyses::CriticalResult 
                     highest > 0 ? 1.06 * highest : 1);
     std::string plots = "NaN notitle";
     for (const auto sense :
-         {analyses::Whirl::forward, analyses::Whirl::mixed, analyses::Whirl::backward}) {
+         {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
         std::vector<PlotPoint> points;
         int turn = 0;
         for (const auto &critical : result.critical_speeds) {

@@ -1,6 +1,7 @@
 #include "report/plot_modes.h"
 
 #include "report/plot_style.h"
+#include "results/modes.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +10,8 @@
 
 namespace whirl::report {
 
-using analyses::ModeShape;
-using analyses::ModesResult;
+using results::ModeShape;
+using results::ModesResult;
 
 namespace {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
+#include "results/modes.h"
 
 #include <vector>
 
@@ -18,12 +18,12 @@ struct ModeCurves {
     std::vector<double> envelope; ///< major semi-axis of the orbit at each station
     bool at_one_instant = false;  ///< y not a quarter period later
 };
-[[nodiscard]] ModeCurves mode_curves(const analyses::ModeShape &mode);
+[[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
 
 /// "1F · 13.97 Hz · forward", with the damping ratio where there is damping.
-[[nodiscard]] std::string mode_heading(const analyses::ModeShape &mode);
+[[nodiscard]] std::string mode_heading(const results::ModeShape &mode);
 
 /// One panel a mode: the orbits' envelope, the x and y curves and the rotor's outline.
-[[nodiscard]] Figure modes_figure(const model::Case &scene, const analyses::ModesResult &result);
+[[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result);
 
 } // namespace whirl::report

@@ -1,5 +1,7 @@
 #include "report/plot_balance.h"
+
 #include "report/plot_style.h"
+#include "results/pendulum.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +25,7 @@ std::string curve(const std::string &name, const std::vector<double> &speeds,
 }
 
 /// Points of the steady motions with this stability, apart from or with colliding pendulums.
-std::string motion_points(const std::string &name, const analyses::PendulumBalance &of, bool stable,
+std::string motion_points(const std::string &name, const results::PendulumBalance &of, bool stable,
                           bool collision) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < of.states.size(); ++i)
@@ -36,7 +38,7 @@ std::string motion_points(const std::string &name, const analyses::PendulumBalan
 
 } // namespace
 
-Figure pendulum_figure(const model::Case &scene, const analyses::PendulumBalance &balancer) {
+Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
     Figure figure;
     figure.width = 1080;
     figure.height = 620;

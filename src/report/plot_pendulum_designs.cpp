@@ -1,5 +1,7 @@
 #include "report/plot_balance.h"
+
 #include "report/plot_style.h"
+#include "results/pendulum.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +13,7 @@ namespace whirl::report {
 
 namespace {
 
-using analyses::PendulumCurve;
+using results::PendulumCurve;
 
 /// Efficiencies beyond this are off the picture.
 constexpr double highest = 4;
@@ -63,8 +65,7 @@ std::string design_title(const PendulumCurve &of) {
 
 } // namespace
 
-Figure pendulum_designs_figure(const model::Case &scene,
-                               const analyses::PendulumBalance &balancer) {
+Figure pendulum_designs_figure(const model::Case &scene, const results::PendulumBalance &balancer) {
     std::vector<std::pair<std::string, const PendulumCurve *>> designs;
     for (const PendulumCurve &curve : balancer.designs)
         designs.emplace_back(design_title(curve), &curve);

@@ -1,6 +1,8 @@
 #include "report/plot_balance.h"
+
 #include "report/plot_style.h"
 #include "report/shaft_outline.h"
+#include "results/balance.h"
 
 #include <fmt/format.h>
 
@@ -94,7 +96,7 @@ std::string best_marks(const std::vector<double> &z, double low, double high) {
     return out;
 }
 
-std::string place_text(const analyses::BestPlace &place) {
+std::string place_text(const results::BestPlace &place) {
     std::string text;
     for (const double z : place.z)
         text += (text.empty() ? "z = " : " and ") + readable(z, 4);
@@ -103,7 +105,7 @@ std::string place_text(const analyses::BestPlace &place) {
 
 } // namespace
 
-Figure placement_figure(const model::Case &scene, const analyses::Placement &map) {
+Figure placement_figure(const model::Case &scene, const results::Placement &map) {
     Figure figure;
     figure.width = 1180;
     figure.height = 760;

@@ -9,7 +9,7 @@
 
 namespace whirl::report {
 
-using analyses::ResponseResult;
+using results::ResponseResult;
 
 namespace {
 

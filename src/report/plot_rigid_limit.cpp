@@ -10,8 +10,8 @@
 
 namespace whirl::report {
 
-using analyses::RigidLimitResult;
-using analyses::RigidLimitRow;
+using results::RigidLimitResult;
+using results::RigidLimitRow;
 
 namespace {
 

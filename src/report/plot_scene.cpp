@@ -2,6 +2,7 @@
 
 #include "report/plot_style.h"
 #include "report/shaft_outline.h"
+#include "results/show.h"
 
 #include <fmt/format.h>
 
@@ -362,7 +363,7 @@ Drawing scene_drawing(const model::Case &scene) {
     return drawing;
 }
 
-Drawing show_drawing(const model::Case &scene, const analyses::ShowResult &result) {
+Drawing show_drawing(const model::Case &scene, const results::ShowResult &result) {
     Drawing drawing = scene_drawing(scene);
     const double head = 68;
     for (DrawShape &shape : drawing.shapes)

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "report/drawing.h"
+#include "results/show.h"
 
 namespace whirl::report {
 
@@ -12,6 +12,6 @@ namespace whirl::report {
 [[nodiscard]] Drawing scene_drawing(const model::Case &scene);
 
 /// The same with a line of mass, centre of mass and inertias, and the centre of mass marked.
-[[nodiscard]] Drawing show_drawing(const model::Case &scene, const analyses::ShowResult &result);
+[[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result);
 
 } // namespace whirl::report

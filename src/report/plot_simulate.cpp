@@ -9,8 +9,8 @@
 
 namespace whirl::report {
 
-using analyses::MotionSeries;
-using analyses::SimulateResult;
+using results::MotionSeries;
+using results::SimulateResult;
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Curve {
     std::vector<std::vector<PlotPoint>> points;
 };
 
-std::string balancer_name(const analyses::BalancerMotion &b) {
+std::string balancer_name(const results::BalancerMotion &b) {
     const std::string at = "z = " + readable(b.z, 4) + " m";
     return b.name.empty() ? at : b.name + ", " + at;
 }
@@ -41,10 +41,10 @@ std::vector<Curve> amplitude_curves(const SimulateResult &result) {
         for (std::size_t k = 1; k < std::min(time.size(), amplitude.size()); ++k)
             points.push_back({time[k], amplitude[k] * 1e6});
         curves.push_back({fmt::format("start {}: {}", i + 2,
-                                      analyses::outcome_name(result.other_starts[i].outcome)),
+                                      results::outcome_name(result.other_starts[i].outcome)),
                           {points}});
     }
-    for (const analyses::BalancerMotion &b : result.balancers)
+    for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
             curves.push_back(
                 {"without balls",
@@ -79,7 +79,7 @@ std::vector<std::vector<PlotPoint>> relative_speed(const MotionSeries &series,
 }
 
 std::vector<Curve> angle_curves(const SimulateResult &result) {
-    const bool lagging = result.outcome == analyses::Outcome::lagging;
+    const bool lagging = result.outcome == results::Outcome::lagging;
     std::vector<Curve> curves;
     std::size_t number = 0;
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
@@ -140,7 +140,7 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
     const std::vector<double> &speed = result.series.speed;
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
-    const bool lagging = result.outcome == analyses::Outcome::lagging;
+    const bool lagging = result.outcome == results::Outcome::lagging;
     Figure figure;
     figure.width = 1080;
     figure.height = constant ? 780 : 960;
@@ -151,7 +151,7 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
     figure.script =
         figure_head("Motion in time: " + title_of(scene),
                     fmt::format("outcome: {}, at the end {} rpm",
-                                analyses::outcome_name(result.outcome),
+                                results::outcome_name(result.outcome),
                                 readable(result.speed * rpm)),
                     figure.height) +
         fmt::format("set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [0:{}]\n", result.time) +

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/simulate_result.h"
 #include "model/case.h"
 #include "report/gnuplot.h"
+#include "results/simulate.h"
 
 namespace whirl::report {
 
@@ -10,6 +10,6 @@ namespace whirl::report {
 /// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it
 /// changes.
 [[nodiscard]] Figure simulate_figure(const model::Case &scene,
-                                     const analyses::SimulateResult &result);
+                                     const results::SimulateResult &result);
 
 } // namespace whirl::report

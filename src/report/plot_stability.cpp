@@ -9,7 +9,7 @@
 
 namespace whirl::report {
 
-using analyses::StabilityResult;
+using results::StabilityResult;
 
 namespace {
 
@@ -105,7 +105,7 @@ std::string axis_title(const model::MapAxis &axis) {
     return axis.path == "speed" ? "Spin speed (rpm)" : axis.path;
 }
 
-std::string map_panel(const analyses::StabilityMap &map) {
+std::string map_panel(const results::StabilityMap &map) {
     const auto scale = [](const model::MapAxis &axis) { return axis.path == "speed" ? rpm : 1.0; };
     double largest = 0;
     std::string text = "$map << EOD\n";

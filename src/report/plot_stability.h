@@ -1,13 +1,13 @@
 #pragma once
 
-#include "analyses/stability_result.h"
 #include "report/gnuplot.h"
+#include "results/stability.h"
 
 namespace whirl::report {
 
 /// Growth over speed with the unstable bands shaded, critical and additional speeds marked, and
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
 [[nodiscard]] Figure stability_figure(const model::Case &scene,
-                                      const analyses::StabilityResult &result);
+                                      const results::StabilityResult &result);
 
 } // namespace whirl::report

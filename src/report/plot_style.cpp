@@ -1,6 +1,7 @@
 #include "report/plot_style.h"
 
 #include "report/gnuplot.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -11,13 +12,13 @@
 
 namespace whirl::report {
 
-LineStyle whirl_style(analyses::Whirl whirl) {
+LineStyle whirl_style(results::Whirl whirl) {
     switch (whirl) {
-    case analyses::Whirl::forward:
+    case results::Whirl::forward:
         return {"forward", "#0072B2", "1", 7};
-    case analyses::Whirl::backward:
+    case results::Whirl::backward:
         return {"backward", "#D55E00", "(12,6)", 6};
-    case analyses::Whirl::mixed:
+    case results::Whirl::mixed:
         break;
     }
     return {"mixed", "#007D5A", "(14,5,3,5)", 8};

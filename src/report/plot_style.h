@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/whirl.h"
 
 #include <optional>
 #include <string>
@@ -22,7 +22,7 @@ struct LineStyle {
     int point = 7;      ///< gnuplot's point type
 };
 
-[[nodiscard]] LineStyle whirl_style(analyses::Whirl whirl);
+[[nodiscard]] LineStyle whirl_style(results::Whirl whirl);
 /// The index-th of a row of styles that differ in colour, dash and marker.
 [[nodiscard]] LineStyle series_style(std::size_t index);
 

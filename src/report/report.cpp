@@ -22,6 +22,11 @@
 #include "report/plot_stability.h"
 #include "report/plotly.h"
 #include "report/vtk.h"
+#include "results/accuracy.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/show.h"
 
 #include <fstream>
 #include <sstream>
@@ -62,7 +67,7 @@ struct Extra {
     std::string csv;
 };
 
-std::vector<Extra> extras_of(const model::Case &scene, const analyses::ShowResult &result) {
+std::vector<Extra> extras_of(const model::Case &scene, const results::ShowResult &result) {
     std::vector<Extra> extras;
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         if (result.balancers[i].curves)
@@ -123,28 +128,28 @@ Files write(const std::string &command, const model::Case &scene, const Result &
 
 } // namespace
 
-Files write_report(const model::Case &scene, const analyses::CampbellResult &result,
+Files write_report(const model::Case &scene, const results::CampbellResult &result,
                    const fs::path &folder) {
     return write("campbell", scene, result, campbell_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::CriticalResult &result,
+Files write_report(const model::Case &scene, const results::CriticalResult &result,
                    const fs::path &folder) {
     return write("critical", scene, result, critical_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::ResponseResult &result,
+Files write_report(const model::Case &scene, const results::ResponseResult &result,
                    const fs::path &folder) {
     return write("response", scene, result, response_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::ModesResult &result,
+Files write_report(const model::Case &scene, const results::ModesResult &result,
                    const fs::path &folder) {
     return write("modes", scene, result, modes_figure(scene, result), folder,
                  to_vtp(scene, result));
 }
 
-Files write_report(const model::Case &scene, const analyses::ShowResult &result,
+Files write_report(const model::Case &scene, const results::ShowResult &result,
                    const fs::path &folder) {
     OutputFiles files(folder);
     PlotJobs jobs;
@@ -173,22 +178,22 @@ Files write_report(const model::Case &scene, const analyses::ShowResult &result,
     return written;
 }
 
-Files write_report(const model::Case &scene, const analyses::AccuracyResult &result,
+Files write_report(const model::Case &scene, const results::AccuracyResult &result,
                    const fs::path &folder) {
     return write("accuracy", scene, result, accuracy_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::StabilityResult &result,
+Files write_report(const model::Case &scene, const results::StabilityResult &result,
                    const fs::path &folder) {
     return write("stability", scene, result, stability_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::RigidLimitResult &result,
+Files write_report(const model::Case &scene, const results::RigidLimitResult &result,
                    const fs::path &folder) {
     return write("rigid-limit", scene, result, rigid_limit_figure(scene, result), folder);
 }
 
-Files write_report(const model::Case &scene, const analyses::BalanceResult &result,
+Files write_report(const model::Case &scene, const results::BalanceResult &result,
                    const fs::path &folder) {
     NamedFigures more;
     if (result.placement)
@@ -203,7 +208,7 @@ Files write_report(const model::Case &scene, const analyses::BalanceResult &resu
     return write("balance", scene, result, balance_figure(scene, result), folder, "", more);
 }
 
-Files write_report(const model::Case &scene, const analyses::SimulateResult &result,
+Files write_report(const model::Case &scene, const results::SimulateResult &result,
                    const fs::path &folder) {
     return write("simulate", scene, result, simulate_figure(scene, result), folder);
 }

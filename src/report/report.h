@@ -1,12 +1,16 @@
 #pragma once
 
-#include "analyses/balance_result.h"
-#include "analyses/response_result.h"
-#include "analyses/results.h"
-#include "analyses/rigid_limit_result.h"
-#include "analyses/simulate_result.h"
-#include "analyses/stability_result.h"
 #include "model/case.h"
+#include "results/accuracy.h"
+#include "results/balance.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/response.h"
+#include "results/rigid_limit.h"
+#include "results/show.h"
+#include "results/simulate.h"
+#include "results/stability.h"
 
 #include <filesystem>
 #include <string>
@@ -23,27 +27,27 @@ struct Files {
 /// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, all or
 /// none of them. Without gnuplot the pictures it draws are missing, which a note says.
 /// @throws model::AnalysisFailure where a file cannot be written or a picture not drawn.
-Files write_report(const model::Case &scene, const analyses::CampbellResult &result,
+Files write_report(const model::Case &scene, const results::CampbellResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::CriticalResult &result,
+Files write_report(const model::Case &scene, const results::CriticalResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::ResponseResult &result,
+Files write_report(const model::Case &scene, const results::ResponseResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::ModesResult &result,
+Files write_report(const model::Case &scene, const results::ModesResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::ShowResult &result,
+Files write_report(const model::Case &scene, const results::ShowResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::AccuracyResult &result,
+Files write_report(const model::Case &scene, const results::AccuracyResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::StabilityResult &result,
+Files write_report(const model::Case &scene, const results::StabilityResult &result,
                    const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const analyses::RigidLimitResult &result,
+Files write_report(const model::Case &scene, const results::RigidLimitResult &result,
                    const std::filesystem::path &folder);
 /// Also pictures of the placement and of each pendulum balancer, where there are any.
-Files write_report(const model::Case &scene, const analyses::BalanceResult &result,
+Files write_report(const model::Case &scene, const results::BalanceResult &result,
                    const std::filesystem::path &folder);
 
-Files write_report(const model::Case &scene, const analyses::SimulateResult &result,
+Files write_report(const model::Case &scene, const results::SimulateResult &result,
                    const std::filesystem::path &folder);
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 #include "report/vtk.h"
 
 #include "report/shaft_outline.h"
+#include "results/modes.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -52,7 +53,7 @@ std::string coordinates(const model::Case &scene, const std::vector<double> &z) 
 }
 
 /// Displacements of the sections, the same for all points of a station; sections do not tilt here.
-std::string vectors(const Grid &grid, const analyses::ModeShape &mode, bool real) {
+std::string vectors(const Grid &grid, const results::ModeShape &mode, bool real) {
     const auto part = [real](std::complex<double> value) {
         const double number = real ? value.real() : value.imag();
         return std::isfinite(number) ? number : 0;
@@ -92,7 +93,7 @@ void add_cells(pugi::xml_node piece, const Grid &grid) {
 
 } // namespace
 
-std::string to_vtp(const model::Case &scene, const analyses::ModesResult &result) {
+std::string to_vtp(const model::Case &scene, const results::ModesResult &result) {
     Grid grid{result.z.size()};
     for (const auto &mode : result.modes)
         grid.stations = std::min({grid.stations, mode.x.size(), mode.y.size()});

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/modes.h"
 
 #include <string>
 
@@ -11,6 +11,6 @@ namespace whirl::report {
 /// in axes (x, y, z) with z along the shaft, and for each mode the point vectors "<label> real" and
 /// "<label> imag". With "Warp By Vector" the real part is the shape at time zero, minus the
 /// imaginary part the shape a quarter period later.
-[[nodiscard]] std::string to_vtp(const model::Case &scene, const analyses::ModesResult &result);
+[[nodiscard]] std::string to_vtp(const model::Case &scene, const results::ModesResult &result);
 
 } // namespace whirl::report

@@ -1,10 +1,10 @@
 #include "analyses/accuracy.h"
-#include "analyses/error_estimate.h"
-
-#include "analyses/scenes.h"
 #include "closed_form/beam_frequencies.h"
 #include "elements/section.h"
+#include "mesh_error/safety.h"
 #include "model/errors.h"
+#include "results/accuracy.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -26,17 +26,17 @@ model::Case shaft_on_springs() {
 }
 
 /// Rows of one family and one number of elements a span, by order or by refinement.
-std::map<int, analyses::AccuracyRow> rows(const analyses::AccuracyResult &result,
-                                          const std::string &family, int elements) {
-    std::map<int, analyses::AccuracyRow> found;
-    for (const analyses::AccuracyRow &row : result.rows)
+std::map<int, results::AccuracyRow> rows(const results::AccuracyResult &result,
+                                         const std::string &family, int elements) {
+    std::map<int, results::AccuracyRow> found;
+    for (const results::AccuracyRow &row : result.rows)
         if (row.family == family && (elements == 0 || row.elements == elements))
             found[elements == 0 ? row.elements : row.order] = row;
     return found;
 }
 
 TEST(Accuracy, classical_elements_converge_with_the_square_of_their_length) {
-    const analyses::AccuracyResult result = analyses::accuracy(shaft_on_springs());
+    const results::AccuracyResult result = analyses::accuracy(shaft_on_springs());
     EXPECT_DOUBLE_EQ(result.speed, 800);
     const auto classical = rows(result, "classical", 0);
     ASSERT_EQ(classical.size(), 7U);
@@ -46,12 +46,12 @@ TEST(Accuracy, classical_elements_converge_with_the_square_of_their_length) {
         EXPECT_NEAR(rate, 2, 0.1) << elements;
         // Order 5 on the same elements is as good as the truth: what is left is the safety.
         EXPECT_NEAR(*classical.at(elements).error_estimate / *classical.at(elements).true_error,
-                    analyses::estimate_safety, 0.01);
+                    mesh_error::estimate_safety, 0.01);
     }
 }
 
 TEST(Accuracy, raising_the_order_converges_exponentially) {
-    const analyses::AccuracyResult result = analyses::accuracy(shaft_on_springs());
+    const results::AccuracyResult result = analyses::accuracy(shaft_on_springs());
     const auto by_order = rows(result, "order-p", 2);
     ASSERT_EQ(by_order.size(), 7U);
     // Every two orders gain more than every two before on the way to rounding.
@@ -64,7 +64,7 @@ TEST(Accuracy, raising_the_order_converges_exponentially) {
     const auto classical = rows(result, "classical", 0);
     EXPECT_GT(classical.at(128).unknowns, by_order.at(10).unknowns);
     EXPECT_GT(*classical.at(128).true_error, 1e4 * *by_order.at(10).true_error);
-    for (const analyses::AccuracyRow &row : result.rows)
+    for (const results::AccuracyRow &row : result.rows)
         EXPECT_GT(row.seconds, 0);
 }
 
@@ -74,7 +74,7 @@ TEST(Accuracy, reference_is_exact_to_its_digits) {
     scene.rotor.discs.clear();
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e16), tests::isotropic_bearing(1, 1e16)};
     scene.campbell.modes = 4;
-    const analyses::AccuracyResult result = analyses::accuracy(scene);
+    const results::AccuracyResult result = analyses::accuracy(scene);
     closed_form::UniformShaft shaft = closed_form::circular_shaft(1, 0.04, 0, 2e11, 7800);
     shaft.shear_modulus = tests::steel().G;
     shaft.shear_coefficient =

@@ -1,10 +1,11 @@
 // Receptance and bands of damped and anisotropic rotors.
 
 #include "analyses/balance.h"
-#include "analyses/balance_receptance.h"
-#include "analyses/forced_motion.h"
-#include "analyses/scenes.h"
 #include "assembly/system.h"
+#include "results/formulation.h"
+#include "support/scenes.h"
+#include "synchronous/forced_motion.h"
+#include "synchronous/receptance.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
@@ -16,8 +17,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::BalanceResult;
-using analyses::Form;
+using results::BalanceResult;
+using results::Form;
 
 model::Rotor damped_rotor(double c) {
     model::Rotor rotor;
@@ -47,10 +48,10 @@ Eigen::MatrixXcd receptance_by_response(model::Rotor rotor, Form form, double sp
     for (Eigen::Index k = 0; k < n; ++k) {
         rotor.imbalances = {tests::imbalance_at(planes[static_cast<std::size_t>(k)].z, 1)};
         const assembly::Discretization d(rotor, 1);
-        analyses::ForcedMotion motion(d, form);
+        synchronous::ForcedMotion motion(d, form);
         motion.solve(speed);
         for (Eigen::Index j = 0; j < n; ++j) {
-            const analyses::Phasor u =
+            const synchronous::Phasor u =
                 motion.motion(d.deflection_at(planes[static_cast<std::size_t>(j)].z));
             R(j, k) = (u.x + std::complex<double>(0, 1) * u.y) / 2.0;
         }
@@ -68,7 +69,7 @@ TEST(ForwardReceptance, IsTheForcedMotionUnderUnitImbalances) {
         for (const auto &[rotor, form] :
              {std::pair(isotropic, Form::planar), std::pair(cross, Form::general)}) {
             const assembly::Discretization d(rotor, 1);
-            analyses::ForwardReceptance receptance(d, form, places_of(d));
+            synchronous::ForwardReceptance receptance(d, form, places_of(d));
             for (const double speed : {50.0, 220.0, 410.0, 1500.0}) {
                 const Eigen::MatrixXcd expected = receptance_by_response(rotor, form, speed);
                 // Two factorisations of matrices of condition 1e6 at most.
@@ -82,8 +83,8 @@ TEST(ForwardReceptance, IsTheForcedMotionUnderUnitImbalances) {
 TEST(ForwardReceptance, EqualBearingsInXAndYGiveThePlanarValue) {
     const model::Rotor rotor = damped_rotor(500);
     const assembly::Discretization d(rotor, 1);
-    analyses::ForwardReceptance planar(d, Form::planar, places_of(d));
-    analyses::ForwardReceptance general(d, Form::general, places_of(d));
+    synchronous::ForwardReceptance planar(d, Form::planar, places_of(d));
+    synchronous::ForwardReceptance general(d, Form::general, places_of(d));
     for (const double speed : {50.0, 220.0, 410.0, 1500.0}) {
         const Eigen::MatrixXcd R = planar.at(speed);
         EXPECT_LT((general.at(speed) - R).norm(), 1e-10 * R.norm()) << speed;
@@ -95,8 +96,8 @@ TEST(ForwardReceptance, InternalDampingDropsOutWithIsotropicBearings) {
     const assembly::Discretization plain(rotor, 1);
     rotor.shaft.internal_damping = 1e-4;
     const assembly::Discretization inside(rotor, 1);
-    analyses::ForwardReceptance without(plain, Form::planar, places_of(plain));
-    analyses::ForwardReceptance with(inside, Form::general, places_of(inside));
+    synchronous::ForwardReceptance without(plain, Form::planar, places_of(plain));
+    synchronous::ForwardReceptance with(inside, Form::general, places_of(inside));
     for (const double speed : {50.0, 410.0, 1500.0}) {
         const Eigen::MatrixXcd R = without.at(speed);
         EXPECT_LT((with.at(speed) - R).norm(), 1e-9 * R.norm()) << speed;

@@ -3,7 +3,8 @@
 
 #include "analyses/balance.h"
 #include "analyses/critical.h"
-#include "analyses/scenes.h"
+#include "results/critical.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::BalanceResult;
-using analyses::SpeedBand;
+using results::BalanceResult;
+using results::SpeedBand;
 
 /// Uniform in [a, b), the same on every machine.
 class Random {
@@ -222,7 +223,7 @@ TEST(BalanceInvariance, UnitsOfLengthMassAndTimeDoNotMatter) {
     const double big = std::ldexp(1.0, 30);
     for (const auto &[name, scene] : scenes()) {
         const BalanceResult given = analyses::balance(scene);
-        const analyses::CriticalResult critical = analyses::critical_speeds(scene);
+        const results::CriticalResult critical = analyses::critical_speeds(scene);
         for (const Units &units : {Units{big, 1, 1},
                                    {1 / big, 1, 1},
                                    {1, big, 1},

@@ -1,11 +1,12 @@
 // Four-pendulum balancers on rigid and flexible rotors.
 
 #include "analyses/balance.h"
-#include "analyses/balance_pendulum_motion.h"
-#include "analyses/forced_motion.h"
-#include "analyses/scenes.h"
 #include "closed_form/pendulum_balancer.h"
+#include "criterion/pendulum_motion.h"
 #include "model/errors.h"
+#include "results/formulation.h"
+#include "support/scenes.h"
+#include "synchronous/forced_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 namespace {
 
 using namespace whirl;
-using analyses::PendulumBalance;
+using results::PendulumBalance;
 
 model::Balancer pendulum_at(double z, double imbalance, double hinge = 0) {
     model::Balancer balancer;
@@ -113,7 +114,7 @@ struct FlexibleScene {
 
 TEST(BalancePendulum, SteadyMotionIsTheResponseToTheForcesOfItsPendulums) {
     const FlexibleScene scene;
-    analyses::PendulumShaft shaft(scene.rotor, 4, scene.pendulums, scene.drive);
+    criterion::PendulumShaft shaft(scene.rotor, 4, scene.pendulums, scene.drive);
     for (const double speed : {60.0, 250.0, 500.0}) {
         const auto motions = shaft.motions(speed, {});
         ASSERT_FALSE(motions.empty()) << speed;
@@ -130,7 +131,7 @@ TEST(BalancePendulum, SteadyMotionIsTheResponseToTheForcesOfItsPendulums) {
                                         std::abs(force), std::arg(force)));
             }
             const assembly::Discretization d(rotor, 4);
-            analyses::ForcedMotion response(d, analyses::Form::planar);
+            synchronous::ForcedMotion response(d, results::Form::planar);
             response.solve(speed);
             for (Eigen::Index j = 0; j < 2; ++j) {
                 const std::complex<double> u =
@@ -146,9 +147,9 @@ TEST(BalancePendulum, SteadyMotionIsTheResponseToTheForcesOfItsPendulums) {
 
 TEST(BalancePendulum, StabilityDoesNotDependOnHowManyModesAreKept) {
     const FlexibleScene scene;
-    analyses::PendulumShaft shaft(scene.rotor, 4, scene.pendulums, scene.drive);
-    const analyses::PendulumStability few(shaft, 0, 8);
-    const analyses::PendulumStability many(shaft, 0, 16);
+    criterion::PendulumShaft shaft(scene.rotor, 4, scene.pendulums, scene.drive);
+    const criterion::PendulumStability few(shaft, 0, 8);
+    const criterion::PendulumStability many(shaft, 0, 16);
     int growing = 0;
     for (const double speed : {60.0, 250.0, 500.0})
         for (const auto &motion : shaft.motions(speed, {})) {

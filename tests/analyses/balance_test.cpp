@@ -2,12 +2,13 @@
 // to the same numbers.
 
 #include "analyses/balance.h"
-
-#include "analyses/balance_scene.h"
-#include "analyses/forced_motion.h"
-#include "analyses/scenes.h"
-#include "analyses/synchronous.h"
+#include "criterion/rotor.h"
 #include "model/errors.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
+#include "support/scenes.h"
+#include "synchronous/critical_speeds.h"
+#include "synchronous/forced_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::BalanceResult;
-using analyses::SpeedBand;
+using results::BalanceResult;
+using results::SpeedBand;
 
 /// Rotor of theory.md 5.3: a body of 60 kg, its centre 0.4 m and 0.5 m from the supports, on a
 /// shaft without mass.
@@ -140,8 +141,8 @@ TEST(Balance, JointBandOfAFlexibleRotorEndsAtThePinnedCriticalSpeed) {
     for (const auto &plane : scene.rotor.planes)
         sprung.bearings.push_back(tests::isotropic_bearing(plane.z, 1e13));
     const assembly::Discretization d(sprung, 6);
-    for (const auto &mode : analyses::synchronous_modes(d, analyses::Form::planar, 0, 4))
-        if (mode.whirl == analyses::Whirl::forward) {
+    for (const auto &mode : synchronous::synchronous_modes(d, results::Form::planar, 0, 4))
+        if (mode.whirl == results::Whirl::forward) {
             EXPECT_NEAR(bands[0].to / mode.eigenvalue.imag(), 1, 1e-5);
             break;
         }
@@ -277,7 +278,7 @@ TEST(Balance, MapAgreesWithPlanesThatStandThere) {
     scene.rotor.planes = {{"", 0.275}, {"", 0.825}}; // stations 20 and 60 of 81
     const BalanceResult result = analyses::balance(scene, {true});
     ASSERT_TRUE(result.placement);
-    const analyses::Placement &map = *result.placement;
+    const results::Placement &map = *result.placement;
     const double mass = result.rigid->mass;
     for (const auto &[plane, station] : {std::pair(0U, 20U), std::pair(1U, 60U)}) {
         EXPECT_NEAR(map.z[station], scene.rotor.planes[plane].z, 1e-12);

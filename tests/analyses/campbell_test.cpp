@@ -1,8 +1,10 @@
 #include "analyses/campbell.h"
-
 #include "analyses/critical.h"
-#include "analyses/formulation.h"
 #include "model/errors.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
@@ -27,16 +29,16 @@ TEST(Campbell, CrossingsAreTheCriticalSpeedsFoundWithoutASweep) {
     // Undamped, both are roots of the same determinant, by two independent ways.
     for (const double kyy : {1e6, 0.8e6}) {
         const model::Case scene = scene_of(tests::two_disc_rotor(1e6, kyy), 8, 1300, 27);
-        const analyses::CampbellResult sweep = analyses::campbell(scene);
-        const analyses::CriticalResult direct = analyses::critical_speeds(scene);
+        const results::CampbellResult sweep = analyses::campbell(scene);
+        const results::CriticalResult direct = analyses::critical_speeds(scene);
         ASSERT_GE(sweep.crossings.size(), 6U);
         for (std::size_t i = 0; i < sweep.crossings.size(); ++i) {
-            const analyses::Crossing &crossing = sweep.crossings[i];
+            const results::Crossing &crossing = sweep.crossings[i];
             EXPECT_NEAR(crossing.speed / direct.critical_speeds.at(i).speed, 1, 1e-9) << i;
             // Of crossing senses: the mode that crosses whirls as the critical speed says.
             const auto &mode = sweep.modes[static_cast<std::size_t>(crossing.mode)];
             EXPECT_EQ(mode.label.back() == 'F',
-                      direct.critical_speeds[i].whirl == analyses::Whirl::forward)
+                      direct.critical_speeds[i].whirl == results::Whirl::forward)
                 << mode.label;
         }
     }
@@ -45,12 +47,12 @@ TEST(Campbell, CrossingsAreTheCriticalSpeedsFoundWithoutASweep) {
 TEST(Campbell, MultiplesCrossWhereTheFrequencyIsTheMultiple) {
     model::Case scene = scene_of(tests::two_disc_rotor(1e6, 1e6), 8, 600, 13);
     scene.campbell.multiples = {0.5, 2};
-    const analyses::CampbellResult sweep = analyses::campbell(scene);
+    const results::CampbellResult sweep = analyses::campbell(scene);
     ASSERT_FALSE(sweep.crossings.empty());
-    for (const analyses::Crossing &crossing : sweep.crossings) {
+    for (const results::Crossing &crossing : sweep.crossings) {
         model::Case at = scene;
         at.speeds = model::SpeedRange{crossing.speed, crossing.speed, 1};
-        const analyses::CampbellResult one = analyses::campbell(at);
+        const results::CampbellResult one = analyses::campbell(at);
         const bool met = std::any_of(one.modes.begin(), one.modes.end(), [&](const auto &mode) {
             return std::abs(*mode.frequency[0] / (crossing.multiple * crossing.speed) - 1) < 1e-9;
         });
@@ -61,15 +63,15 @@ TEST(Campbell, MultiplesCrossWhereTheFrequencyIsTheMultiple) {
 TEST(Campbell, FollowsEachModeOnceThroughCrossingsAndRefinement) {
     // Forward modes rise and backward ones fall with speed (gyroscopic stiffening), and no two
     // lines share a frequency and a sense at any speed.
-    const analyses::CampbellResult sweep =
+    const results::CampbellResult sweep =
         analyses::campbell(scene_of(tests::two_disc_rotor(1e6, 1e6), 8, 4000, 9));
     for (std::size_t k = 0; k < sweep.speeds.size(); ++k) {
-        std::set<std::pair<double, analyses::Whirl>> seen;
+        std::set<std::pair<double, results::Whirl>> seen;
         for (const auto &mode : sweep.modes) {
             ASSERT_TRUE(mode.frequency[k]);
             EXPECT_TRUE(seen.emplace(std::round(1e6 * *mode.frequency[k]), mode.whirl[k]).second);
             EXPECT_EQ(mode.whirl[k], mode.whirl[0]);
-            if (k > 0 && mode.whirl[k] == analyses::Whirl::forward) {
+            if (k > 0 && mode.whirl[k] == results::Whirl::forward) {
                 EXPECT_GT(*mode.frequency[k], *mode.frequency[k - 1]);
             } else if (k > 0) {
                 EXPECT_LT(*mode.frequency[k], *mode.frequency[k - 1]);
@@ -101,9 +103,9 @@ TEST(Campbell, UndampedMotionHasNoDampingInAnyForm) {
     model::Rotor asymmetric = tests::two_disc_rotor(1e6, 1e6);
     asymmetric.shaft.segments[1].asymmetry = 0.2;
     for (const model::Rotor &rotor : {coupled, asymmetric}) {
-        const analyses::CampbellResult result = analyses::campbell(scene_of(rotor, 3, 60, 13));
-        EXPECT_NE(analyses::unknowns_name(result.model.formulation.form), "planar");
-        for (const analyses::CampbellMode &mode : result.modes)
+        const results::CampbellResult result = analyses::campbell(scene_of(rotor, 3, 60, 13));
+        EXPECT_NE(results::unknowns_name(result.model.formulation.form), "planar");
+        for (const results::CampbellMode &mode : result.modes)
             for (std::size_t k = 0; k < result.speeds.size(); ++k) {
                 EXPECT_EQ(mode.real[k].value_or(0), 0) << mode.label;
                 EXPECT_EQ(mode.damping_ratio[k].value_or(0), 0) << mode.label;
@@ -118,12 +120,12 @@ TEST(Campbell, DampingFarBelowTheDiscretisationErrorIsKept) {
     rotor.shaft.rigid = true;
     rotor.discs = {tests::disc(0.75, 50, 2, 3)};
     const double mass = 50 + 7810 * 1.5 * M_PI * 0.025 * 0.025;
-    const analyses::CampbellResult result = analyses::campbell(scene_of(rotor, 1, 200, 3));
-    const auto bounce = [&](const analyses::CampbellMode &mode) {
+    const results::CampbellResult result = analyses::campbell(scene_of(rotor, 1, 200, 3));
+    const auto bounce = [&](const results::CampbellMode &mode) {
         return std::abs(*mode.frequency[1] / std::sqrt(2e6 / mass) - 1) < 1e-9;
     };
     EXPECT_EQ(std::count_if(result.modes.begin(), result.modes.end(), bounce), 2);
-    for (const analyses::CampbellMode &mode : result.modes)
+    for (const results::CampbellMode &mode : result.modes)
         if (bounce(mode)) {
             EXPECT_NEAR(*mode.real[1] / (-1e-5 / mass), 1, 1e-3) << mode.label; // 7e-10 of l
         }

@@ -2,9 +2,10 @@
 // the eigenvalues with the bearings of that speed, by dense solvers, and the sign changes between.
 
 #include "analyses/critical.h"
-#include "analyses/scenes.h"
 #include "assembly/system.h"
 #include "input/case_file.h"
+#include "results/critical.h"
+#include "support/scenes.h"
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
@@ -18,7 +19,7 @@
 namespace {
 
 using namespace whirl;
-using analyses::CriticalResult;
+using results::CriticalResult;
 using Complex = std::complex<double>;
 
 std::vector<double> speeds_of(const CriticalResult &result, double top) {

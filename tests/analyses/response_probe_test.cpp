@@ -3,8 +3,8 @@
 
 #include "analyses/response.h"
 
-#include "analyses/scenes.h"
 #include "support/scaled_units.h"
+#include "support/scenes.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@
 namespace {
 
 using namespace whirl;
-using analyses::ResponseNode;
-using analyses::ResponseProbe;
-using analyses::ResponseResult;
 using analyses::unbalance_response;
+using results::ResponseNode;
+using results::ResponseProbe;
+using results::ResponseResult;
 
 constexpr double pi = std::numbers::pi;
 // Well-conditioned systems of a few unknowns, solved in double precision.

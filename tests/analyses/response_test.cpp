@@ -1,10 +1,10 @@
 #include "analyses/response.h"
-
-#include "analyses/scenes.h"
 #include "closed_form/jeffcott.h"
 #include "elements/section.h"
 #include "input/case_file.h"
 #include "model/errors.h"
+#include "results/formulation.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@
 namespace {
 
 using namespace whirl;
-using analyses::ResponseResult;
 using analyses::unbalance_response;
+using results::ResponseResult;
 
 // Well-conditioned systems of a few unknowns, solved in double precision.
 constexpr double rounding = 1e-10;
 
-const analyses::ResponseNode &node_at(const ResponseResult &result, double z) {
-    for (const analyses::ResponseNode &node : result.nodes)
+const results::ResponseNode &node_at(const ResponseResult &result, double z) {
+    for (const results::ResponseNode &node : result.nodes)
         if (std::abs(node.z - z) < 1e-9)
             return node;
     throw std::runtime_error("no such node");
@@ -60,8 +60,8 @@ TEST(UnbalanceResponse, jeffcott_rotor) {
     for (const int order : {1, 4, 8}) {
         jeffcott.scene.rotor.shaft.order = order;
         const ResponseResult result = unbalance_response(jeffcott.scene);
-        EXPECT_EQ(result.model.formulation.form, analyses::Form::planar);
-        const analyses::ResponseNode &disc = node_at(result, 0.5);
+        EXPECT_EQ(result.model.formulation.form, results::Form::planar);
+        const results::ResponseNode &disc = node_at(result, 0.5);
         ASSERT_EQ(result.speeds.size(), 16U);
         for (std::size_t i = 0; i < result.speeds.size(); ++i) {
             const std::complex<double> u =
@@ -142,13 +142,13 @@ TEST(UnbalanceResponse, orthotropic_bearings_give_backward_orbits_between_the_cr
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.rows[0].k(1, 1) = 8e6;
     const ResponseResult result = unbalance_response(scene);
-    EXPECT_EQ(result.model.formulation.form, analyses::Form::general);
+    EXPECT_EQ(result.model.formulation.form, results::Form::general);
     int backward = 0;
     for (std::size_t i = 0; i < result.speeds.size(); ++i) {
         const double s2 = result.speeds[i] * result.speeds[i];
         const double x = 1e-3 * s2 / (4e6 - 60 * s2);
         const double y = 1e-3 * s2 / (16e6 - 60 * s2);
-        const analyses::ResponseNode &middle = node_at(result, 0.5);
+        const results::ResponseNode &middle = node_at(result, 0.5);
         EXPECT_NEAR(middle.major[i] / std::max(std::abs(x), std::abs(y)), 1, rounding);
         const double minor = std::min(std::abs(x), std::abs(y)) * (x * y > 0 ? 1 : -1);
         EXPECT_NEAR(middle.minor[i] / minor, 1, 10 * rounding);
@@ -203,7 +203,7 @@ TEST(UnbalanceResponse, lists_every_place_where_something_is_attached) {
     scene.rotor.planes = {{"", 0.7}};
     const ResponseResult result = unbalance_response(scene);
     std::vector<std::pair<double, std::string>> places; // and the disc, the other bearing
-    for (const analyses::ResponseNode &node : result.nodes)
+    for (const results::ResponseNode &node : result.nodes)
         places.emplace_back(node.z, node.name);
     EXPECT_EQ(places, (std::vector<std::pair<double, std::string>>{
                           {0, "left"}, {0.3, "keyway"}, {0.5, ""}, {0.7, ""}, {1, ""}}));

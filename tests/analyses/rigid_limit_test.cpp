@@ -1,8 +1,9 @@
-#include "analyses/rigid_limit.h"
-
 #include "analyses/critical.h"
+#include "analyses/rigid_limit.h"
 #include "model/errors.h"
-#include "rigid_rotors.h"
+#include "results/critical.h"
+#include "results/whirl.h"
+#include "support/rigid_rotors.h"
 
 #include <gtest/gtest.h>
 
@@ -16,24 +17,25 @@ namespace {
 using namespace whirl::tests;
 
 /// The rows of the stiffness sweep, or those of the mesh sweep with elements of one order.
-std::vector<RigidLimitRow> stiffness_rows(const RigidLimitResult &result) {
-    std::vector<RigidLimitRow> rows;
-    for (const RigidLimitRow &row : result.rows)
+std::vector<results::RigidLimitRow> stiffness_rows(const results::RigidLimitResult &result) {
+    std::vector<results::RigidLimitRow> rows;
+    for (const results::RigidLimitRow &row : result.rows)
         if (row.elements.empty())
             rows.push_back(row);
     return rows;
 }
 
-std::vector<RigidLimitRow> mesh_rows(const RigidLimitResult &result, int order) {
-    std::vector<RigidLimitRow> rows;
-    for (const RigidLimitRow &row : result.rows)
+std::vector<results::RigidLimitRow> mesh_rows(const results::RigidLimitResult &result, int order) {
+    std::vector<results::RigidLimitRow> rows;
+    for (const results::RigidLimitRow &row : result.rows)
         if (!row.elements.empty() && row.order == order)
             rows.push_back(row);
     return rows;
 }
 
-RigidLimitRow row_named(const RigidLimitResult &result, const std::string &quantity) {
-    for (const RigidLimitRow &row : result.rows)
+results::RigidLimitRow row_named(const results::RigidLimitResult &result,
+                                 const std::string &quantity) {
+    for (const results::RigidLimitRow &row : result.rows)
         if (row.quantity == quantity)
             return row;
     ADD_FAILURE() << "no row " << quantity;
@@ -57,7 +59,7 @@ std::string failure_of(const model::Case &scene) {
 
 /// First-order convergence: each difference falls like 1/stiffness. The fit takes differences below
 /// 1 %, where the next term changes the slope by less than that.
-void expect_first_order(const RigidLimitRow &row) {
+void expect_first_order(const results::RigidLimitRow &row) {
     ASSERT_TRUE(row.rate) << row.quantity;
     EXPECT_NEAR(*row.rate, -1, 3e-3) << row.quantity;
     ASSERT_FALSE(row.relative_difference.empty());
@@ -69,13 +71,13 @@ void expect_first_order(const RigidLimitRow &row) {
 } // namespace
 
 TEST(RigidLimit, TwoSupportRotorConvergesToItsResonances) {
-    const RigidLimitResult result = rigid_limit(two_support_case());
+    const results::RigidLimitResult result = rigid_limit(two_support_case());
     const auto rows = stiffness_rows(result);
     ASSERT_EQ(rows.size(), 2u);
     // The source's numbers, of which the first is rounded up wrongly there; all digits given.
     EXPECT_NEAR(rows[0].closed_form, 272.886055, 1e-6);
     EXPECT_NEAR(rows[1].closed_form, 737.473073, 1e-6);
-    for (const RigidLimitRow &row : rows)
+    for (const results::RigidLimitRow &row : rows)
         expect_first_order(row);
     EXPECT_EQ(result.bearing_stiffness, 5e6);
     // 48 EI/L^3 by hand.
@@ -86,27 +88,27 @@ TEST(RigidLimit, TwoSupportRotorConvergesToItsResonances) {
 TEST(RigidLimit, AdditionalSpeedsOfPlanesConverge) {
     model::Case scene = two_support_case();
     scene.rotor.planes = {{"left", 0.1}, {"", 0.4}, {"right", 0.85}};
-    const RigidLimitResult result = rigid_limit(scene);
+    const results::RigidLimitResult result = rigid_limit(scene);
     // The source's numbers at -0.3, 0 and 0.45 m from the centre of mass.
     for (const auto &[name, speed] :
          {std::pair("additional speed, pinned at left", 512.017736),
           std::pair("additional speed, pinned at z = 0.4 m", 731.436942),
           std::pair("additional speed, pinned at right", 320.390663)}) {
-        const RigidLimitRow row = row_named(result, name);
+        const results::RigidLimitRow row = row_named(result, name);
         EXPECT_NEAR(row.closed_form, speed, 1e-6);
         expect_first_order(row);
     }
 }
 
 TEST(RigidLimit, EndsOfTheUnstableRangeConverge) {
-    const RigidLimitResult result = rigid_limit(anisotropic_case());
+    const results::RigidLimitResult result = rigid_limit(anisotropic_case());
     // The source's numbers, printed with six decimals.
     for (const auto &[name, value] : {std::pair("forward critical speed 2", 2.282177),
                                       std::pair("forward critical speed 3", 3.952847),
                                       std::pair("unstable range, lower end", 2.381264),
                                       std::pair("unstable range, upper end", 3.788366),
                                       std::pair("permissible anisotropy", 0.055266)}) {
-        const RigidLimitRow row = row_named(result, name);
+        const results::RigidLimitRow row = row_named(result, name);
         EXPECT_NEAR(row.closed_form, value, 6e-7) << name;
         expect_first_order(row);
     }
@@ -115,16 +117,16 @@ TEST(RigidLimit, EndsOfTheUnstableRangeConverge) {
 TEST(RigidLimit, WithoutUpperEndTheRangeHasOne) {
     model::Case scene = anisotropic_case();
     scene.rotor.discs[0].Ip = 1.0; // the source: unstable from 4.11 on
-    const RigidLimitResult result = rigid_limit(scene);
-    const RigidLimitRow row = row_named(result, "unstable above");
+    const results::RigidLimitResult result = rigid_limit(scene);
+    const results::RigidLimitRow row = row_named(result, "unstable above");
     EXPECT_NEAR(row.closed_form, 4.11, 5e-3);
     expect_first_order(row);
 }
 
 TEST(RigidLimit, BalancersCriticalAndAdditionalSpeedsConverge) {
-    const RigidLimitResult result = rigid_limit(balancer_case());
+    const results::RigidLimitResult result = rigid_limit(balancer_case());
     int additional = 0;
-    for (const RigidLimitRow &row : stiffness_rows(result)) {
+    for (const results::RigidLimitRow &row : stiffness_rows(result)) {
         additional += row.quantity.starts_with("additional") ? 1 : 0;
         ASSERT_TRUE(row.rate) << row.quantity;
         EXPECT_NEAR(*row.rate, -1, 3e-3) << row.quantity;
@@ -137,14 +139,14 @@ TEST(RigidLimit, RigidModelIsTheClosedForm) {
     scenes[0].rotor.planes = {{"", 0.2}};
     for (model::Case &scene : scenes) {
         scene.rotor.shaft.rigid = true;
-        const RigidLimitResult result = rigid_limit(scene);
+        const results::RigidLimitResult result = rigid_limit(scene);
         EXPECT_FALSE(result.rows.empty());
-        for (const RigidLimitRow &row : result.rows)
+        for (const results::RigidLimitRow &row : result.rows)
             for (const auto &difference : row.relative_difference) {
                 ASSERT_TRUE(difference) << row.quantity;
                 EXPECT_LT(*difference, 1e-9) << row.quantity; // rounding of 1e6 N/m against itself
             }
-        for (const RigidLimitRow &row : stiffness_rows(result))
+        for (const results::RigidLimitRow &row : stiffness_rows(result))
             EXPECT_TRUE(row.stiffness.size() == 1 && std::isinf(row.stiffness[0]));
     }
 }
@@ -152,13 +154,14 @@ TEST(RigidLimit, RigidModelIsTheClosedForm) {
 TEST(RigidLimit, OnePercentIsWhereItIs) {
     // By the analysis of critical speeds, which shares no code with the comparison.
     const model::Case scene = two_support_case();
-    const RigidLimitResult result = rigid_limit(scene);
+    const results::RigidLimitResult result = rigid_limit(scene);
     ASSERT_TRUE(result.one_percent);
     const auto largest = [&](double factor) {
         double worst = 0;
         std::vector<double> forward;
-        for (const CriticalSpeed &critical : critical_speeds(scaled(scene, factor)).critical_speeds)
-            if (critical.whirl == Whirl::forward)
+        for (const results::CriticalSpeed &critical :
+             critical_speeds(scaled(scene, factor)).critical_speeds)
+            if (critical.whirl == results::Whirl::forward)
                 forward.push_back(critical.speed);
         const std::vector<double> exact{272.88605538, 737.47307345};
         for (std::size_t i = 0; i < exact.size(); ++i)
@@ -172,7 +175,7 @@ TEST(RigidLimit, OnePercentIsWhereItIs) {
     EXPECT_NEAR(result.one_percent->over_bearings, factor * result.stiffness / 5e6, 1e-9 * factor);
     EXPECT_NE(result.sentence.find("within 1 % once the shaft is"), std::string::npos);
     // Of a shaft that is stiff enough the answer is a softer one: the same stiffness.
-    const RigidLimitResult stiff = rigid_limit(scaled(scene, 1000));
+    const results::RigidLimitResult stiff = rigid_limit(scaled(scene, 1000));
     ASSERT_TRUE(stiff.one_percent && stiff.as_is);
     EXPECT_LT(stiff.as_is->largest, 0.01);
     EXPECT_NEAR(stiff.one_percent->stiffness / result.one_percent->stiffness, 1, 1e-6);
@@ -185,11 +188,11 @@ TEST(RigidLimit, OneElementIsEnoughForTheLimit) {
     scene.rotor.shaft.segments[0].elements = 12;
     scene.rotor.bearings = {isotropic_bearing(0, 1e6), isotropic_bearing(1.2, 2e6)};
     scene.rotor.discs = {disc_at(1.2, 5, 0.05, 0.09)};
-    const RigidLimitResult result = rigid_limit(scene);
+    const results::RigidLimitResult result = rigid_limit(scene);
     for (const int order : {4, 1}) {
         const auto rows = mesh_rows(result, order);
         ASSERT_FALSE(rows.empty());
-        for (const RigidLimitRow &row : rows) {
+        for (const results::RigidLimitRow &row : rows) {
             EXPECT_GT(row.elements.front(), 12);
             EXPECT_EQ(row.elements.back(), 1);
             EXPECT_TRUE(std::is_sorted(row.elements.rbegin(), row.elements.rend()));
@@ -225,13 +228,13 @@ TEST(RigidLimit, SaysWhatHasNoClosedForm) {
 }
 
 TEST(RigidLimit, TablesAreReadAtZeroSpeed) {
-    const RigidLimitResult constant = rigid_limit(two_support_case());
+    const results::RigidLimitResult constant = rigid_limit(two_support_case());
     model::Case scene = two_support_case();
     model::Bearing &bearing = scene.rotor.bearings[0];
     bearing.rows.push_back(bearing.rows[0]);
     bearing.rows[1].k *= 5;
     bearing.speeds = {0, 500};
-    const RigidLimitResult table = rigid_limit(scene);
+    const results::RigidLimitResult table = rigid_limit(scene);
     ASSERT_EQ(table.rows.size(), constant.rows.size());
     for (std::size_t i = 0; i < table.rows.size(); ++i)
         EXPECT_EQ(table.rows[i].fe, constant.rows[i].fe);

@@ -1,6 +1,7 @@
-#include "analyses/scenes.h"
 #include "analyses/show.h"
 #include "closed_form/composite_rotor_parameters.h"
+#include "results/show.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -93,7 +94,7 @@ TEST(ShowBalancers, composite_rotor_is_the_body_of_its_points) {
     const Eigen::Vector2d smaller(std::cos(0.3), std::sin(0.3));
     body.add_tensor(0.02 * (Eigen::Matrix2d::Identity() - 2 * smaller * smaller.transpose()));
 
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     const Eigen::Matrix3d inertia = body.about_center();
     ASSERT_LT(body.center().head<2>().norm(), 1e-15) << "the positions balance";
     EXPECT_NEAR(result.mass / body.mass(), 1, rounding);
@@ -109,8 +110,8 @@ TEST(ShowBalancers, composite_rotor_is_the_body_of_its_points) {
 }
 
 TEST(ShowBalancers, paper_numbers_of_the_base_set) {
-    const analyses::ShowResult result = analyses::show(base_set());
-    const analyses::BalancerNumbers &balancer = result.balancers.at(0);
+    const results::ShowResult result = analyses::show(base_set());
+    const results::BalancerNumbers &balancer = result.balancers.at(0);
     const double half_digit = 0.0005; // three decimals are printed
     EXPECT_NEAR(balancer.E, 2, rounding);
     EXPECT_NEAR(balancer.dimensionless.m, 0.063, half_digit);
@@ -123,7 +124,7 @@ TEST(ShowBalancers, paper_numbers_of_the_base_set) {
 }
 
 TEST(ShowBalancers, two_balls_of_capacity_two_leave_the_rotor_isotropic) {
-    const analyses::ShowResult result = analyses::show(base_set());
+    const results::ShowResult result = analyses::show(base_set());
     // A_m0 - A_m/2 = 0.08 - 0.08 kg m2: nothing but rounding may be left.
     EXPECT_NEAR(result.dI.value(), 0, 1e-16);
     EXPECT_NEAR(result.balancers.at(0).dA.value(), 0, 1e-16);
@@ -133,8 +134,8 @@ TEST(ShowBalancers, two_balls_of_capacity_two_leave_the_rotor_isotropic) {
 }
 
 TEST(ShowBalancers, dimensionless_supports_of_two_equal_bearings) {
-    const analyses::ShowResult result = analyses::show(base_set());
-    const analyses::DimensionlessNumbers &d = result.balancers.at(0).dimensionless;
+    const results::ShowResult result = analyses::show(base_set());
+    const results::DimensionlessNumbers &d = result.balancers.at(0).dimensionless;
     const double span = 0.7;
     const double rho = std::sqrt(result.Id / result.mass) / span;
     closed_form::DimensionlessParameters expected;
@@ -152,8 +153,8 @@ TEST(ShowBalancers, dimensionless_supports_of_two_equal_bearings) {
 TEST(ShowBalancers, bearings_without_isotropic_coefficients_leave_the_masses) {
     model::Case scene = base_set();
     scene.rotor.bearings[1].rows[0].k(1, 1) *= 2;
-    const analyses::ShowResult result = analyses::show(scene);
-    const analyses::DimensionlessNumbers &d = result.balancers.at(0).dimensionless;
+    const results::ShowResult result = analyses::show(scene);
+    const results::DimensionlessNumbers &d = result.balancers.at(0).dimensionless;
     EXPECT_FALSE(d.p2 || d.c_y || d.h_x || d.h_beta || d.h_y || d.h_s);
     EXPECT_NEAR(d.C, 0.901, 0.0005);
     EXPECT_TRUE(d.A);
@@ -166,7 +167,7 @@ TEST(ShowBalancers, bearings_without_isotropic_coefficients_leave_the_masses) {
 TEST(ShowBalancers, three_balls_have_an_interval) {
     model::Case scene = base_set();
     scene.rotor.balancers = {balls(0.5, 3, 4.0 / 3, 0.4)}; // E = 2
-    const analyses::BalancerNumbers balancer = analyses::show(scene).balancers.at(0);
+    const results::BalancerNumbers balancer = analyses::show(scene).balancers.at(0);
     // Six digits of three balls at E = 2: |D| 0.25 to 0.728869, |1 + 2 D| 0.5 to 1.837117.
     EXPECT_NEAR(balancer.D_interval->first, 0.25, 1e-6);
     EXPECT_NEAR(balancer.D_interval->second, 0.728869, 1e-6);
@@ -177,8 +178,8 @@ TEST(ShowBalancers, three_balls_have_an_interval) {
 TEST(ShowBalancers, without_a_balanced_position_masses_remain) {
     model::Case scene = base_set();
     scene.rotor.balancers = {balls(0.5, 2, 1, 0.5)}; // E = 0.8
-    const analyses::ShowResult result = analyses::show(scene);
-    const analyses::BalancerNumbers &balancer = result.balancers.at(0);
+    const results::ShowResult result = analyses::show(scene);
+    const results::BalancerNumbers &balancer = result.balancers.at(0);
     EXPECT_NEAR(balancer.E, 0.8, rounding);
     EXPECT_FALSE(balancer.D || balancer.dA || balancer.D_interval || balancer.curves || result.dI);
     EXPECT_FALSE(balancer.dimensionless.A);
@@ -189,13 +190,13 @@ TEST(ShowBalancers, without_a_balanced_position_masses_remain) {
 TEST(ShowBalancers, own_eccentricity_adds_no_mass) {
     model::Case scene = base_set();
     scene.rotor.balancers[0].imbalance_radius.reset();
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     EXPECT_NEAR(result.mass, 61.83, 1e-12);
     EXPECT_NEAR(result.Ip, 0.289 + 0.16, rounding);
     EXPECT_NEAR(result.dI.value(), 0.04, rounding); // A_m |D|/2
     EXPECT_EQ(result.balancers.at(0).dimensionless.A_m0, 0);
     scene.rotor.balancers[0].imbalance = 0;
-    const analyses::BalancerNumbers idle = analyses::show(scene).balancers.at(0);
+    const results::BalancerNumbers idle = analyses::show(scene).balancers.at(0);
     EXPECT_TRUE(std::isinf(idle.E));
     EXPECT_NEAR(idle.D->real(), -1, rounding);
 }
@@ -210,7 +211,7 @@ TEST(ShowBalancers, pendulums_count_at_rest) {
     pendulum.mass = 0.5;
     pendulum.arm = 0.12;
     pendulum.pivot = 0.03;
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     EXPECT_NEAR(result.mass, 59.83, 1e-12);
     EXPECT_NEAR(result.Ip, 0.289 + 4 * 0.5 * 0.15 * 0.15, rounding);
     EXPECT_NEAR(result.Id, 0.413 + 2 * 0.5 * 0.15 * 0.15, 1e-12);
@@ -220,8 +221,8 @@ TEST(ShowBalancers, pendulums_count_at_rest) {
 TEST(ShowBalancers, curves_are_those_of_rotors_with_scaled_masses) {
     model::Case scene = base_set();
     scene.rotor.balancers = {balls(0.5, 3, 2, 0.4)}; // E = 3
-    const analyses::ShowResult result = analyses::show(scene);
-    const analyses::CompositeCurves &curves = result.balancers.at(0).curves.value();
+    const results::ShowResult result = analyses::show(scene);
+    const results::CompositeCurves &curves = result.balancers.at(0).curves.value();
     EXPECT_EQ(curves.m.front(), 0);
     EXPECT_NEAR(curves.C.front(), 0.289 / 0.413, 1e-12);
     EXPECT_EQ(curves.A.front(), 0);
@@ -231,8 +232,8 @@ TEST(ShowBalancers, curves_are_those_of_rotors_with_scaled_masses) {
         model::Case scaled = scene;
         scaled.rotor.balancers[0].mass *= s;
         scaled.rotor.balancers[0].imbalance *= s;
-        const analyses::ShowResult there = analyses::show(scaled);
-        const analyses::BalancerNumbers &balancer = there.balancers.at(0);
+        const results::ShowResult there = analyses::show(scaled);
+        const results::BalancerNumbers &balancer = there.balancers.at(0);
         EXPECT_NEAR(balancer.dimensionless.m, curves.m[i], rounding);
         EXPECT_NEAR(balancer.dimensionless.C, curves.C[i], 1e-12);
         EXPECT_NEAR(balancer.dimensionless.A_m, curves.A_m[i], 1e-12);
@@ -257,8 +258,8 @@ model::Case anisotropic_rotor() {
 }
 
 TEST(ShowAnisotropy, numbers_of_the_base_set) {
-    const analyses::ShowResult result = analyses::show(anisotropic_rotor());
-    const analyses::AnisotropyChart &chart = result.anisotropy.value();
+    const results::ShowResult result = analyses::show(anisotropic_rotor());
+    const results::AnisotropyChart &chart = result.anisotropy.value();
     EXPECT_NEAR(chart.p, 1.25, 1e-12);
     EXPECT_NEAR(chart.h, 0.156, 1e-12);
     EXPECT_NEAR(chart.C, 0.8, 1e-12);
@@ -284,7 +285,7 @@ TEST(ShowAnisotropy, numbers_of_the_base_set) {
 TEST(ShowAnisotropy, anisotropies_at_right_angles_cancel) {
     model::Case scene = anisotropic_rotor();
     scene.rotor.anisotropies = {{"", 1, 0.1, 0.2}, {"", 0.3, 0.1, 0.2 + pi / 2}};
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     EXPECT_NEAR(result.dI.value(), 0, 1e-15);
     EXPECT_FALSE(result.anisotropy->unstable);
 }
@@ -297,7 +298,7 @@ TEST(ShowAnisotropy, no_chart_without_symmetry) {
     model::Case with_balls = anisotropic_rotor();
     with_balls.rotor.balancers = {balls(1, 2, 0.1, 0.01)};
     for (const model::Case &scene : {shifted, orthotropic, with_balls}) {
-        const analyses::ShowResult result = analyses::show(scene);
+        const results::ShowResult result = analyses::show(scene);
         EXPECT_FALSE(result.anisotropy);
         bool said = false;
         for (const std::string &note : result.model.notes)

@@ -1,6 +1,7 @@
 #include "analyses/show.h"
-
-#include "analyses/scenes.h"
+#include "results/formulation.h"
+#include "results/show.h"
+#include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ TEST(Show, uniform_shaft_with_a_disc) {
     scene.rotor.shaft = tests::uniform_shaft(1.2, 0.1, tests::steel());
     scene.rotor.shaft.segments[0].elements = 7;
     scene.rotor.discs = {tests::disc_at(0.9, 20, 0.3, 0.5)};
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     const double m = 7800 * pi * 0.05 * 0.05 * 1.2;
     const double center = (m * 0.6 + 20 * 0.9) / (m + 20);
     const double Id = m * (3 * 0.05 * 0.05 + 1.2 * 1.2) / 12 + m * (0.6 - center) * (0.6 - center) +
@@ -47,7 +48,7 @@ TEST(Show, hollow_cone_is_a_difference_of_cones) {
     model::Case scene;
     // Outer radius 0.04 to 0.08 over 0.5 m: cones of heights 0.5 and 1.0; bore 0.01 to 0.02.
     scene.rotor.shaft.segments.push_back({0.5, 0.08, 0.16, 0.02, 0.04, tests::steel(), 3});
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     const double rho = 7800;
     const Cone parts[] = {{rho, 0.08, 1.0}, {rho, 0.04, 0.5}, {rho, 0.02, 1.0}, {rho, 0.01, 0.5}};
     const double sign[] = {1, -1, -1, 1};
@@ -84,10 +85,10 @@ TEST(Show, names_the_form_of_each_command) {
     model::Case scene;
     scene.rotor.shaft = tests::uniform_shaft(1, 0.1, tests::steel());
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e7, 10), tests::isotropic_bearing(1, 1e7)};
-    const analyses::ShowResult result = analyses::show(scene);
+    const results::ShowResult result = analyses::show(scene);
     for (const auto &[command, formulation] : result.formulations)
         EXPECT_EQ(formulation.form,
-                  command == "response" ? analyses::Form::planar : analyses::Form::general)
+                  command == "response" ? results::Form::planar : results::Form::general)
             << command;
     EXPECT_EQ(result.formulations.size(), 6U);
 }

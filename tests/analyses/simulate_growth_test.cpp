@@ -2,8 +2,8 @@
 
 #include "analyses/simulate.h"
 
-#include "analyses/balancer_scenes.h"
-#include "analyses/linear_growth.h"
+#include "simulation/linear_growth.h"
+#include "support/balancer_scenes.h"
 #include "support/scaled_units.h"
 
 #include <gtest/gtest.h>
@@ -40,12 +40,13 @@ model::Case driven_rotor(double time) {
 constexpr double growth = 2.203977;
 
 TEST(SimulateGrowth, is_that_of_the_eigenvalue) {
-    const std::optional<double> found = linear_growth(driven_rotor(1), 600, {{1.9, -1.9}});
+    const std::optional<double> found =
+        simulation::linear_growth(driven_rotor(1), 600, {{1.9, -1.9}});
     ASSERT_TRUE(found);
     EXPECT_NEAR(*found, growth, 2e-6); // digits of the source
     for (const double time : {2.0, 3.0, 5.0}) {
-        const SimulateResult result = simulate(driven_rotor(time));
-        EXPECT_EQ(result.outcome, Outcome::growing) << time << " s: " << result.evidence;
+        const results::SimulateResult result = simulate(driven_rotor(time));
+        EXPECT_EQ(result.outcome, results::Outcome::growing) << time << " s: " << result.evidence;
         ASSERT_TRUE(result.trend);
         // Early on what else dies out is still in the amplitude.
         EXPECT_NEAR(*result.trend / growth, 1, time < 3 ? 0.02 : 1e-3) << time;
@@ -54,15 +55,15 @@ TEST(SimulateGrowth, is_that_of_the_eigenvalue) {
 }
 
 TEST(SimulateGrowth, is_not_called_balanced_before_it_shows) {
-    const SimulateResult result = simulate(driven_rotor(1));
-    EXPECT_EQ(result.outcome, Outcome::undecided) << result.evidence;
+    const results::SimulateResult result = simulate(driven_rotor(1));
+    EXPECT_EQ(result.outcome, results::Outcome::undecided) << result.evidence;
     ASSERT_TRUE(result.decision_time);
     EXPECT_NEAR(*result.decision_time, 1 + std::log(1e8) / growth, 1e-4);
 }
 
 TEST(SimulateGrowth, beyond_all_numbers_is_growing_too) {
-    const SimulateResult result = simulate(driven_rotor(8));
-    EXPECT_EQ(result.outcome, Outcome::growing) << result.evidence;
+    const results::SimulateResult result = simulate(driven_rotor(8));
+    EXPECT_EQ(result.outcome, results::Outcome::growing) << result.evidence;
     EXPECT_LT(result.time, 8);
     EXPECT_FALSE(result.model.notes.empty());
 }
@@ -70,8 +71,8 @@ TEST(SimulateGrowth, beyond_all_numbers_is_growing_too) {
 TEST(SimulateGrowth, without_the_seal_it_balances) {
     model::Case scene = driven_rotor(6);
     scene.rotor.bearings[2].rows[0].k.setZero();
-    const SimulateResult result = simulate(scene);
-    EXPECT_EQ(result.outcome, Outcome::balanced) << result.evidence;
+    const results::SimulateResult result = simulate(scene);
+    EXPECT_EQ(result.outcome, results::Outcome::balanced) << result.evidence;
     ASSERT_TRUE(result.linear_growth);
     EXPECT_LE(*result.linear_growth, 0);
     EXPECT_FALSE(result.decision_time);
@@ -83,7 +84,7 @@ TEST(SimulateUnits, other_units_give_the_same_motion) {
     for (const model::Case &scene : {driven, tests::rodrigues_rotor(4, .01, .005)}) {
         model::Case short_one = scene;
         short_one.simulate.time = scene.simulate.time / 10;
-        const SimulateResult expected = simulate(short_one);
+        const results::SimulateResult expected = simulate(short_one);
         for (const auto &[length, mass, time] : {std::tuple(-20, 0, 0),
                                                  {20, 0, 0},
                                                  {0, -20, 0},
@@ -92,15 +93,15 @@ TEST(SimulateUnits, other_units_give_the_same_motion) {
                                                  {0, 0, 20}}) {
             const tests::Units u{std::ldexp(1.0, length), std::ldexp(1.0, mass),
                                  std::ldexp(1.0, time)};
-            const SimulateResult result = simulate(tests::scaled(short_one, u));
+            const results::SimulateResult result = simulate(tests::scaled(short_one, u));
             const std::string where =
                 std::to_string(length) + " " + std::to_string(mass) + " " + std::to_string(time);
             EXPECT_EQ(result.outcome, expected.outcome) << where;
             EXPECT_EQ(result.shapes, expected.shapes) << where;
             EXPECT_EQ(result.model.notes, expected.model.notes) << where;
             for (std::size_t i = 0; i < expected.balancers.size(); ++i) {
-                const BalancerMotion &a = expected.balancers[i];
-                const BalancerMotion &b = result.balancers[i];
+                const results::BalancerMotion &a = expected.balancers[i];
+                const results::BalancerMotion &b = result.balancers[i];
                 // Both follow the motion to the tolerance of the integrator, which gathers.
                 EXPECT_NEAR(b.amplitude / (a.amplitude * u.length), 1, 1e-5) << where;
                 EXPECT_NEAR(b.reference / (a.reference * u.length), 1, 1e-9) << where;

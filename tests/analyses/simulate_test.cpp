@@ -2,9 +2,9 @@
 
 #include "analyses/simulate.h"
 
-#include "analyses/balancer_scenes.h"
 #include "closed_form/pendulum_balancer.h"
 #include "model/errors.h"
+#include "support/balancer_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -34,17 +34,17 @@ TEST_P(TwoPlaneBalancer, EndsAsPublished) {
     const auto [speed, eccentricity, mass, balances] = GetParam();
     model::Case scene = rodrigues_rotor(speed, eccentricity, mass);
     scene.simulate.time = 1500;
-    const SimulateResult result = simulate(scene);
+    const results::SimulateResult result = simulate(scene);
     ASSERT_TRUE(result.residual_ratio);
     if (balances) {
-        EXPECT_EQ(result.outcome, Outcome::balanced) << result.evidence;
+        EXPECT_EQ(result.outcome, results::Outcome::balanced) << result.evidence;
         // Both balls of a plane take half of the imbalance: 2 m cos(angle) = -eccentricity / 2.
         const double expected = std::acos(-eccentricity / (4 * mass));
-        for (const BalancerMotion &b : result.balancers)
+        for (const results::BalancerMotion &b : result.balancers)
             for (const double angle : b.angles)
                 EXPECT_NEAR(std::abs(angle), expected, 2e-3); // what is left after this time
     } else {
-        EXPECT_NE(result.outcome, Outcome::balanced) << result.evidence;
+        EXPECT_NE(result.outcome, results::Outcome::balanced) << result.evidence;
         EXPECT_GT(*result.residual_ratio, 1) << result.evidence;
     }
 }
@@ -65,7 +65,7 @@ TEST(TwoPlaneBalancerDecay, AsFastAsPublished) {
         b.tilt_inertia = false; // as in the published equations
     scene.simulate.time = 620;
     scene.simulate.output_points = 621;
-    const SimulateResult result = simulate(scene);
+    const results::SimulateResult result = simulate(scene);
     const std::vector<double> published{2.1e-2, 9.4e-3, 4.2e-3, 2.0e-3, 1.1e-3, 6.0e-4};
     for (std::size_t i = 0; i < published.size(); ++i) {
         const std::size_t at = 100 * (i + 1);
@@ -80,10 +80,10 @@ TEST(TwoPlaneBalancerDecay, AsFastAsPublished) {
 TEST(TwoPlaneBalancerBelowResonance, IsOffset) {
     model::Case scene = rodrigues_rotor(0.5, .01, .005);
     scene.simulate.time = 3000;
-    const SimulateResult result = simulate(scene);
-    EXPECT_EQ(result.outcome, Outcome::offset) << result.evidence;
+    const results::SimulateResult result = simulate(scene);
+    EXPECT_EQ(result.outcome, results::Outcome::offset) << result.evidence;
     EXPECT_GT(*result.residual_ratio, 1);
-    for (const BalancerMotion &b : result.balancers)
+    for (const results::BalancerMotion &b : result.balancers)
         for (const double angle : b.angles)
             EXPECT_LT(std::abs(angle), 0.2); // the heavy side is at 0, less the lag by damping
 }
@@ -99,7 +99,8 @@ TEST_P(TiedPendulums, EndInTheSteadyMotion) {
     const auto [ratio, external, hinge] = GetParam();
     constexpr double arm = 0.18;
     constexpr double imbalance = 0.02;
-    const SimulateResult result = simulate(pendulum_rotor_scene(ratio, external, hinge, imbalance));
+    const results::SimulateResult result =
+        simulate(pendulum_rotor_scene(ratio, external, hinge, imbalance));
     auto rotor = closed_form::pendulum_rotor(5, 1, arm, 0.02);
     rotor.external_damping = external;
     rotor.hinge_damping = hinge;
@@ -109,9 +110,9 @@ TEST_P(TiedPendulums, EndInTheSteadyMotion) {
         if (motion.stable)
             stable.push_back(motion);
     ASSERT_EQ(stable.size(), 1U);
-    EXPECT_EQ(result.outcome, Outcome::offset); // pendulums leave 1 / (1 + rho)
+    EXPECT_EQ(result.outcome, results::Outcome::offset); // pendulums leave 1 / (1 + rho)
     ASSERT_EQ(result.balancers.size(), 1U);
-    const BalancerMotion &b = result.balancers.front();
+    const results::BalancerMotion &b = result.balancers.front();
     // By then what the start left has died out.
     EXPECT_NEAR(b.amplitude / arm, std::abs(stable.front().position),
                 1e-5 * std::abs(stable.front().position));
@@ -130,10 +131,10 @@ TEST(Simulate, MotorComesToItsIdleSpeed) {
     scene.simulate.inertia = 2;
     scene.speeds->from = 3.5;
     scene.simulate.time = 1500;
-    const SimulateResult result = simulate(scene);
+    const results::SimulateResult result = simulate(scene);
     // Balanced at last, the rotor turns without resistance but that of the motor.
     EXPECT_NEAR(result.speed, 4, 1e-3);
-    EXPECT_EQ(result.outcome, Outcome::balanced) << result.evidence;
+    EXPECT_EQ(result.outcome, results::Outcome::balanced) << result.evidence;
 }
 
 TEST(Simulate, SaysWhatIsMissing) {
@@ -169,7 +170,7 @@ TEST(Simulate, SaysWhatIsMissing) {
 
 TEST(Simulate, NotesWhatIsUnusual) {
     const auto noted = [](const model::Case &scene, const std::string &part) {
-        const SimulateResult result = simulate(scene);
+        const results::SimulateResult result = simulate(scene);
         return std::any_of(
             result.model.notes.begin(), result.model.notes.end(),
             [&](const std::string &note) { return note.find(part) != std::string::npos; });

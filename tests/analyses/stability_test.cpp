@@ -1,13 +1,14 @@
 // Bands, signed ranges of speed and maps of `stability`, apart from the physics behind them.
 
-#include "analyses/stability.h"
-
-#include "analyses/balancer_scenes.h"
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
-#include "analyses/rigid_rotors.h"
 #include "analyses/show.h"
+#include "analyses/stability.h"
 #include "model/errors.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "support/balancer_scenes.h"
+#include "support/rigid_rotors.h"
 
 #include <gtest/gtest.h>
 
@@ -20,18 +21,18 @@ namespace whirl::analyses {
 namespace {
 
 /// A motion that stands for itself alone among three.
-Motion motion(double growth, double frequency, int place, double noise = 1e-12) {
+stability::Motion motion(double growth, double frequency, int place, double noise = 1e-12) {
     return {{growth, frequency}, Eigen::VectorXcd::Unit(3, place), noise, true};
 }
 
 // One motion grows below 1, another above 1.02: the window between them is far narrower than the
 // grid.
 TEST(UnstableBands, StableWindowBetweenTwoInstabilitiesIsFound) {
-    const MotionsAt at = [](double speed) {
-        return std::vector<Motion>{motion(1 - speed, 1, 0), motion(speed - 1.02, 2, 1),
-                                   motion(-1, 3, 2)};
+    const stability::MotionsAt at = [](double speed) {
+        return std::vector<stability::Motion>{motion(1 - speed, 1, 0), motion(speed - 1.02, 2, 1),
+                                              motion(-1, 3, 2)};
     };
-    const auto bands = unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
+    const auto bands = stability::unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
     ASSERT_EQ(bands.size(), 2U);
     EXPECT_EQ(bands[0].first, 0);
     EXPECT_NEAR(bands[0].second, 1, 1e-10);
@@ -41,19 +42,21 @@ TEST(UnstableBands, StableWindowBetweenTwoInstabilitiesIsFound) {
 
 // Two motions that grow and overlap leave no window.
 TEST(UnstableBands, OverlappingInstabilitiesAreOneBand) {
-    const MotionsAt at = [](double speed) {
-        return std::vector<Motion>{motion(1.03 - speed, 1, 0), motion(speed - 1, 2, 1)};
+    const stability::MotionsAt at = [](double speed) {
+        return std::vector<stability::Motion>{motion(1.03 - speed, 1, 0), motion(speed - 1, 2, 1)};
     };
-    const auto bands = unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
+    const auto bands = stability::unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
     ASSERT_EQ(bands.size(), 1U);
-    EXPECT_EQ(bands[0], SpeedInterval(0, 2.1));
+    EXPECT_EQ(bands[0], stability::SpeedInterval(0, 2.1));
 }
 
 // A zero root blurred by rounding is no growth, and hides none.
 TEST(Growth, BlurredZeroDoesNotHideAMotionThatGrows) {
-    EXPECT_EQ(growth_of({motion(1e-3, 0, 0, 1e-2), motion(1e-4, 2, 1), motion(-1, 1, 2)}), 1e-4);
-    EXPECT_EQ(growth_of({motion(1e-3, 0, 0, 1e-2), motion(-1, 1, 2)}), 0);
-    EXPECT_EQ(growth_of({motion(-0.5, 0, 0), motion(-1, 1, 2)}), -0.5);
+    EXPECT_EQ(
+        stability::growth_of({motion(1e-3, 0, 0, 1e-2), motion(1e-4, 2, 1), motion(-1, 1, 2)}),
+        1e-4);
+    EXPECT_EQ(stability::growth_of({motion(1e-3, 0, 0, 1e-2), motion(-1, 1, 2)}), 0);
+    EXPECT_EQ(stability::growth_of({motion(-0.5, 0, 0), motion(-1, 1, 2)}), -0.5);
 }
 
 // With damping a root is zero elsewhere than at the critical speeds, which have none by definition.
@@ -63,9 +66,9 @@ TEST(StandingSpeeds, CriticalOnesAreThoseOfCriticalAndZeroRootsEndTheBand) {
     scene.speeds = model::SpeedRange{1, 6, 101};
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.rows[0].c = 0.05 * Eigen::Matrix2d::Identity();
-    const StabilityResult result = stability(scene, {});
+    const results::StabilityResult result = stability(scene, {});
     std::vector<double> critical;
-    for (const CriticalSpeed &c : critical_speeds(scene).critical_speeds)
+    for (const results::CriticalSpeed &c : critical_speeds(scene).critical_speeds)
         if (c.speed > 1 && c.speed < 6)
             critical.push_back(c.speed);
     ASSERT_EQ(result.critical_speeds.size(), critical.size());
@@ -121,19 +124,19 @@ model::Case negative_stiffness(double kxx) {
 TEST(OneSpeed, SaysWhetherItIsStable) {
     const auto diverging = stability(negative_stiffness(-1e5), {});
     ASSERT_EQ(diverging.verdict.size(), 1U);
-    EXPECT_EQ(diverging.verdict[0], Verdict::diverges);
+    EXPECT_EQ(diverging.verdict[0], results::Verdict::diverges);
     EXPECT_NEAR(diverging.growth[0], 120.3727, 1e-4);
-    EXPECT_EQ(stability(negative_stiffness(1e5), {}).verdict[0], Verdict::stable);
+    EXPECT_EQ(stability(negative_stiffness(1e5), {}).verdict[0], results::Verdict::stable);
     model::Case undamped = negative_stiffness(1e5);
     for (model::Bearing &bearing : undamped.rotor.bearings)
         bearing.rows[0].c.setZero();
-    EXPECT_EQ(stability(undamped, {}).verdict[0], Verdict::neutral);
+    EXPECT_EQ(stability(undamped, {}).verdict[0], results::Verdict::neutral);
     model::Case driven = negative_stiffness(1e6);
     for (model::Bearing &bearing : driven.rotor.bearings) {
         bearing.rows[0].k(0, 1) = 1e5;
         bearing.rows[0].k(1, 0) = -1e5;
     }
-    EXPECT_EQ(stability(driven, {}).verdict[0], Verdict::unstable);
+    EXPECT_EQ(stability(driven, {}).verdict[0], results::Verdict::unstable);
 }
 
 // A coarse mesh has the ends of its bands wrong by what it says, against a mesh that is converged.
@@ -199,11 +202,11 @@ TEST(Permissible, IsWhereTheBandSearchFindsTheFirstBand) {
 
 // A motion that decays at every speed of the grid but for a hump in between, far from any other.
 TEST(UnstableBands, HumpBetweenGridSpeedsIsFound) {
-    const MotionsAt at = [](double speed) {
+    const stability::MotionsAt at = [](double speed) {
         const double x = speed - 1.13;
-        return std::vector<Motion>{motion(0.01 - x * x, 5, 0), motion(-1, 9, 1)};
+        return std::vector<stability::Motion>{motion(0.01 - x * x, 5, 0), motion(-1, 9, 1)};
     };
-    const auto bands = unstable_bands(at, {0.0, 0.4, 0.8, 1.25, 1.6, 2.0});
+    const auto bands = stability::unstable_bands(at, {0.0, 0.4, 0.8, 1.25, 1.6, 2.0});
     ASSERT_EQ(bands.size(), 1U);
     EXPECT_NEAR(bands[0].first, 1.03, 1e-9);
     EXPECT_NEAR(bands[0].second, 1.23, 1e-9);
@@ -211,11 +214,11 @@ TEST(UnstableBands, HumpBetweenGridSpeedsIsFound) {
 
 // Two motions that grow everywhere with different states: one of them has a window, the other not.
 TEST(UnstableBands, WindowUnderADipOfTheGrowthIsFound) {
-    const MotionsAt at = [](double speed) {
+    const stability::MotionsAt at = [](double speed) {
         const double x = speed - 1.01;
-        return std::vector<Motion>{motion(x * x - 1e-4, 5, 0), motion(-1, 9, 1)};
+        return std::vector<stability::Motion>{motion(x * x - 1e-4, 5, 0), motion(-1, 9, 1)};
     };
-    const auto bands = unstable_bands(at, {0.0, 0.3, 0.6, 0.9, 1.2, 1.5});
+    const auto bands = stability::unstable_bands(at, {0.0, 0.3, 0.6, 0.9, 1.2, 1.5});
     ASSERT_EQ(bands.size(), 2U);
     EXPECT_NEAR(bands[0].second, 1.0, 1e-9);
     EXPECT_NEAR(bands[1].first, 1.02, 1e-9);
@@ -276,10 +279,10 @@ TEST(SoftSupports, WhirlModesOfARotorWithABalancer) {
                                 tests::isotropic_bearing(1.2, k, 1e-4 * k)};
         scene.rotor.balancers = {tests::ball_balancer(0.3, 2, 0.05, 0.12, 0.5, 0.006)};
         scene.speeds = model::SpeedRange{12.5, 12.5, 1};
-        const CampbellResult result = campbell(scene);
+        const results::CampbellResult result = campbell(scene);
         const double mass = 60.1 + 1.2 * tests::steel().rho * std::acos(-1.0) / 4 * 0.08 * 0.08;
         double nearest = HUGE_VAL;
-        for (const CampbellMode &mode : result.modes)
+        for (const results::CampbellMode &mode : result.modes)
             nearest = std::min(
                 nearest, std::abs(mode.frequency[0].value_or(0) / std::sqrt(2 * k / mass) - 1));
         EXPECT_LT(nearest, 0.01) << k;

@@ -1,9 +1,9 @@
 // Constant matrices in rotating axes against the periodic ones in the fixed frame, which are
 // written from the energy of single point masses (tests/support/periodic_system.h).
 
-#include "analyses/arrangement.h"
 #include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
+#include "balancers/arrangement.h"
 #include "support/dense_eigenvalues.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
@@ -99,9 +99,9 @@ std::pair<MatrixXd, MatrixXd> means(const tests::PeriodicSystem &system,
 TEST(RotatingSystem, EqualsThePeriodicEquationsOfSinglePointMassesEntryByEntry) {
     const model::Rotor rotor = full_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(rotor);
     const assembly::RotatingSystem rotating =
-        assembly::assemble_rotating(d, 0, analyses::balancer_elements(rotor, balls));
+        assembly::assemble_rotating(d, 0, balancers::balancer_elements(rotor, balls));
     for (const double speed : {130.0, 900.0}) {
         const tests::PeriodicSystem periodic(d, speed, balls);
         const auto [columns, rows] = means(periodic, {3, 2});
@@ -142,7 +142,7 @@ TEST(RotatingSystem, FrozenBallsLeaveTheirMassesAlone) {
     const model::Rotor rotor = full_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
     const auto elements =
-        analyses::balancer_elements(rotor, analyses::arrangement_at_balance(rotor));
+        balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
     const assembly::RotatingSystem free = assembly::assemble_rotating(d, 0, elements);
     const assembly::RotatingSystem frozen = assembly::assemble_rotating(d, 0, elements, true);
     const int n = 2 * d.planar_size();
@@ -208,9 +208,9 @@ model::Rotor anisotropic_rotor() {
 TEST(TurningSupports, WithTheConstantPartAreTheBearingsTurnedBackwards) {
     const model::Rotor rotor = anisotropic_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(rotor);
     const assembly::RotatingSystem rotating =
-        assembly::assemble_rotating(d, 0, analyses::balancer_elements(rotor, balls));
+        assembly::assemble_rotating(d, 0, balancers::balancer_elements(rotor, balls));
     const int n = rotating.M.size();
     const assembly::TurningSupports turning = assembly::turning_supports(d, 0, n);
     const double speed = 310;
@@ -238,7 +238,7 @@ TEST(HillSystem, IsTheHarmonicsOfTheResidual) {
     const model::Rotor rotor = anisotropic_rotor();
     const assembly::Discretization d(rotor, 1);
     const assembly::RotatingSystem system = assembly::assemble_rotating(
-        d, 0, analyses::balancer_elements(rotor, analyses::arrangement_at_balance(rotor)));
+        d, 0, balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)));
     const Eigen::Index n = system.M.size();
     const assembly::TurningSupports turning = assembly::turning_supports(d, 0, static_cast<int>(n));
     const double speed = 270;
@@ -285,7 +285,7 @@ TEST(HillSystem, WithEqualBearingsRepeatsTheRotatingEigenvalues) {
     const model::Rotor rotor = full_rotor();
     const assembly::Discretization d(rotor, 1);
     const assembly::RotatingSystem system = assembly::assemble_rotating(
-        d, 0, analyses::balancer_elements(rotor, analyses::arrangement_at_balance(rotor)));
+        d, 0, balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)));
     const double speed = 270;
     const assembly::SystemAtSpeed hill =
         assembly::hill_system(system, assembly::turning_supports(d, 0, system.M.size()), speed, 1);

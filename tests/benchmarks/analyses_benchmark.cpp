@@ -26,9 +26,9 @@ model::Case scene_of(const std::string &name) {
 }
 
 /// Largest relative error of the frequencies at the last speed against those of `exact`.
-double error_of(const DenseSolve &dense, const analyses::CampbellResult &exact) {
+double error_of(const DenseSolve &dense, const results::CampbellResult &exact) {
     std::vector<double> frequencies;
-    for (const analyses::CampbellMode &mode : exact.modes)
+    for (const results::CampbellMode &mode : exact.modes)
         if (mode.frequency.back())
             frequencies.push_back(*mode.frequency.back());
     std::sort(frequencies.begin(), frequencies.end());
@@ -41,7 +41,7 @@ double error_of(const DenseSolve &dense, const analyses::CampbellResult &exact) 
 /// Seconds of a Campbell diagram by the dense state matrix, from one solve at its last speed:
 /// the time does not depend on speed.
 void count_dense(benchmark::State &state, const model::Case &scene, int order, int refinement,
-                 const std::string &name, const analyses::CampbellResult &result, double seconds) {
+                 const std::string &name, const results::CampbellResult &result, double seconds) {
     for (const bool vectors : {false, true}) {
         const DenseSolve dense =
             dense_solve(scene.rotor, order, refinement, scene.speeds->to, vectors, 5);
@@ -60,7 +60,7 @@ void count_dense(benchmark::State &state, const model::Case &scene, int order, i
 /// the same ten-digit model.
 void campbell_against_dense(benchmark::State &state) {
     const model::Case scene = scene_of("friswell_5_9_1");
-    analyses::CampbellResult result;
+    results::CampbellResult result;
     double seconds = std::numeric_limits<double>::infinity();
     for (auto _ : state) {
         result = analyses::campbell(scene);

@@ -1,8 +1,8 @@
 // A thousand revolutions of a shaft of thirty nodes with two four-ball balancers, and the same
 // motion of the shaft with all its modes.
 
-#include "analyses/balancer_scenes.h"
 #include "analyses/simulate.h"
+#include "support/balancer_scenes.h"
 
 #include <benchmark/benchmark.h>
 
@@ -33,7 +33,7 @@ model::Case thirty_nodes(double revolutions) {
 }
 
 void thousand_revolutions(benchmark::State &state) {
-    analyses::SimulateResult result;
+    results::SimulateResult result;
     for (auto _ : state)
         result = analyses::simulate(thirty_nodes(1000));
     state.counters["shapes"] = result.shapes;

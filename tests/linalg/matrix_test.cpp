@@ -1,6 +1,6 @@
 #include "linalg/check.h"
-#include "linalg/session.h"
 #include "linalg/test_matrices.h"
+#include "process/session.h"
 
 #include <gtest/gtest.h>
 
@@ -70,12 +70,12 @@ TEST(Check, NamesTheCodeAndThePlace) {
 }
 
 TEST(Session, OfASingleProcess) {
-    EXPECT_EQ(linalg::process_count(), 1);
-    EXPECT_EQ(linalg::process_rank(), 0);
+    EXPECT_EQ(process::process_count(), 1);
+    EXPECT_EQ(process::process_rank(), 0);
     const std::vector<char> bytes{'a', 'b'};
-    EXPECT_EQ(linalg::gather(bytes), std::vector<std::vector<char>>{bytes});
+    EXPECT_EQ(process::gather(bytes), std::vector<std::vector<char>>{bytes});
     std::vector<char> same = bytes;
-    linalg::broadcast(same);
+    process::broadcast(same);
     EXPECT_EQ(same, bytes);
 }
 

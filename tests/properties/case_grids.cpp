@@ -4,10 +4,12 @@
 //   case_grids [case or "all" [speeds of the fine grid]]
 
 #include "analyses/campbell.h"
-#include "analyses/formulation.h"
 #include "input/case_file.h"
-#include "linalg/session.h"
+#include "modes/formulation.h"
+#include "process/session.h"
 #include "properties/spectra_difference.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 namespace analyses = whirl::analyses;
 namespace model = whirl::model;
+namespace modes = whirl::modes;
 namespace properties = whirl::properties;
+namespace results = whirl::results;
 
 constexpr int few = 11;
 
@@ -35,15 +39,15 @@ std::vector<fs::path> case_folders(const std::string &wanted) {
     return folders;
 }
 
-analyses::CampbellResult with_speeds(model::Case scene, int count) {
+results::CampbellResult with_speeds(model::Case scene, int count) {
     scene.speeds->count = count;
     return analyses::campbell(scene);
 }
 
 /// The lines asked for, by their frequency at the last speed where they have one.
-std::vector<std::string> labels(const analyses::CampbellResult &result, int modes) {
+std::vector<std::string> labels(const results::CampbellResult &result, int modes) {
     std::vector<std::pair<double, std::string>> found;
-    for (const analyses::CampbellMode &mode : result.modes)
+    for (const results::CampbellMode &mode : result.modes)
         if (mode.frequency.back())
             found.emplace_back(*mode.frequency.back(), mode.label);
     std::sort(found.begin(), found.end());
@@ -53,7 +57,7 @@ std::vector<std::string> labels(const analyses::CampbellResult &result, int mode
     return out;
 }
 
-std::string label_difference(const analyses::CampbellResult &a, const analyses::CampbellResult &b,
+std::string label_difference(const results::CampbellResult &a, const results::CampbellResult &b,
                              int modes) {
     const std::vector<std::string> first = labels(a, modes);
     const std::vector<std::string> second = labels(b, modes);
@@ -65,13 +69,13 @@ std::string label_difference(const analyses::CampbellResult &a, const analyses::
 /// What is not the same, a sentence each.
 std::vector<std::string> differences(const model::Case &scene, int many) {
     const int modes = scene.campbell.modes;
-    const analyses::CampbellResult coarse = with_speeds(scene, few);
+    const results::CampbellResult coarse = with_speeds(scene, few);
     std::vector<std::string> out;
     const auto add = [&out](const std::string &what, const std::string &difference) {
         if (!difference.empty())
             out.push_back(what + ": " + difference);
     };
-    const analyses::CampbellResult fine = with_speeds(scene, many);
+    const results::CampbellResult fine = with_speeds(scene, many);
     add("crossings", properties::crossing_difference(coarse, fine, 1e-8));
     add("names from the finer grid", label_difference(coarse, fine, modes));
     if (scene.rotor.shaft.rigid)
@@ -79,7 +83,7 @@ std::vector<std::string> differences(const model::Case &scene, int many) {
     model::Case refined = scene;
     for (model::Segment &segment : refined.rotor.shaft.segments)
         segment.elements *= 2;
-    const analyses::CampbellResult halved = with_speeds(refined, few);
+    const results::CampbellResult halved = with_speeds(refined, few);
     add("names from half the elements", label_difference(coarse, halved, modes));
     add("lines from half the elements",
         properties::spectra_difference(coarse, {0, few - 1}, halved, {0, few - 1}, modes, {}));
@@ -91,14 +95,14 @@ std::vector<std::string> differences(const model::Case &scene, int many) {
 int main(int argc, char **argv) {
     const std::string wanted = argc > 1 ? argv[1] : "all";
     const int many = argc > 2 ? std::atoi(argv[2]) : 101;
-    const whirl::linalg::Session session;
+    const whirl::process::Session session;
     int broken = 0;
     int compared = 0;
     for (const fs::path &folder : case_folders(wanted)) {
         const model::Case scene = whirl::input::load_case(folder, {});
         // In rotating axes motions of balls lock to the rotor and leave it; the numbers in their
         // names count them, from another grid others.
-        const bool turns = analyses::in_rotating_axes(analyses::choose_formulation(scene).form);
+        const bool turns = results::in_rotating_axes(modes::choose_formulation(scene).form);
         if (!scene.speeds || scene.speeds->count < 2 || turns)
             continue;
         const std::clock_t start = std::clock();

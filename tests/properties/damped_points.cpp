@@ -1,6 +1,8 @@
 #include "analyses/campbell.h"
 #include "oracles/continuum_roots.h"
 #include "properties/error_points.h"
+#include "results/campbell.h"
+#include "results/whirl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +33,14 @@ model::Rotor with_damping(model::Rotor rotor, double share) {
 struct Printed {
     Complex eigenvalue;
     double estimate = 0;
-    analyses::Whirl whirl = analyses::Whirl::mixed;
+    results::Whirl whirl = results::Whirl::mixed;
 };
 
 std::vector<Printed> printed_at(const model::Case &scene, double share) {
     model::Case step = scene;
     step.rotor = with_damping(scene.rotor, share);
     std::vector<Printed> out;
-    for (const analyses::CampbellMode &mode : analyses::campbell(step).modes)
+    for (const results::CampbellMode &mode : analyses::campbell(step).modes)
         if (mode.frequency[0])
             out.push_back({Complex(mode.real[0].value_or(0), *mode.frequency[0]),
                            mode.error[0].value_or(std::numeric_limits<double>::quiet_NaN()),
@@ -83,7 +85,7 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
     for (const bool forward : {true, false}) {
         std::vector<Printed> some;
         for (const Printed &p : printed)
-            if ((p.whirl == analyses::Whirl::forward) == forward)
+            if ((p.whirl == results::Whirl::forward) == forward)
                 some.push_back(p);
         add(forward ? oracles::Motion::forward : oracles::Motion::backward, some);
     }

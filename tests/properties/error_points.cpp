@@ -1,9 +1,11 @@
 #include "properties/error_points.h"
-
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "model/errors.h"
 #include "oracles/continuum_roots.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/whirl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +21,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 struct Printed {
     double frequency = 0;
     double estimate = 0;
-    analyses::Whirl whirl = analyses::Whirl::mixed;
+    results::Whirl whirl = results::Whirl::mixed;
 };
 
 /// Ascending, no more than the modes asked for: those of which none may be missing.
@@ -30,9 +32,9 @@ std::vector<Printed> lowest(std::vector<Printed> all, int modes) {
     return all;
 }
 
-std::vector<Printed> at_speed(const analyses::CampbellResult &result, std::size_t k, int modes) {
+std::vector<Printed> at_speed(const results::CampbellResult &result, std::size_t k, int modes) {
     std::vector<Printed> all;
-    for (const analyses::CampbellMode &mode : result.modes)
+    for (const results::CampbellMode &mode : result.modes)
         if (mode.frequency[k])
             all.push_back({*mode.frequency[k], mode.error[k].value_or(none), mode.whirl[k]});
     return lowest(std::move(all), modes);
@@ -73,7 +75,7 @@ void compare_all(const std::vector<Printed> &printed, const oracles::Continuum &
     for (const bool forward : {true, false}) {
         std::vector<Printed> some;
         for (const Printed &p : printed)
-            if ((p.whirl == analyses::Whirl::forward) == forward)
+            if ((p.whirl == results::Whirl::forward) == forward)
                 some.push_back(p);
         const auto motion = forward ? oracles::Motion::forward : oracles::Motion::backward;
         compare(some, continuum, {motion, about.speed, synchronous},
@@ -85,7 +87,7 @@ void compare_all(const std::vector<Printed> &printed, const oracles::Continuum &
 std::vector<Printed> critical_speeds(model::Case scene) {
     scene.speeds.reset();
     std::vector<Printed> printed;
-    for (const analyses::CriticalSpeed &c : analyses::critical_speeds(scene).critical_speeds)
+    for (const results::CriticalSpeed &c : analyses::critical_speeds(scene).critical_speeds)
         printed.push_back({c.speed, c.error, c.whirl});
     return printed;
 }
@@ -120,7 +122,7 @@ ErrorPoints undamped_points(const model::Case &scene, int number) {
     about.kind = kind_of(number);
     about.order = scene.rotor.shaft.order;
     try {
-        const analyses::CampbellResult result = analyses::campbell(scene);
+        const results::CampbellResult result = analyses::campbell(scene);
         const std::pair<std::size_t, const char *> places[] = {
             {0, "first speed"}, {2, "middle speed"}, {1, "interpolated speed"}};
         for (const auto &[k, name] : places) {
@@ -153,7 +155,7 @@ ErrorPoints automatic_points(const model::Case &as_given, int number) {
     about.kind = kind_of(number);
     about.what = "auto";
     try {
-        const analyses::CampbellResult result = analyses::campbell(scene);
+        const results::CampbellResult result = analyses::campbell(scene);
         about.order = result.model.order;
         for (std::size_t k = 0; k < result.speeds.size(); k += 2) {
             about.speed = result.speeds[k];

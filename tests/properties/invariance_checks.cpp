@@ -1,12 +1,14 @@
 #include "properties/invariance_checks.h"
-
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
-#include "analyses/formulation.h"
+#include "modes/formulation.h"
 #include "properties/long_checks.h"
 #include "properties/random_scenes.h"
 #include "properties/spectra_difference.h"
 #include "properties/transforms.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/formulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,8 +47,8 @@ Answer other_units(InvarianceScene &s) {
                       std::ldexp(1.0, s.draw().integer(-12, 12)),
                       std::ldexp(1.0, s.draw().integer(-8, 8))};
     const model::Case changed = in_units(s.scene(), units);
-    analyses::CampbellResult result = analyses::campbell(changed);
-    for (analyses::CampbellMode &mode : result.modes) {
+    results::CampbellResult result = analyses::campbell(changed);
+    for (results::CampbellMode &mode : result.modes) {
         for (auto *list : {&mode.frequency, &mode.real})
             for (std::optional<double> &value : *list)
                 if (value)
@@ -55,8 +57,8 @@ Answer other_units(InvarianceScene &s) {
             if (error)
                 error = 0;
     }
-    analyses::CampbellResult here = s.campbell();
-    for (analyses::CampbellMode &mode : here.modes)
+    results::CampbellResult here = s.campbell();
+    for (results::CampbellMode &mode : here.modes)
         for (std::optional<double> &error : mode.error)
             if (error)
                 error = 0;
@@ -69,12 +71,12 @@ Answer split_segments(InvarianceScene &s) { return differences(s, split(s.scene(
 Answer other_order(InvarianceScene &s) { return differences(s, permuted(s.scene())); }
 
 Answer other_names(InvarianceScene &s) {
-    const analyses::CampbellResult result = analyses::campbell(renamed(s.scene()));
+    const results::CampbellResult result = analyses::campbell(renamed(s.scene()));
     if (result.modes.size() != s.campbell().modes.size())
         return "another number of modes";
     for (std::size_t i = 0; i < result.modes.size(); ++i) {
-        const analyses::CampbellMode &a = s.campbell().modes[i];
-        const analyses::CampbellMode &b = result.modes[i];
+        const results::CampbellMode &a = s.campbell().modes[i];
+        const results::CampbellMode &b = result.modes[i];
         if (a.label != b.label || a.frequency != b.frequency || a.error != b.error)
             return a.label + " is not what it was";
     }
@@ -100,8 +102,8 @@ Answer grid_difference(InvarianceScene &s) {
     coarse.speeds = s.range();
     model::Case fine = coarse;
     fine.speeds->count = 2 * coarse.speeds->count - 1;
-    const analyses::CampbellResult few = analyses::campbell(coarse);
-    const analyses::CampbellResult many = analyses::campbell(fine);
+    const results::CampbellResult few = analyses::campbell(coarse);
+    const results::CampbellResult many = analyses::campbell(fine);
     std::string out =
         spectra_difference(few, {0, 1, 2}, many, {0, 2, 4}, coarse.campbell.modes, {});
     if (!out.empty())
@@ -167,13 +169,13 @@ Answer nearly_at_rest(InvarianceScene &s) {
 }
 
 Answer other_form(InvarianceScene &s) {
-    const analyses::Form form = analyses::choose_formulation(s.scene()).form;
-    if (form == analyses::Form::hill)
+    const results::Form form = modes::choose_formulation(s.scene()).form;
+    if (form == results::Form::hill)
         return std::nullopt;
     model::Case changed = s.scene();
-    if (form == analyses::Form::planar && s.draw().chance(0.3))
+    if (form == results::Form::planar && s.draw().chance(0.3))
         changed.formulation = model::FormChoice::hyperbolic;
-    else if (form == analyses::Form::general || form == analyses::Form::rotating) {
+    else if (form == results::Form::general || form == results::Form::rotating) {
         if (s.turning_parts() || !s.scene().rotor.bearings_rotation_invariant())
             return std::nullopt;
         changed.formulation = model::FormChoice::rotating;
@@ -194,16 +196,16 @@ InvarianceScene::InvarianceScene(int number)
 }
 
 bool InvarianceScene::series() const {
-    return analyses::choose_formulation(_scene).form == analyses::Form::hill;
+    return modes::choose_formulation(_scene).form == results::Form::hill;
 }
 
-const analyses::CampbellResult &InvarianceScene::campbell() {
+const results::CampbellResult &InvarianceScene::campbell() {
     if (!_campbell)
         _campbell = analyses::campbell(_scene);
     return *_campbell;
 }
 
-const analyses::CriticalResult &InvarianceScene::critical() {
+const results::CriticalResult &InvarianceScene::critical() {
     if (!_critical)
         _critical = analyses::critical_speeds(_scene);
     return *_critical;
@@ -211,7 +213,7 @@ const analyses::CriticalResult &InvarianceScene::critical() {
 
 std::string InvarianceScene::words() const {
     const model::Rotor &r = _scene.rotor;
-    std::string out = analyses::form_name(analyses::choose_formulation(_scene).form);
+    std::string out = results::form_name(modes::choose_formulation(_scene).form);
     out += ", order " + std::to_string(r.shaft.order);
     if (tables())
         out += ", tables";

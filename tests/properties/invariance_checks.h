@@ -1,8 +1,9 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
 #include "properties/draw.h"
+#include "results/campbell.h"
+#include "results/critical.h"
 
 #include <functional>
 #include <optional>
@@ -20,8 +21,8 @@ class InvarianceScene {
     [[nodiscard]] const model::Case &scene() const { return _scene; }
     [[nodiscard]] const model::SpeedRange &range() const { return _range; }
     [[nodiscard]] Draw &draw() { return _draw; }
-    const analyses::CampbellResult &campbell();
-    const analyses::CriticalResult &critical();
+    const results::CampbellResult &campbell();
+    const results::CriticalResult &critical();
     /// What it is made of, for messages.
     [[nodiscard]] std::string words() const;
     [[nodiscard]] bool tables() const { return _scene.rotor.bearings_depend_on_speed(); }
@@ -33,8 +34,8 @@ class InvarianceScene {
     model::Case _scene;
     model::SpeedRange _range;
     Draw _draw;
-    std::optional<analyses::CampbellResult> _campbell;
-    std::optional<analyses::CriticalResult> _critical;
+    std::optional<results::CampbellResult> _campbell;
+    std::optional<results::CriticalResult> _critical;
 };
 
 /// Something that must not change an answer.

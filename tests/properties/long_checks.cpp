@@ -42,7 +42,7 @@ std::string band_difference(const std::vector<Band> &a, const std::vector<Band> 
 }
 
 analyses::UnstableBands unstable_bands(const model::Case &scene, bool with_errors) {
-    return analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor),
+    return analyses::unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor),
                                        with_errors);
 }
 
@@ -79,8 +79,8 @@ Answer balance_difference(const model::Case &a, const model::Case &b) {
     model::Case first = a;
     model::Case second = b;
     first.balance.balanced_position = second.balance.balanced_position = false;
-    const analyses::BalanceResult x = analyses::balance(first);
-    const analyses::BalanceResult y = analyses::balance(second);
+    const results::BalanceResult x = analyses::balance(first);
+    const results::BalanceResult y = analyses::balance(second);
     std::string out = band_difference(x.joint.bands.bands, y.joint.bands.bands, "joint");
     for (std::size_t i = 0; out.empty() && i < x.planes.size(); ++i)
         out = band_difference(x.planes[i].bands.bands, y.planes[i].bands.bands,
@@ -91,9 +91,9 @@ Answer balance_difference(const model::Case &a, const model::Case &b) {
 bool has_response(InvarianceScene &s) { return !s.turning_parts(); }
 
 /// Semi-axes at places with the same z; `length` - z where mirrored.
-std::string orbit_difference(const analyses::ResponseResult &a, const analyses::ResponseResult &b,
+std::string orbit_difference(const results::ResponseResult &a, const results::ResponseResult &b,
                              std::optional<double> length) {
-    for (const analyses::ResponseNode &node : a.nodes) {
+    for (const results::ResponseNode &node : a.nodes) {
         const double z = length ? *length - node.z : node.z;
         const auto other =
             std::min_element(b.nodes.begin(), b.nodes.end(), [z](const auto &p, const auto &q) {
@@ -126,7 +126,7 @@ Answer static_response(InvarianceScene &s) {
     for (model::Bearing &b : still.bearings)
         b.rows = {b.at(speed)};
     const oracles::SteppedRotor rotor = continuum_of(still);
-    for (const analyses::ResponseNode &node : analyses::unbalance_response(scene).nodes) {
+    for (const results::ResponseNode &node : analyses::unbalance_response(scene).nodes) {
         std::complex<double> forward = 0; // of x + i y = forward e^{i t} + backward e^{-i t}
         std::complex<double> backward = 0;
         for (const model::Imbalance &i : scene.rotor.imbalances) {

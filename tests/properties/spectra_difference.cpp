@@ -1,4 +1,7 @@
 #include "properties/spectra_difference.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/whirl.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +19,7 @@ using Complex = std::complex<double>;
 struct Item {
     Complex value;
     double error = 0; ///< absolute
-    analyses::Whirl whirl = analyses::Whirl::mixed;
+    results::Whirl whirl = results::Whirl::mixed;
     bool used = false;
 };
 
@@ -25,9 +28,9 @@ void sort_by_frequency(std::vector<Item> &items) {
               [](const Item &a, const Item &b) { return a.value.imag() < b.value.imag(); });
 }
 
-std::vector<Item> items_at(const analyses::CampbellResult &result, std::size_t k) {
+std::vector<Item> items_at(const results::CampbellResult &result, std::size_t k) {
     std::vector<Item> items;
-    for (const analyses::CampbellMode &mode : result.modes)
+    for (const results::CampbellMode &mode : result.modes)
         if (mode.frequency[k]) {
             const Complex value(mode.real[k].value_or(0), *mode.frequency[k]);
             items.push_back(
@@ -84,8 +87,8 @@ std::string unmatched(const std::vector<Item> &a, std::vector<Item> b, std::size
                                nearest->value.imag(), difference / size, bar / size);
         if (allowance.whirl && item.whirl != nearest->whirl && !crowded(a, item, bar))
             return fmt::format("{:.10g}{:+.10g}i is {} and becomes {}", item.value.real(),
-                               item.value.imag(), analyses::whirl_name(item.whirl),
-                               analyses::whirl_name(nearest->whirl));
+                               item.value.imag(), results::whirl_name(item.whirl),
+                               results::whirl_name(nearest->whirl));
     }
     return {};
 }
@@ -100,9 +103,9 @@ std::string both_ways(const std::vector<Item> &a, const std::vector<Item> &b, st
 
 } // namespace
 
-std::string spectra_difference(const analyses::CampbellResult &a,
+std::string spectra_difference(const results::CampbellResult &a,
                                const std::vector<std::size_t> &places_a,
-                               const analyses::CampbellResult &b,
+                               const results::CampbellResult &b,
                                const std::vector<std::size_t> &places_b, int modes,
                                const Allowance &allowance) {
     for (std::size_t i = 0; i < places_a.size(); ++i) {
@@ -114,12 +117,11 @@ std::string spectra_difference(const analyses::CampbellResult &a,
     return {};
 }
 
-std::string critical_difference(const analyses::CriticalResult &a,
-                                const analyses::CriticalResult &b, int modes,
-                                const Allowance &allowance) {
-    const auto items = [](const analyses::CriticalResult &result) {
+std::string critical_difference(const results::CriticalResult &a, const results::CriticalResult &b,
+                                int modes, const Allowance &allowance) {
+    const auto items = [](const results::CriticalResult &result) {
         std::vector<Item> out;
-        for (const analyses::CriticalSpeed &c : result.critical_speeds) {
+        for (const results::CriticalSpeed &c : result.critical_speeds) {
             const Complex value(c.real, c.speed);
             out.push_back({value, c.error * std::abs(value), c.whirl, false});
         }
@@ -129,12 +131,12 @@ std::string critical_difference(const analyses::CriticalResult &a,
     return both_ways(items(a), items(b), static_cast<std::size_t>(modes), allowance);
 }
 
-std::string crossing_difference(const analyses::CampbellResult &a,
-                                const analyses::CampbellResult &b, double relative) {
-    const auto items = [relative](const analyses::CampbellResult &result) {
+std::string crossing_difference(const results::CampbellResult &a, const results::CampbellResult &b,
+                                double relative) {
+    const auto items = [relative](const results::CampbellResult &result) {
         std::vector<Item> out;
-        for (const analyses::Crossing &c : result.crossings)
-            out.push_back({Complex(0, c.speed), relative * c.speed, analyses::Whirl::mixed, false});
+        for (const results::Crossing &c : result.crossings)
+            out.push_back({Complex(0, c.speed), relative * c.speed, results::Whirl::mixed, false});
         sort_by_frequency(out);
         return out;
     };

@@ -17,16 +17,16 @@ namespace whirl::report {
 namespace {
 
 /// Two planes at three speeds, with names that could break a script.
-analyses::BalanceResult sample_balance() {
-    analyses::BalanceResult result;
+results::BalanceResult sample_balance() {
+    results::BalanceResult result;
     result.speeds = {0, 100, 200};
     result.critical_speeds = {50};
     for (const double z : {0.3, 1.2}) {
-        analyses::BalancePlane plane;
+        results::BalancePlane plane;
         plane.name = wicked_title;
         plane.z = z;
         plane.bands.bands = {{50, 120}, {150, 200}};
-        plane.bands.rigid_bands = std::vector<analyses::SpeedBand>{{51, 125}};
+        plane.bands.rigid_bands = std::vector<results::SpeedBand>{{51, 125}};
         plane.bands.pinned = {120};
         plane.bands.ends = {{120, true, 125, -0.04, {}, 120}, {150, false, {}, {}, {}, {}}};
         plane.criterion = {0, -0.1, std::numeric_limits<double>::infinity()};
@@ -39,9 +39,9 @@ analyses::BalanceResult sample_balance() {
     return result;
 }
 
-analyses::BalanceResult full_balance() {
-    analyses::BalanceResult result = sample_balance();
-    analyses::Placement map;
+results::BalanceResult full_balance() {
+    results::BalanceResult result = sample_balance();
+    results::Placement map;
     map.z = map.pair_z = {0, 0.75, 1.5};
     map.speeds = {0, 100, 200};
     map.criterion = map.pair_value = {{0, 0.1, -0.1}, {1, -1, 1}, {-5, 1e9, -0.2}};
@@ -50,7 +50,7 @@ analyses::BalanceResult full_balance() {
     map.best = {{0.75}, 0.9, 0.5};
     map.best_pair = {{0, 1.5}, 0.4, 0.1};
     result.placement = map;
-    analyses::PendulumBalance pendulum;
+    results::PendulumBalance pendulum;
     pendulum.rho = 2;
     pendulum.threshold = 0.7;
     pendulum.limit = 1.0 / 3;
@@ -72,7 +72,7 @@ analyses::BalanceResult full_balance() {
     }
     result.pendulum = {pendulum};
     result.balanced_position =
-        analyses::BalancedPosition{{{60, 110}}, {{1e-9, 2e-9}}, 3, {{70, 100}}, {{55, 120}}};
+        results::BalancedPosition{{{60, 110}}, {{1e-9, 2e-9}}, 3, {{70, 100}}, {{55, 120}}};
     result.simulated = {{80, "balanced", 0.01, -0.5}, {160, "lagging", {}, {}}};
     return result;
 }
@@ -108,9 +108,9 @@ TEST_F(BalanceReport, JsonHasTheAgreedKeys) {
     EXPECT_EQ(efficiency.at("stable"), nlohmann::json::parse("[null, true, null]"));
     EXPECT_FALSE(
         nlohmann::json::parse(to_json(sample_case(), sample_balance())).contains("placement"));
-    analyses::BalanceResult stable = sample_balance();
+    results::BalanceResult stable = sample_balance();
     stable.balanced_position =
-        analyses::BalancedPosition{std::vector<analyses::SpeedBand>{{60, 110}}, {}, 1, {}, {}};
+        results::BalancedPosition{std::vector<results::SpeedBand>{{60, 110}}, {}, 1, {}, {}};
     EXPECT_EQ(
         nlohmann::json::parse(to_json(sample_case(), stable))["balanced_position"]["bands"][0][1],
         110);
@@ -142,8 +142,8 @@ TEST_F(BalanceReport, WritesAllPicturesAndAPage) {
 }
 
 TEST_F(BalanceReport, EmptyAndSingleSpeedResultsStillMakeAReport) {
-    EXPECT_NO_THROW((void)write_report(model::Case{}, analyses::BalanceResult{}, folder / "a"));
-    analyses::BalanceResult one = sample_balance();
+    EXPECT_NO_THROW((void)write_report(model::Case{}, results::BalanceResult{}, folder / "a"));
+    results::BalanceResult one = sample_balance();
     one.speeds.resize(1);
     one.joint.signature.resize(1);
     for (auto &plane : one.planes) {

@@ -31,10 +31,10 @@ TEST(Csv, CampbellHasUnitsOneRowAModeAndSpeedAndEmptyCells) {
 }
 
 TEST(Csv, TextWithCommasAndQuotesStaysOneCell) {
-    analyses::ResponseResult result;
+    results::ResponseResult result;
     result.speeds = {100};
     result.nodes.resize(1);
-    analyses::ResponseNode &node = result.nodes[0];
+    results::ResponseNode &node = result.nodes[0];
     node.z = 0.5;
     node.name = "disc, \"big\"";
     node.amplitude = node.major = {1e-5};
@@ -45,7 +45,7 @@ TEST(Csv, TextWithCommasAndQuotesStaysOneCell) {
 }
 
 TEST(Csv, ProbesStandInTheResponseWithTheirDirections) {
-    analyses::ResponseResult result;
+    results::ResponseResult result;
     result.speeds = {100, 200};
     const double infinite = std::numeric_limits<double>::infinity();
     result.probes = {{0.25, 0.5, "left", {1e-5, infinite}, {-2, std::nan("")}, {1e-9, infinite}}};

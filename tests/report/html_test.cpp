@@ -1,6 +1,8 @@
 #include "report/html_pages.h"
-
 #include "report/plotly.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
+#include "results/modes.h"
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>
@@ -52,25 +54,25 @@ TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {
 }
 
 TEST(Html, SaysInWhichAxesTheFormIs) {
-    using analyses::Form;
-    analyses::CampbellResult result = sample_campbell();
+    using results::Form;
+    results::CampbellResult result = sample_campbell();
     for (const Form form : {Form::planar, Form::hyperbolic, Form::general}) {
         result.model.formulation.form = form;
         const std::string html = without_bundle(to_html(sample_case(), result, ""));
-        EXPECT_NE(html.find(analyses::form_name(form) + " form, in the fixed frame: isotropic"),
+        EXPECT_NE(html.find(results::form_name(form) + " form, in the fixed frame: isotropic"),
                   std::string::npos);
     }
     for (const Form form : {Form::rotating, Form::hill}) {
         result.model.formulation.form = form;
         const std::string html = without_bundle(to_html(sample_case(), result, ""));
-        EXPECT_EQ(html.find("fixed frame"), std::string::npos) << analyses::form_name(form);
-        EXPECT_NE(html.find(analyses::form_name(form) + " form, in axes that turn with the rotor"),
+        EXPECT_EQ(html.find("fixed frame"), std::string::npos) << results::form_name(form);
+        EXPECT_NE(html.find(results::form_name(form) + " form, in axes that turn with the rotor"),
                   std::string::npos);
     }
 }
 
 TEST(Html, TablesShowCrossingsAndOverdampedModes) {
-    analyses::CampbellResult result = sample_campbell();
+    results::CampbellResult result = sample_campbell();
     result.modes[1].frequency[2].reset();
     result.modes[1].absent[2] = "overdamped";
     const std::string html = without_bundle(to_html(sample_case(), result, ""));
@@ -80,7 +82,7 @@ TEST(Html, TablesShowCrossingsAndOverdampedModes) {
 }
 
 TEST(Html, ModesAreDrawnByTheCurvesOfTheStillPicture) {
-    analyses::ModesResult result = sample_modes();
+    results::ModesResult result = sample_modes();
     result.modes[0].x.assign(3, 0); // straight up and down, in phase with nothing in x
     result.modes[0].y = {0.25, 1, -0.5};
     const std::string html = without_bundle(to_html(sample_case(), result, ""));

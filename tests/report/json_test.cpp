@@ -1,5 +1,8 @@
 #include "report/json.h"
-
+#include "results/accuracy.h"
+#include "results/critical.h"
+#include "results/show.h"
+#include "results/whirl.h"
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>
@@ -47,14 +50,14 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
 }
 
 TEST(Json, OtherResultsHaveTheirKeys) {
-    analyses::CriticalResult critical;
-    critical.critical_speeds = {{86.5, analyses::Whirl::backward, 0, 1e-12, 1e-15}};
+    results::CriticalResult critical;
+    critical.critical_speeds = {{86.5, results::Whirl::backward, 0, 1e-12, 1e-15}};
     const Json speeds = Json::parse(to_json(sample_case(), critical)).at("critical_speeds");
     EXPECT_EQ(speeds.at(0).at("speed"), 86.5);
     EXPECT_EQ(speeds.at(0).at("whirl"), "backward");
     EXPECT_EQ(speeds.at(0).at("error"), 1e-12);
 
-    analyses::ResponseResult response;
+    results::ResponseResult response;
     response.speeds = {100};
     response.nodes.resize(1);
     response.nodes[0].minor = {-1e-6};
@@ -72,14 +75,14 @@ TEST(Json, OtherResultsHaveTheirKeys) {
     EXPECT_EQ(answered.at("probes").at(0).at("angle"), 0.7);
     EXPECT_EQ(answered.at("probes").at(0).at("phase").at(0), 0.2);
 
-    analyses::ShowResult show;
+    results::ShowResult show;
     show.mass = 84;
     const Json shown = Json::parse(to_json(sample_case(), show));
     EXPECT_EQ(shown.at("mass"), 84);
     for (const char *key : {"center_of_mass", "Id", "Ip", "type", "balancers"})
         EXPECT_TRUE(shown.contains(key)) << key;
 
-    analyses::AccuracyResult accuracy;
+    results::AccuracyResult accuracy;
     accuracy.rows = {{"classical", 1, 6, 14, 1e-3, std::nullopt, 2e-4}};
     const Json row = Json::parse(to_json(sample_case(), accuracy)).at("rows").at(0);
     EXPECT_TRUE(row.at("error_estimate").is_null());

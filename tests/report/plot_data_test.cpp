@@ -2,6 +2,8 @@
 #include "report/plot_modes.h"
 #include "report/plot_response.h"
 #include "report/plot_style.h"
+#include "results/campbell.h"
+#include "results/modes.h"
 #include "sample_results.h"
 
 #include <random>
@@ -9,7 +11,7 @@
 namespace whirl::report {
 
 TEST(PlotData, GrowingModesAreThoseBeyondTheirOwnError) {
-    analyses::CampbellMode mode = sample_campbell().modes[1];
+    results::CampbellMode mode = sample_campbell().modes[1];
     EXPECT_FALSE(grows(mode, 0)) << "decays";
     EXPECT_FALSE(grows(mode, 1)) << "not a number";
     mode.error[2] = 1e-3;
@@ -36,7 +38,7 @@ TEST(PlotData, MissingValuesLeaveGaps) {
 }
 
 TEST(PlotData, StationsWithoutNamesAreDrawnBesideNamedOnes) {
-    analyses::ResponseResult result;
+    results::ResponseResult result;
     result.nodes.resize(4);
     result.nodes[2].name = result.nodes[3].name = "bearing";
     EXPECT_EQ(drawn_nodes(result), (std::vector<std::size_t>{0, 1, 2, 3}));
@@ -72,7 +74,7 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
     std::normal_distribution<double> normal;
     const auto any = [&] { return std::complex<double>(normal(random), normal(random)); };
     const std::vector<double> bow{0.3, 1, -0.4};
-    std::vector<analyses::ModeShape> modes(6);
+    std::vector<results::ModeShape> modes(6);
     for (std::size_t k = 0; k < 3; ++k) {
         modes[0].x.push_back(1e-14 * any()); // in one plane
         modes[0].y.emplace_back(bow[k]);
@@ -87,7 +89,7 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
             modes[m].y.push_back(any());
         }
     }
-    const auto drawn = [](const analyses::ModeShape &mode, double phase, bool at_one_instant) {
+    const auto drawn = [](const results::ModeShape &mode, double phase, bool at_one_instant) {
         double sum = 0;
         for (std::size_t k = 0; k < 3; ++k)
             sum +=
@@ -96,7 +98,7 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
                     (mode.y[k] * std::polar(1.0, phase + (at_one_instant ? 0 : pi / 2))).real(), 2);
         return sum;
     };
-    for (const analyses::ModeShape &mode : modes) {
+    for (const results::ModeShape &mode : modes) {
         double most = 0;
         for (int step = 0; step < 1000; ++step)
             for (const bool at_one_instant : {false, true})
@@ -114,7 +116,7 @@ TEST(PlotData, ModesAreDrawnWhenMostOfThemIsSeen) {
 }
 
 TEST(PlotData, EnvelopeOfAStraightOrbitIsItsHalfLength) {
-    analyses::ModeShape mode;
+    results::ModeShape mode;
     mode.x = {0.6};
     mode.y = {0.8}; // in phase: a straight line of half length 1
     EXPECT_NEAR(mode_curves(mode).envelope[0], 1, 1e-15);

@@ -1,6 +1,10 @@
-#include "report/report.h"
-
 #include "model/errors.h"
+#include "report/report.h"
+#include "results/accuracy.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/show.h"
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>
@@ -40,16 +44,16 @@ TEST_F(ReportTest, CampbellWritesPicturesDataAndPage) {
 }
 
 TEST_F(ReportTest, EmptyResultsStillMakeAReport) {
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::CampbellResult{}, folder / "a"));
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::CriticalResult{}, folder / "b"));
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::ResponseResult{}, folder / "c"));
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::ModesResult{}, folder / "d"));
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::ShowResult{}, folder / "e"));
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::AccuracyResult{}, folder / "f"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::CampbellResult{}, folder / "a"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::CriticalResult{}, folder / "b"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::ResponseResult{}, folder / "c"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::ModesResult{}, folder / "d"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::ShowResult{}, folder / "e"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::AccuracyResult{}, folder / "f"));
 }
 
 TEST_F(ReportTest, SingleSpeedStillMakesAReport) {
-    analyses::CampbellResult result = sample_campbell();
+    results::CampbellResult result = sample_campbell();
     result.speeds.resize(1);
     EXPECT_NO_THROW(write_report(sample_case(), result, folder));
 }
@@ -60,14 +64,14 @@ TEST_F(ReportTest, ModesHaveAFileForParaView) {
 }
 
 /// A balancer with curves of three points; numbers of no rotor in particular.
-analyses::BalancerNumbers sample_balancer() {
-    analyses::BalancerNumbers balancer;
+results::BalancerNumbers sample_balancer() {
+    results::BalancerNumbers balancer;
     balancer.name = "it's <one> & \"two\"";
     balancer.E = 2;
     balancer.D = {-0.5, 0.1};
     balancer.D_interval = {0.25, 0.75};
     balancer.dimensionless.m = 0.05;
-    analyses::CompositeCurves &curves = balancer.curves.emplace();
+    results::CompositeCurves &curves = balancer.curves.emplace();
     curves.m = {0, 0.1, 0.2};
     curves.angle = {0, 2, 4};
     for (auto *list :
@@ -79,19 +83,19 @@ analyses::BalancerNumbers sample_balancer() {
 }
 
 TEST_F(ReportTest, ShowDrawsBalancersAndAnisotropy) {
-    analyses::ShowResult result;
-    analyses::BalancerNumbers idle = sample_balancer(); // no imbalance: E is infinite
+    results::ShowResult result;
+    results::BalancerNumbers idle = sample_balancer(); // no imbalance: E is infinite
     idle.E = std::numeric_limits<double>::infinity();
-    analyses::BalancerNumbers weak; // no balanced position: no curves
+    results::BalancerNumbers weak; // no balanced position: no curves
     weak.E = 0.5;
     result.balancers = {sample_balancer(), weak, idle};
-    analyses::AnisotropyChart &chart = result.anisotropy.emplace();
+    results::AnisotropyChart &chart = result.anisotropy.emplace();
     chart.speed = {1, 2};
     chart.limit = {0.1, 0.2};
     chart.undamped = {0, 0.1};
     chart.polar = {0.5, 1};
     chart.critical_over_polar = {{1.0, 1.5}, {}};
-    chart.unstable_over_polar = {analyses::ChartBand{1.1, std::nullopt}, std::nullopt};
+    chart.unstable_over_polar = {results::ChartBand{1.1, std::nullopt}, std::nullopt};
     const Files files = write_report(sample_case(), result, folder);
     expect_complete(files);
     const auto json = nlohmann::json::parse(content_of(folder / "show.json"));

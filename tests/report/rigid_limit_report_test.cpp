@@ -10,16 +10,16 @@ namespace whirl::report {
 namespace {
 
 /// A speed over stiffness, ending with the rigid model, and a mass over meshes.
-analyses::RigidLimitResult sample_rigid_limit() {
+results::RigidLimitResult sample_rigid_limit() {
     const double infinite = std::numeric_limits<double>::infinity();
-    analyses::RigidLimitResult result;
+    results::RigidLimitResult result;
     result.model.notes = {"a note"};
     result.stiffness = 1e6;
     result.bearing_stiffness = 2e6;
     result.mesh_factor = 100;
     result.sentence = "within 1 % <once>";
-    result.one_percent = analyses::RigidShaft{12, 1.2e7, 6, 0.01, "critical speed"};
-    analyses::RigidLimitRow speed;
+    result.one_percent = results::RigidShaft{12, 1.2e7, 6, 0.01, "critical speed"};
+    results::RigidLimitRow speed;
     speed.quantity = "additional speed, pinned at \"it's <one>\"";
     speed.unit = "rad/s";
     speed.closed_form = 100;
@@ -29,7 +29,7 @@ analyses::RigidLimitResult sample_rigid_limit() {
     speed.relative_difference = {std::nullopt, 0.01, 0.};
     speed.rounding = {std::nullopt, 1e-12, 1e-15};
     speed.rate = -1;
-    analyses::RigidLimitRow mass;
+    results::RigidLimitRow mass;
     mass.quantity = "mass";
     mass.unit = "kg";
     mass.closed_form = 3;
@@ -79,7 +79,7 @@ TEST_F(RigidLimitReport, WritesPicturesDataAndPage) {
         EXPECT_NE(page.find("<svg", page.find("Flexible model and rigid closed forms</h2>")),
                   std::string::npos);
     }
-    EXPECT_NO_THROW(write_report(model::Case{}, analyses::RigidLimitResult{}, folder / "empty"));
+    EXPECT_NO_THROW(write_report(model::Case{}, results::RigidLimitResult{}, folder / "empty"));
 }
 
 } // namespace whirl::report

@@ -1,7 +1,10 @@
 #pragma once
 
-#include "analyses/results.h"
 #include "model/case.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
+#include "results/modes.h"
+#include "results/whirl.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -36,10 +39,10 @@ inline model::Case sample_case() {
 
 /// Two modes at three speeds; the second has no frequency at the second speed, a real part that is
 /// not a number and grows at the third.
-inline analyses::CampbellResult sample_campbell() {
-    using analyses::Whirl;
-    analyses::CampbellResult result;
-    result.model = {{analyses::Form::planar, "isotropic & undamped"}, 4, 6, 50, 0.01, {"a note"}};
+inline results::CampbellResult sample_campbell() {
+    using results::Whirl;
+    results::CampbellResult result;
+    result.model = {{results::Form::planar, "isotropic & undamped"}, 4, 6, 50, 0.01, {"a note"}};
     result.speeds = {0, 100, 200};
     result.modes.resize(2);
     result.modes[0] = {"1B",
@@ -68,15 +71,15 @@ inline analyses::CampbellResult sample_campbell() {
     return result;
 }
 
-inline analyses::ModesResult sample_modes() {
+inline results::ModesResult sample_modes() {
     const std::complex<double> i(0, 1);
-    analyses::ModesResult result;
+    results::ModesResult result;
     result.speed = 100;
     result.z = {0, 0.75, 1.5};
     result.modes.resize(2);
-    result.modes[0] = {"1B", {0, 80},        analyses::Whirl::backward,
+    result.modes[0] = {"1B", {0, 80},        results::Whirl::backward,
                        0,    {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}};
-    result.modes[1] = {"1F", {-2, 90},       analyses::Whirl::forward,
+    result.modes[1] = {"1F", {-2, 90},       results::Whirl::forward,
                        1,    {0.3, 1., 0.3}, {-0.3 * i, -i, -0.3 * i}};
     return result;
 }

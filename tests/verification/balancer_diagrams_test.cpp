@@ -2,13 +2,14 @@
 // J. Rodrigues et al., and numbers computed independently from their equations (shared reference
 // data). Lengths in ball radii, masses in rotor masses, time in 1/Omega_1.
 
-#include "analyses/arrangement.h"
-#include "analyses/balancer_scenes.h"
-#include "analyses/hill_harmonics.h"
-#include "analyses/motions.h"
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
+#include "balancers/arrangement.h"
 #include "closed_form/pendulum_balancer.h"
+#include "results/formulation.h"
+#include "stability/hill_harmonics.h"
+#include "stability/motions.h"
+#include "support/balancer_scenes.h"
 #include "two_plane_rotor.h"
 
 #include <Eigen/Dense>
@@ -37,7 +38,7 @@ model::Case dynamic_rotor(double ball_mass, double race_damping) {
 // The balls' angles take up the couple as well: the position balances both planes' phases.
 TEST(TwoPlaneDiagram, BalancedPositionTakesUpStaticPartAndCouple) {
     const model::Case scene = dynamic_rotor(.01, .01);
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(scene.rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(scene.rotor);
     std::complex<double> force = std::polar(.005, 1.0);
     std::complex<double> couple = .005 * (3.25 - .5);
     for (std::size_t i = 0; i < 2; ++i)
@@ -60,8 +61,8 @@ TEST(TwoPlaneDiagram, HopfBoundsForDynamicImbalance) {
 // root swings with that period, to 0.3 %, for the cycle has a finite size.
 TEST(TwoPlaneDiagram, LimitCycleIsBornAtTheBound) {
     const model::Case scene = dynamic_rotor(.01, .01);
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::rotating, 1,
-                                        analyses::arrangement_at_balance(scene.rotor), 0);
+    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1,
+                                         balancers::arrangement_at_balance(scene.rotor), 0);
     const auto motions = solver.at(3.386);
     const auto critical =
         std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
@@ -95,9 +96,9 @@ model::Case on_anisotropic_supports() {
 
 double growth_on_anisotropic_supports(double speed) {
     const model::Case scene = on_anisotropic_supports();
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::hill, 1,
-                                        analyses::arrangement_at_balance(scene.rotor), 6);
-    return analyses::growth_of(solver.at(speed));
+    const stability::MotionSolver solver(scene.rotor, results::Form::hill, 1,
+                                         balancers::arrangement_at_balance(scene.rotor), 6);
+    return stability::growth_of(solver.at(speed));
 }
 
 /// The same from the published equations, linearised about balance in the fixed frame: rotor
@@ -171,12 +172,13 @@ TEST(TwoPlaneDiagram, GrowthOnAnisotropicSupportsIsThatOfThePublishedEquations) 
 // 0.047 at 2.5): the number chosen must give the growth of the published equations.
 TEST(TwoPlaneDiagram, HarmonicsChosenForANarrowRange) {
     const model::Case scene = on_anisotropic_supports();
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(scene.rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(scene.rotor);
     const std::vector<double> speeds = model::SpeedRange{2.3, 2.9, 25}.values();
-    const int harmonics = analyses::settled_series(scene.rotor, 1, balls, speeds).harmonics;
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::hill, 1, balls, harmonics);
+    const int harmonics = stability::settled_series(scene.rotor, 1, balls, speeds).harmonics;
+    const stability::MotionSolver solver(scene.rotor, results::Form::hill, 1, balls, harmonics);
     for (const double speed : {2.3, 2.5, 2.9})
-        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), PublishedEquations(speed).growth(), 1e-7)
+        EXPECT_NEAR(stability::growth_of(solver.at(speed)), PublishedEquations(speed).growth(),
+                    1e-7)
             << speed;
 }
 
@@ -208,7 +210,7 @@ model::Case jeffcott(double ball_mass) {
 // with 0.025.
 TEST(JeffcottDiagram, StableSpeeds) {
     const auto bands_of = [](const model::Case &scene) {
-        return analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor),
+        return analyses::unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor),
                                            false)
             .bands;
     };
@@ -229,16 +231,16 @@ TEST(TwoPlaneMotion, BistablePointDependsOnTheStart) {
     scene.simulate.time = 1500;
     scene.simulate.other_starts = {{{0, 0.3}, {0, -0.2}}};
     const auto result = analyses::simulate(scene);
-    EXPECT_EQ(result.outcome, analyses::Outcome::balanced) << result.evidence;
+    EXPECT_EQ(result.outcome, results::Outcome::balanced) << result.evidence;
     ASSERT_EQ(result.other_starts.size(), 1U);
-    EXPECT_NE(result.other_starts[0].outcome, analyses::Outcome::balanced)
+    EXPECT_NE(result.other_starts[0].outcome, results::Outcome::balanced)
         << result.other_starts[0].evidence;
     EXPECT_GT(*result.other_starts[0].residual_ratio, 1);
     EXPECT_EQ(result.other_starts[0].amplitude.size(), result.series.time.size());
 }
 
 /// eps = chi = 5e-5, m = 1e-4, balls at +-90 deg, run up to 3.6 and held there.
-analyses::SimulateResult run_up(double race_damping, bool fast) {
+results::SimulateResult run_up(double race_damping, bool fast) {
     model::Case scene = dynamic_rotor(1e-4, race_damping);
     const double quarter = std::numbers::pi / 2;
     scene.simulate.ball_angles = {{quarter, -quarter}, {quarter, -quarter}};
@@ -253,7 +255,7 @@ analyses::SimulateResult run_up(double race_damping, bool fast) {
     return analyses::simulate(scene);
 }
 
-double slowest_ball(const analyses::SimulateResult &result) {
+double slowest_ball(const results::SimulateResult &result) {
     double slowest = result.speed;
     for (const auto &balancer : result.balancers)
         for (const double rate : balancer.rates)
@@ -265,13 +267,13 @@ double slowest_ball(const analyses::SimulateResult &result) {
 // ramp and get through on the fast one; with 0.1 they keep up with the slow one too.
 TEST(TwoPlaneMotion, BallsStallOnASlowRampWithLittleDamping) {
     const auto stalled = run_up(.01, false);
-    EXPECT_EQ(stalled.outcome, analyses::Outcome::lagging) << stalled.evidence;
+    EXPECT_EQ(stalled.outcome, results::Outcome::lagging) << stalled.evidence;
     EXPECT_GT(*stalled.residual_ratio, 10);
     EXPECT_LT(slowest_ball(stalled), 2.1); // of 3.6
     const auto fast = run_up(.01, true);
-    EXPECT_EQ(fast.outcome, analyses::Outcome::balanced) << fast.evidence;
+    EXPECT_EQ(fast.outcome, results::Outcome::balanced) << fast.evidence;
     const auto damped = run_up(.1, false);
-    EXPECT_EQ(damped.outcome, analyses::Outcome::balanced) << damped.evidence;
+    EXPECT_EQ(damped.outcome, results::Outcome::balanced) << damped.evidence;
     EXPECT_NEAR(slowest_ball(damped), 3.6, 1e-3);
 }
 
@@ -280,7 +282,7 @@ TEST(TwoPlaneMotion, BallsStallOnASlowRampWithLittleDamping) {
 TEST(TiedPendulumsMotion, DoesNotSettleWhereTheFormulaPromisesEfficiency) {
     const auto scene = tests::pendulum_rotor_scene(1.2, 0.3, 0.05, 0.02);
     const auto result = analyses::simulate(scene);
-    EXPECT_EQ(result.outcome, analyses::Outcome::whirling) << result.evidence;
+    EXPECT_EQ(result.outcome, results::Outcome::whirling) << result.evidence;
     auto rotor = closed_form::pendulum_rotor(5, 1, 0.18, 0.02);
     rotor.external_damping = 0.3;
     rotor.hinge_damping = 0.05;

@@ -1,5 +1,6 @@
 // How fast elements converge: measured orders, and unknowns against digits.
 
+#include "results/formulation.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -8,7 +9,7 @@
 namespace {
 
 using namespace whirl;
-using analyses::Form;
+using results::Form;
 
 /// First six whirl speeds of example 5.9.1 at 4000 rpm, exact.
 const std::vector<double> exact_591{85.389371234,  87.795757223,  251.780522966,
@@ -85,7 +86,7 @@ model::Rotor tapered_rotor() {
     return rotor;
 }
 
-analyses::Spectrum taper(int order, int refinement) {
+modes::Spectrum taper(int order, int refinement) {
     return tests::spectrum_of(tapered_rotor(), Form::general, order, 3000 * tests::rpm, 4,
                               refinement);
 }
@@ -94,7 +95,7 @@ TEST(Taper, MeetsTheContinuumToItsPrintedDigits) {
     // Richardson extrapolation of 50, 100 and 200 slices of the continuum, Hz and 1/s.
     const std::vector<double> hertz{13.917863, 13.953344, 92.162020, 111.987588};
     const std::vector<double> real{-0.003347, -0.003393, -0.633847, -1.190123};
-    const analyses::Spectrum found = taper(8, 1);
+    const modes::Spectrum found = taper(8, 1);
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(found.modes[i].eigenvalue.imag() / (2 * std::numbers::pi), hertz[i], 1e-6);
         EXPECT_NEAR(found.modes[i].eigenvalue.real(), real[i], 1e-6);

@@ -2,6 +2,8 @@
 // exact solution of the continuous equations (transfer matrices in 80-bit arithmetic), printed to
 // 1e-9 rad/s. One element of order 10 a segment.
 
+#include "results/formulation.h"
+#include "results/whirl.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -10,8 +12,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::Form;
-using analyses::Whirl;
+using results::Form;
+using results::Whirl;
 using Values = std::vector<std::complex<double>>;
 
 struct Row {
@@ -99,7 +101,7 @@ class ExactRow : public testing::TestWithParam<Row> {};
 TEST_P(ExactRow, IsMetToTenDigits) {
     const Row &row = GetParam();
     const int wanted = static_cast<int>(row.values.size());
-    const analyses::Spectrum found = tests::spectrum_of(row.rotor, row.form, 10, row.speed, wanted);
+    const modes::Spectrum found = tests::spectrum_of(row.rotor, row.form, 10, row.speed, wanted);
     ASSERT_GE(found.modes.size(), row.values.size());
     for (std::size_t i = 0; i < row.values.size(); ++i) {
         const std::complex<double> l = found.modes[i].eigenvalue;
@@ -151,12 +153,12 @@ TEST(WhirlDirection, IsAgainstTheSenseOfTheSpin) {
     const model::Rotor rotor = tests::two_disc_rotor(1e6, 1e6);
     for (const Form form : {Form::planar, Form::hyperbolic, Form::general}) {
         for (const double speed : {4000 * tests::rpm, -4000 * tests::rpm}) {
-            const analyses::SpectrumSolver solver(rotor, form, 8);
-            const analyses::Spectrum found = solver.at(speed, 6);
+            const modes::SpectrumSolver solver(rotor, form, 8);
+            const modes::Spectrum found = solver.at(speed, 6);
             for (std::size_t i = 0; i < 6; ++i) {
                 EXPECT_NEAR(found.modes[i].eigenvalue.imag(), row_591[i], 1e-8 * row_591[i]);
                 EXPECT_EQ(found.modes[i].whirl, i % 2 == 0 ? Whirl::backward : Whirl::forward)
-                    << analyses::form_name(form) << " " << speed << " " << i;
+                    << results::form_name(form) << " " << speed << " " << i;
                 EXPECT_NEAR(found.modes[i].forward_fraction, i % 2 == 0 ? 0 : 1, 1e-8);
             }
         }

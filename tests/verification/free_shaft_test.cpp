@@ -1,5 +1,7 @@
 // Shafts without supports: exact zeros, gyroscopic rigid modes and true bending frequencies.
 
+#include "results/formulation.h"
+#include "results/whirl.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -8,8 +10,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::Form;
-using analyses::Spectrum;
+using modes::Spectrum;
+using results::Form;
 
 constexpr std::array forms{Form::planar, Form::hyperbolic, Form::general};
 
@@ -37,7 +39,7 @@ TEST(FreeShaft, AtRestHasExactZerosAndTheFrequencyOfTheEulerBeam) {
     for (const Form form : forms) {
         const Spectrum found = tests::spectrum_of(rotor, form, 10, 0, 6);
         // Translation and tilt in two planes: four motions of double zero eigenvalues.
-        ASSERT_EQ(zeros(found, 0.9 * euler), 4U) << analyses::form_name(form);
+        ASSERT_EQ(zeros(found, 0.9 * euler), 4U) << results::form_name(form);
         ASSERT_GE(found.modes.size(), 6U);
         EXPECT_NEAR(found.modes[4].eigenvalue.imag() / euler, 1, 1e-6);
         EXPECT_NEAR(found.modes[5].eigenvalue.imag() / euler, 1, 1e-6);
@@ -59,11 +61,11 @@ TEST(FreeShaft, TurningHasTheConicalFrequencyOfTheRigidBody) {
                          [](const auto &mode) { return mode.eigenvalue.imag() > 0; });
         ASSERT_NE(conical, found.modes.end());
         EXPECT_NEAR(conical->eigenvalue.imag() / (speed * Ip_over_Id), 1, 2e-6)
-            << analyses::form_name(form);
-        EXPECT_EQ(conical->whirl, analyses::Whirl::forward);
+            << results::form_name(form);
+        EXPECT_EQ(conical->whirl, results::Whirl::forward);
         EXPECT_NEAR(conical->eigenvalue.real(), 0, 1e-9 * speed);
         // Two translations of double zeros, and the tilt at rest in each plane.
-        EXPECT_EQ(zeros(found, 0.5 * speed * Ip_over_Id), 3U) << analyses::form_name(form);
+        EXPECT_EQ(zeros(found, 0.5 * speed * Ip_over_Id), 3U) << results::form_name(form);
     }
 }
 
@@ -75,7 +77,7 @@ TEST(FreeShaft, DoesNotGetWorseWithRefinementNorUnstable) {
             tests::frequencies(tests::spectrum_of(rotor, form, 10, speed, 8));
         for (const int refinement : {2, 8, 32}) {
             const Spectrum found = tests::spectrum_of(rotor, form, 6, speed, 8, refinement);
-            ASSERT_EQ(zeros(found, 1), 3U) << analyses::form_name(form) << " " << refinement;
+            ASSERT_EQ(zeros(found, 1), 3U) << results::form_name(form) << " " << refinement;
             for (std::size_t i = 3; i < 8; ++i) {
                 const std::complex<double> l = found.modes[i].eigenvalue;
                 // Rounding grows with the unknowns, and each mode says how far.

@@ -3,6 +3,7 @@
 
 #include "closed_form/beam_frequencies.h"
 #include "elements/section.h"
+#include "results/formulation.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -11,8 +12,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::Form;
-using analyses::Spectrum;
+using modes::Spectrum;
+using results::Form;
 
 /// Exact bending frequencies (rad/s, ascending moduli) of a uniform solid shaft between pins.
 std::vector<double> pinned_exact(double length, double diameter, double speed, int waves) {
@@ -51,7 +52,7 @@ TEST(StiffSprings, AreThePinsOfTheClosedForm) {
             ASSERT_GE(found.size(), 4U);
             for (std::size_t i = 0; i < 4; ++i)
                 EXPECT_NEAR(found[i] / exact[i], 1, 1e9 / k + 1e-8)
-                    << k << " " << analyses::form_name(form) << " " << i;
+                    << k << " " << results::form_name(form) << " " << i;
         }
     }
 }
@@ -150,7 +151,7 @@ TEST_P(Slenderness, OfAPinnedShaftIsMetFromStubToWire) {
         ASSERT_GE(found.size(), 4U);
         for (std::size_t i = 0; i < modes; ++i)
             EXPECT_NEAR(found[i] / timoshenko_at_rest(d, i < 2 ? 1 : 2), 1, 1e-6)
-                << analyses::form_name(form) << i;
+                << results::form_name(form) << i;
     }
 }
 

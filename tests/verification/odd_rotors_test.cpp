@@ -5,6 +5,7 @@
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "input/case_file.h"
+#include "results/campbell.h"
 
 #include <gtest/gtest.h>
 
@@ -73,11 +74,11 @@ TEST(OddRotors, ABearingThatPushesAwayDiverges) {
     rotor.discs = {disc(0.6, 30, 0.3, 0.5)};
     rotor.bearings = {bearing(0, 2e6, 2e6, 0), bearing(0.8, -6e6, 1e5, 0),
                       bearing(1.2, 3e6, 3e6, 0)};
-    const analyses::CampbellResult result = analyses::campbell(scene_of(rotor, 10, 20, 2));
+    const results::CampbellResult result = analyses::campbell(scene_of(rotor, 10, 20, 2));
     ASSERT_TRUE(result.divergence.at(0));
     EXPECT_NEAR(*result.divergence[0], 377.96832, 5e-6);
     std::vector<double> frequencies;
-    for (const analyses::CampbellMode &mode : result.modes)
+    for (const results::CampbellMode &mode : result.modes)
         if (mode.frequency[0])
             frequencies.push_back(*mode.frequency[0]);
     std::sort(frequencies.begin(), frequencies.end());
@@ -97,8 +98,8 @@ TEST(OddRotors, BalanceEndsCarryTheirRounding) {
     rotor.bearings = {bearing(0, 737800, 737800, 21410.956),
                       bearing(0.56972898, 481900, 481900, 0)};
     rotor.planes = {{"", 0.99858456}};
-    const analyses::BalanceResult result = analyses::balance(scene_of(rotor, 5, 500, 31));
-    const analyses::BalanceBands &bands = result.planes.at(0).bands;
+    const results::BalanceResult result = analyses::balance(scene_of(rotor, 5, 500, 31));
+    const results::BalanceBands &bands = result.planes.at(0).bands;
     ASSERT_EQ(bands.bands.size(), 1U);
     ASSERT_TRUE(bands.errors.at(0).first);
     const double error = *bands.errors[0].first;
@@ -112,7 +113,7 @@ TEST(OddRotors, CoupledBearingsBlurNoErrorBar) {
     model::Case scene =
         input::load_case(std::string(WHIRL_ROOT) + "/cases/overhung_cross_coupled", {});
     scene.speeds = model::SpeedRange{0, 0, 1};
-    for (const analyses::CampbellMode &mode : analyses::campbell(scene).modes) {
+    for (const results::CampbellMode &mode : analyses::campbell(scene).modes) {
         ASSERT_TRUE(mode.error[0]);
         EXPECT_LT(*mode.error[0], 1e-8) << mode.label;
     }

@@ -3,8 +3,11 @@
 // exactly at the first forward critical speed, at whatever mesh, and however small the growth.
 
 #include "analyses/critical.h"
-#include "analyses/motions.h"
-#include "analyses/unstable_bands.h"
+#include "results/critical.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
+#include "stability/motions.h"
+#include "stability/unstable_bands.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
@@ -38,8 +41,8 @@ model::Rotor jeffcott_rotor(const Mesh &mesh, double internal_damping) {
 double first_forward_critical_speed(const Mesh &mesh) {
     const auto result =
         analyses::critical_speeds(tests::scene_of(jeffcott_rotor(mesh, 0), 0, 400, 3));
-    for (const analyses::CriticalSpeed &critical : result.critical_speeds)
-        if (critical.whirl == analyses::Whirl::forward)
+    for (const results::CriticalSpeed &critical : result.critical_speeds)
+        if (critical.whirl == results::Whirl::forward)
             return critical.speed;
     return 0;
 }
@@ -49,9 +52,9 @@ class Onset : public testing::TestWithParam<Mesh> {};
 TEST_P(Onset, IsTheFirstForwardCriticalSpeed) {
     // The growth just above the onset is eta w (W - w)/2 = 4e-10 1/s at 1e-8 above it.
     for (const double eta : {1e-6, 1e-8}) {
-        const analyses::MotionSolver solver(jeffcott_rotor(GetParam(), eta),
-                                            analyses::Form::general, GetParam().order, {}, 0);
-        const auto bands = analyses::unstable_bands(
+        const stability::MotionSolver solver(jeffcott_rotor(GetParam(), eta),
+                                             results::Form::general, GetParam().order, {}, 0);
+        const auto bands = stability::unstable_bands(
             [&solver](double speed) { return solver.at(speed); }, {150, 190, 230, 300, 400});
         const double critical = first_forward_critical_speed(GetParam());
         ASSERT_EQ(bands.size(), 1U);

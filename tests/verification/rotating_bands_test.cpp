@@ -1,10 +1,11 @@
 // Unstable bands must not depend on the grid of speeds: scenes in which motions collide between
 // grid speeds, against eigenvalues of dense state matrices, and random rotors from two grids.
 
-#include "analyses/band_finder.h"
 #include "analyses/stability.h"
-#include "analyses/stability_model.h"
 #include "assembly/rotating_system.h"
+#include "results/formulation.h"
+#include "stability/band_finder.h"
+#include "stability/rotor_at_speeds.h"
 #include "support/dense_eigenvalues.h"
 #include "support/rotating_scenes.h"
 
@@ -17,7 +18,7 @@
 namespace {
 
 using namespace whirl;
-using Bands = std::vector<analyses::SpeedInterval>;
+using Bands = std::vector<stability::SpeedInterval>;
 
 const model::Material steel{"steel", 2.1e11, 2.1e11 / 2.6, 7850};
 
@@ -59,11 +60,12 @@ model::Rotor undamped_collision() {
         506576.4459012249, 1099344.8594763563, 0);
 }
 
-analyses::BandsFound bands_of(const model::Rotor &rotor, double from, double to, int count) {
-    analyses::StabilityModel model;
-    model.form = analyses::Form::rotating;
+stability::BandsFound bands_of(const model::Rotor &rotor, double from, double to, int count) {
+    stability::StabilityModel model;
+    model.form = results::Form::rotating;
     model.order = rotor.shaft.order;
-    return analyses::BandFinder(rotor, model, {}).find(model::SpeedRange{from, to, count}.values());
+    return stability::BandFinder(rotor, model, {})
+        .find(model::SpeedRange{from, to, count}.values());
 }
 
 /// Largest real part of the dense state matrix, which shares the matrices but no solver.
@@ -82,7 +84,7 @@ bool has_band(const Bands &bands, double from, double to, double tolerance) {
 // Ends to the digits of an independent solution (spectral Timoshenko elements, dense eigenvalues).
 TEST(Collisions, OfDampedMotionsAreFoundFromACoarseGrid) {
     const model::Rotor rotor = three_collisions();
-    const analyses::BandsFound found = bands_of(rotor, 5, 2500, 101);
+    const stability::BandsFound found = bands_of(rotor, 5, 2500, 101);
     EXPECT_TRUE(has_band(found.bands, 1688.2, 1701.4, 0.06));
     EXPECT_TRUE(has_band(found.bands, 1841.3, 1845.2, 0.06));
     EXPECT_TRUE(has_band(found.bands, 2208.5, 2220.0, 0.06));
@@ -98,7 +100,7 @@ TEST(Collisions, OfDampedMotionsAreFoundFromACoarseGrid) {
 
 TEST(Collisions, OfUndampedMotionsAreFoundFromAnyGrid) {
     for (const int count : {101, 377, 1501}) {
-        const analyses::BandsFound found = bands_of(undamped_collision(), 1100, 1500, count / 5);
+        const stability::BandsFound found = bands_of(undamped_collision(), 1100, 1500, count / 5);
         EXPECT_TRUE(has_band(found.bands, 1278.61, 1278.96, 0.006)) << count;
     }
 }
@@ -130,7 +132,7 @@ bool inside(const Bands &doubtful, double speed) {
 }
 
 /// Every band of `some` is one of `others`, or said to be in doubt there.
-void expect_contained(const analyses::BandsFound &some, const analyses::BandsFound &others,
+void expect_contained(const stability::BandsFound &some, const stability::BandsFound &others,
                       int rotor) {
     for (const auto &[from, to] : some.bands) {
         EXPECT_TRUE(has_band(others.bands, from, to, 1e-6 * to) ||
@@ -146,8 +148,8 @@ TEST(RandomRotors, BandsAreTheSameFromTwoGrids) {
     std::size_t bands = 0;
     for (int i = 0; i < rotors; ++i) {
         const model::Rotor rotor = random_rotor(random);
-        const analyses::BandsFound coarse = bands_of(rotor, 5, 2500, 101);
-        const analyses::BandsFound all = bands_of(rotor, 5, 2500, fine);
+        const stability::BandsFound coarse = bands_of(rotor, 5, 2500, 101);
+        const stability::BandsFound all = bands_of(rotor, 5, 2500, fine);
         expect_contained(coarse, all, i);
         expect_contained(all, coarse, i);
         bands += all.bands.size();

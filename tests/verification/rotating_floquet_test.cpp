@@ -1,10 +1,11 @@
 // Every unstable band by two routes: eigenvalues of constant matrices in rotating axes, and Floquet
 // multipliers of the periodic equations in the fixed frame (tests/support/periodic_system.h).
 
-#include "analyses/motions.h"
 #include "analyses/stability.h"
-#include "analyses/stability_model.h"
 #include "input/case_file.h"
+#include "results/formulation.h"
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -90,7 +91,7 @@ std::vector<Scene> scenes() {
 class TwoRoutes : public testing::TestWithParam<Scene> {
   protected:
     const Scene &scene = GetParam();
-    analyses::Arrangement balls = analyses::arrangement_at_balance(scene.rotor);
+    balancers::Arrangement balls = balancers::arrangement_at_balance(scene.rotor);
     assembly::Discretization d{scene.rotor, 1};
     model::Case at = tests::scene_of(scene.rotor, scene.from, scene.to, 61);
 
@@ -98,12 +99,12 @@ class TwoRoutes : public testing::TestWithParam<Scene> {
 };
 
 TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::rotating, 1, balls, 0);
+    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1, balls, 0);
     for (const double share : {0.3, 0.8}) {
         const double speed = scene.from + share * (scene.to - scene.from);
         const tests::PeriodicSystem system = periodic(speed);
         Values slow; // what the steps resolve
-        for (const analyses::Motion &motion : solver.at(speed))
+        for (const stability::Motion &motion : solver.at(speed))
             if (std::abs(motion.value) < 3 * speed)
                 slow.push_back(motion.value);
         ASSERT_GE(slow.size(), 4U);
@@ -117,11 +118,11 @@ TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
 TEST_P(TwoRoutes, BandsAreUnstableInsideAndStableBeside) {
     const auto bands = analyses::unstable_bands_of(at, balls, false).bands;
     EXPECT_GE(bands.size(), static_cast<std::size_t>(scene.fewest_bands));
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::rotating, 1, balls, 0);
+    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1, balls, 0);
     for (const auto &[from, to] : bands) {
         for (const double share : {0.1, 0.6}) {
             const double speed = from + share * (to - from);
-            const double growth = analyses::growth_of(solver.at(speed));
+            const double growth = stability::growth_of(solver.at(speed));
             EXPECT_GT(growth, 0);
             EXPECT_NEAR(periodic(speed).growth(steps), growth, 1e-6 * growth + 1e-8 * speed)
                 << from << " " << to;

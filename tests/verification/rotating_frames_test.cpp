@@ -3,10 +3,12 @@
 // one.
 
 #include "analyses/campbell.h"
-#include "analyses/rigid_projection.h"
-#include "analyses/rotating_spectrum.h"
 #include "analyses/stability.h"
 #include "closed_form/anisotropic_rotor.h"
+#include "modes/rotating_spectrum.h"
+#include "results/campbell.h"
+#include "results/whirl.h"
+#include "rigid/projection.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +22,7 @@ using model::FormChoice;
 
 struct Whirling {
     double frequency, real;
-    analyses::Whirl whirl;
+    results::Whirl whirl;
 };
 
 /// The six lowest modes at each speed, by frequency.
@@ -29,11 +31,11 @@ std::vector<std::vector<Whirling>> modes_of(model::Rotor rotor, FormChoice form,
     model::Case scene = tests::scene_of(std::move(rotor), from, to, 3);
     scene.formulation = form;
     scene.campbell.modes = 6;
-    const analyses::CampbellResult result = analyses::campbell(scene);
+    const results::CampbellResult result = analyses::campbell(scene);
     std::vector<std::vector<Whirling>> out;
     for (std::size_t k = 0; k < result.speeds.size(); ++k) {
         std::vector<Whirling> modes;
-        for (const analyses::CampbellMode &mode : result.modes)
+        for (const results::CampbellMode &mode : result.modes)
             if (mode.frequency[k])
                 modes.push_back({*mode.frequency[k], *mode.real[k], mode.whirl[k]});
         std::sort(modes.begin(), modes.end(),
@@ -110,10 +112,10 @@ TEST(Frames, EigenvaluesAreShiftedByTheSpin) {
     const double speed = 410;
     const auto planar = modes_of(rotor, FormChoice::planar, speed, speed + 1);
     const assembly::Discretization d(rotor, 4);
-    const analyses::RotatingSpectrum spectrum(d, 0, {}, 0);
+    const modes::RotatingSpectrum spectrum(d, 0, {}, 0);
     const auto found = spectrum.eigenvalues(speed, 2000, 1).pairs;
     for (const Whirling &mode : planar[0]) {
-        const double shifted = mode.whirl == analyses::Whirl::forward
+        const double shifted = mode.whirl == results::Whirl::forward
                                    ? std::abs(mode.frequency - speed)
                                    : mode.frequency + speed;
         const bool there = std::any_of(found.begin(), found.end(), [&](const auto &pair) {
@@ -139,7 +141,7 @@ TEST(RigidLimit, EndsOfTheUnstableBandConvergeAsOneOverTheStiffness) {
     // From the shaft's and the disc's inertias.
     model::Rotor bare = flexible_rotor(1);
     bare.anisotropies.clear();
-    const auto body = analyses::rigid_projection(bare).value();
+    const auto body = rigid::rigid_projection(bare).value();
     const auto exact = closed_form::unstable_band(
         {body.C / body.A, 0.3 / body.A, std::sqrt(body.k33 / body.A), body.h33 / body.A});
     ASSERT_TRUE(exact && exact->to);

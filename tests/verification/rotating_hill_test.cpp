@@ -1,13 +1,14 @@
 // Rotor and bearings both unsymmetric: Hill's series in rotating axes against Floquet multipliers
 // of the fixed frame, and against published windows of stability.
 
-#include "analyses/hill_harmonics.h"
-#include "analyses/motions.h"
 #include "analyses/stability.h"
 #include "analyses/stability_map.h"
-#include "analyses/stability_model.h"
-#include "analyses/unstable_bands.h"
 #include "model/errors.h"
+#include "results/formulation.h"
+#include "stability/hill_harmonics.h"
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
+#include "stability/unstable_bands.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -49,7 +50,7 @@ model::Rotor coupled_rotor() {
     return rotor;
 }
 
-bool within(const std::vector<analyses::SpeedInterval> &bands, double speed, double margin) {
+bool within(const std::vector<stability::SpeedInterval> &bands, double speed, double margin) {
     return std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
         return speed > band.first - margin && speed < band.second + margin;
     });
@@ -69,18 +70,18 @@ class Hill : public testing::TestWithParam<Scene> {
     model::Rotor rotor = GetParam().rotor;
     model::Case scene = tests::scene_of(rotor, 100, 450, 71);
     assembly::Discretization d{rotor, rotor.shaft.order};
-    analyses::StabilityModel model = analyses::stability_model(scene, scene.speeds->values());
+    stability::StabilityModel model = stability::stability_model(scene, scene.speeds->values());
 
     [[nodiscard]] tests::PeriodicSystem periodic(double speed) const { return {d, speed, {}}; }
 };
 
 TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
-    ASSERT_EQ(model.form, analyses::Form::hill);
+    ASSERT_EQ(model.form, results::Form::hill);
     EXPECT_GE(model.harmonics, 1);
-    const analyses::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    const stability::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
     for (const double speed : {140.0, 260.0, 420.0}) {
         Values low;
-        for (const analyses::Motion &motion : solver.at(speed))
+        for (const stability::Motion &motion : solver.at(speed))
             if (std::abs(motion.value) <= speed)
                 low.push_back(motion.value);
         ASSERT_GE(low.size(), 2U);
@@ -94,12 +95,12 @@ TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
 }
 
 TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
-    const analyses::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    const stability::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     EXPECT_GE(bands.size(), 1U);
     for (double speed = 101.3; speed < 450; speed += 5) {
         const double growth = periodic(speed).growth(steps);
-        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), growth, 1e-7 * speed) << speed;
+        EXPECT_NEAR(stability::growth_of(solver.at(speed)), growth, 1e-7 * speed) << speed;
         if (!within(bands, speed, 1e-3)) {
             EXPECT_LT(growth, 1e-6) << speed;
         }
@@ -149,15 +150,15 @@ TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {
 TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
     const model::Rotor rotor = rigid_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
-    const auto series = analyses::settled_series(rotor, rotor.shaft.order, {},
-                                                 model::SpeedRange{0, 450, 181}.values());
+    const auto series = stability::settled_series(rotor, rotor.shaft.order, {},
+                                                  model::SpeedRange{0, 450, 181}.values());
     EXPECT_GT(series.from, 0);
     EXPECT_LT(series.from, 200);
-    const analyses::MotionSolver solver(rotor, analyses::Form::hill, rotor.shaft.order, {},
-                                        series.harmonics);
+    const stability::MotionSolver solver(rotor, results::Form::hill, rotor.shaft.order, {},
+                                         series.harmonics);
     for (const double speed : {series.from, 450.0}) {
         const tests::PeriodicSystem system(d, speed, {});
-        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), system.growth(240), 1e-6 * speed)
+        EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(240), 1e-6 * speed)
             << speed;
     }
     model::Case scene = tests::scene_of(rotor, 1, 450, 3);
@@ -181,10 +182,10 @@ TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
         bearing.rows[0].k(0, 1) = 2e5;
         bearing.rows[0].k(1, 0) = -2e5;
     }
-    const analyses::MotionSolver solver(rotor, analyses::Form::hill, 4, {}, 1);
+    const stability::MotionSolver solver(rotor, results::Form::hill, 4, {}, 1);
     for (const double speed : {60.0, 70.0, 80.0})
-        EXPECT_GT(analyses::growth_of(solver.at(speed)), 3.6) << speed;
-    EXPECT_NEAR(analyses::growth_of(solver.at(60)), 3.714, 5e-4);
+        EXPECT_GT(stability::growth_of(solver.at(speed)), 3.6) << speed;
+    EXPECT_NEAR(stability::growth_of(solver.at(60)), 3.714, 5e-4);
 }
 
 /// The rotor of cases/hill_rotor on bearings that differ ninefold, hardly damped, with the largest
@@ -201,9 +202,9 @@ model::Rotor strongly_unequal_rotor() {
 TEST(HillForm, NarrowBandsOfFastMotionsAndNoFalseOnes) {
     const model::Rotor rotor = strongly_unequal_rotor();
     const assembly::Discretization d(rotor, 1);
-    const analyses::MotionSolver solver(rotor, analyses::Form::hill, 1, {}, 1);
-    const auto found = analyses::find_bands([&solver](double speed) { return solver.at(speed); },
-                                            model::SpeedRange{160, 250, 10}.values());
+    const stability::MotionSolver solver(rotor, results::Form::hill, 1, {}, 1);
+    const auto found = stability::find_bands([&solver](double speed) { return solver.at(speed); },
+                                             model::SpeedRange{160, 250, 10}.values());
     EXPECT_TRUE(found.doubtful.empty());
     ASSERT_EQ(found.bands.size(), 2U);
     EXPECT_NEAR(found.bands[0].first, 173.44, 0.006);
@@ -213,7 +214,7 @@ TEST(HillForm, NarrowBandsOfFastMotionsAndNoFalseOnes) {
     for (const auto &[from, to] : found.bands) {
         const double inside = (from + to) / 2;
         EXPECT_NEAR(tests::PeriodicSystem(d, inside, {}).growth(400),
-                    analyses::growth_of(solver.at(inside)), 1e-6 * inside);
+                    stability::growth_of(solver.at(inside)), 1e-6 * inside);
         for (const double end : {from - 0.02, to + 0.02}) // rounding of the multipliers: 1e-9
             EXPECT_LT(tests::PeriodicSystem(d, end, {}).growth(400), 1e-6);
     }
@@ -250,10 +251,10 @@ TEST(HillForm, GrowthOfRandomRotorsIsThatOfTheMultipliers) {
     for (int i = 0; i < 12; ++i) {
         const model::Rotor rotor = random_rigid_rotor(random);
         const assembly::Discretization d(rotor, 1);
-        const analyses::MotionSolver solver(rotor, analyses::Form::hill, 1, {}, 1);
+        const stability::MotionSolver solver(rotor, results::Form::hill, 1, {}, 1);
         for (const double speed : {60.0, 150.0, 310.0, 700.0}) {
             ++asked;
-            std::vector<analyses::Motion> motions;
+            std::vector<stability::Motion> motions;
             try {
                 motions = solver.at(speed);
             } catch (const model::AnalysisFailure &) {
@@ -261,7 +262,7 @@ TEST(HillForm, GrowthOfRandomRotorsIsThatOfTheMultipliers) {
             }
             ++given;
             const double growth = tests::PeriodicSystem(d, speed, {}).growth(600);
-            EXPECT_NEAR(analyses::growth_of(motions), growth, 1e-7 * speed) << i << " " << speed;
+            EXPECT_NEAR(stability::growth_of(motions), growth, 1e-7 * speed) << i << " " << speed;
         }
     }
     EXPECT_GE(given, 3 * asked / 4);
@@ -293,7 +294,7 @@ TEST(TwoPlaneBalancer, WindowsOfStabilityOnUnequalBearings) {
     // without the tilt inertia of the balls, which is of the order of their mass, 1e-4.
     const model::Rotor rotor = two_plane_rotor();
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(rotor);
     const auto bands = analyses::unstable_bands_of(scene, balls, false).bands;
     std::vector<double> ends{0.6};
     ASSERT_FALSE(bands.empty());
@@ -316,13 +317,14 @@ TEST(TwoPlaneBalancer, WindowsOfStabilityOnUnequalBearings) {
 TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
     const model::Rotor rotor = two_plane_rotor();
     const assembly::Discretization d(rotor, 1);
-    const analyses::Arrangement balls = analyses::arrangement_at_balance(rotor);
+    const balancers::Arrangement balls = balancers::arrangement_at_balance(rotor);
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
-    const analyses::StabilityModel model = analyses::stability_model(scene, scene.speeds->values());
-    const analyses::MotionSolver solver(rotor, model.form, 1, balls, model.harmonics);
+    const stability::StabilityModel model =
+        stability::stability_model(scene, scene.speeds->values());
+    const stability::MotionSolver solver(rotor, model.form, 1, balls, model.harmonics);
     for (const double speed : {0.9, 1.5, 2.3, 2.6, 3.4, 5.1}) {
         const tests::PeriodicSystem system(d, speed, balls);
-        EXPECT_NEAR(analyses::growth_of(solver.at(speed)), system.growth(80), 1e-7 * speed);
+        EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(80), 1e-7 * speed);
     }
 }
 

@@ -1,11 +1,13 @@
 // Rigid scenes in rotating axes against closed forms: composite rotor with balls, anisotropic
 // rotor on symmetric supports.
 
-#include "analyses/arrangement.h"
 #include "analyses/critical.h"
-#include "analyses/rotating_spectrum.h"
 #include "analyses/stability.h"
+#include "balancers/arrangement.h"
 #include "closed_form/balanced_position.h"
+#include "modes/rotating_spectrum.h"
+#include "results/critical.h"
+#include "results/whirl.h"
 #include "support/dense_eigenvalues.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
@@ -17,12 +19,12 @@ namespace {
 using namespace whirl;
 using Values = std::vector<std::complex<double>>;
 
-analyses::StabilityResult stability_of(const model::Case &scene) {
+results::StabilityResult stability_of(const model::Case &scene) {
     return analyses::stability(scene, [&](const auto &) { return scene; });
 }
 
-std::vector<elements::BalancerElement> elements_of(const model::Rotor &rotor) {
-    return analyses::balancer_elements(rotor, analyses::arrangement_at_balance(rotor));
+std::vector<balancers::BalancerElement> elements_of(const model::Rotor &rotor) {
+    return balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
 }
 
 Values exact_eigenvalues(closed_form::FixedFrameRotor rotor, double speed) {
@@ -51,7 +53,7 @@ std::vector<tests::CompositeScene> composite_scenes() {
 TEST(RigidRotating, SpectrumIsThatOfTheClosedForm) {
     for (const tests::CompositeScene &scene : composite_scenes()) {
         const assembly::Discretization d(scene.rotor, 1);
-        const analyses::RotatingSpectrum spectrum(d, 0, elements_of(scene.rotor), 0);
+        const modes::RotatingSpectrum spectrum(d, 0, elements_of(scene.rotor), 0);
         for (const double speed : {11.0, 37.0, 260.0}) {
             const Values exact = exact_eigenvalues(scene.exact, speed);
             expect_same(tests::dense_eigenvalues(spectrum.system(), speed), exact, 1e-9);
@@ -121,14 +123,14 @@ TEST(RigidRotating, CriticalAndAdditionalSpeedsOfTwoBalls) {
     ASSERT_GE(critical.size(), 3U);
     ASSERT_EQ(additional.size(), 2U);
     const model::Case at = tests::scene_of(scene.rotor, 0, 1.2 * critical.back(), 51);
-    const analyses::CriticalResult direct = analyses::critical_speeds(at);
-    const analyses::StabilityResult found = stability_of(at);
+    const results::CriticalResult direct = analyses::critical_speeds(at);
+    const results::StabilityResult found = stability_of(at);
     ASSERT_EQ(direct.critical_speeds.size(), critical.size());
     ASSERT_EQ(found.critical_speeds.size(), critical.size());
     for (std::size_t i = 0; i < critical.size(); ++i) {
         EXPECT_NEAR(direct.critical_speeds[i].speed, critical[i], 1e-9 * critical[i]);
         EXPECT_NEAR(found.critical_speeds[i], critical[i], 1e-9 * critical[i]);
-        EXPECT_EQ(direct.critical_speeds[i].whirl, analyses::Whirl::forward);
+        EXPECT_EQ(direct.critical_speeds[i].whirl, results::Whirl::forward);
     }
     ASSERT_EQ(found.additional_speeds.size(), additional.size());
     for (std::size_t i = 0; i < additional.size(); ++i)
@@ -190,7 +192,7 @@ TEST(AnisotropicRigidRotor, CriticalSpeedsWithoutDamping) {
     std::vector<double> expected = closed_form::critical_speeds(exact_tilt(0.8, 0));
     expected.insert(expected.begin(), 1.25 / std::sqrt(10.0)); // translation, sqrt(2k/m)
     const auto direct = analyses::critical_speeds(scene).critical_speeds;
-    const analyses::StabilityResult found = stability_of(scene);
+    const results::StabilityResult found = stability_of(scene);
     ASSERT_EQ(direct.size(), 3U);
     ASSERT_EQ(found.critical_speeds.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -2,6 +2,8 @@
 // the exact solution of the continuum, until the error bar says otherwise.
 
 #include "oracles/continuum_roots.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
 #include "support/test_rotors.h"
 #include "verification/spectrum_of.h"
 
@@ -10,8 +12,8 @@
 namespace {
 
 using namespace whirl;
-using analyses::Form;
-using analyses::Spectrum;
+using modes::Spectrum;
+using results::Form;
 
 constexpr double E = 2.1e11;
 constexpr double nu = 0.3;
@@ -60,7 +62,7 @@ TEST_P(Gap, IsotropicInEveryForm) {
                 double nearest = 1e300;
                 for (const double other : tests::frequencies(found))
                     nearest = std::min(nearest, std::abs(other - w));
-                EXPECT_LT(nearest, 1e-9 * w) << analyses::form_name(form) << " " << w;
+                EXPECT_LT(nearest, 1e-9 * w) << results::form_name(form) << " " << w;
             }
         }
     }
@@ -100,7 +102,7 @@ TEST(ShortSpans, RowOfStationsInACluster) {
     const auto truth = oracles::frequencies(exact, {oracles::Motion::forward, speed}, 3, 1e4);
     std::size_t next = 0;
     for (const auto &mode : found.modes) {
-        if (mode.whirl != analyses::Whirl::forward || next == truth.size())
+        if (mode.whirl != results::Whirl::forward || next == truth.size())
             continue;
         const auto w = static_cast<double>(truth[next++]);
         EXPECT_NEAR(mode.eigenvalue.imag() / w, 1, 1e-9);
@@ -209,7 +211,7 @@ TEST(FreeMotions, SlowPrecessionOfATopAtEveryOrder) {
         EXPECT_EQ(found.modes[0].eigenvalue.imag(), 0);
         for (std::size_t i = 1; i < 4; ++i) {
             const double w = found.modes[i].eigenvalue.imag();
-            const bool forward = found.modes[i].whirl == analyses::Whirl::forward;
+            const bool forward = found.modes[i].whirl == results::Whirl::forward;
             const auto root = oracles::eigenvalue_near(
                 exact, {forward ? oracles::Motion::forward : oracles::Motion::backward, spin},
                 {0, forward ? w : w});

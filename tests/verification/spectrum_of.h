@@ -1,6 +1,7 @@
 #pragma once
 
-#include "analyses/spectrum.h"
+#include "modes/spectrum.h"
+#include "results/formulation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,15 @@ namespace whirl::tests {
 
 constexpr double rpm = std::numbers::pi / 30; ///< rad/s
 
-inline analyses::Spectrum spectrum_of(const model::Rotor &rotor, analyses::Form form, int order,
-                                      double speed, int wanted, int refinement = 1) {
-    return analyses::SpectrumSolver(rotor, form, order, refinement).at(speed, wanted);
+inline modes::Spectrum spectrum_of(const model::Rotor &rotor, results::Form form, int order,
+                                   double speed, int wanted, int refinement = 1) {
+    return modes::SpectrumSolver(rotor, form, order, refinement).at(speed, wanted);
 }
 
 /// Frequencies (rad/s) of the first modes, ascending.
-inline std::vector<double> frequencies(const analyses::Spectrum &spectrum) {
+inline std::vector<double> frequencies(const modes::Spectrum &spectrum) {
     std::vector<double> out;
-    for (const analyses::WhirlMode &mode : spectrum.modes)
+    for (const modes::WhirlMode &mode : spectrum.modes)
         out.push_back(mode.eigenvalue.imag());
     return out;
 }

@@ -1,12 +1,13 @@
 // Three tiers of evidence about the same rotors: the criterion (balancers without mass), the
 // eigenvalues of the balanced position with the real balls, and the motion in time.
 
-#include "analyses/arrangement.h"
 #include "analyses/balance.h"
-#include "analyses/balancer_scenes.h"
-#include "analyses/motions.h"
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
+#include "balancers/arrangement.h"
+#include "results/formulation.h"
+#include "stability/motions.h"
+#include "support/balancer_scenes.h"
 #include "two_plane_rotor.h"
 
 #include <gtest/gtest.h>
@@ -26,9 +27,9 @@ model::Case published_rotor(double eccentricity, double ball_mass) {
 }
 
 double growth_at(const model::Case &scene, double speed) {
-    const analyses::MotionSolver solver(scene.rotor, analyses::Form::rotating, 1,
-                                        analyses::arrangement_at_balance(scene.rotor), 0);
-    return analyses::growth_of(solver.at(speed));
+    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1,
+                                         balancers::arrangement_at_balance(scene.rotor), 0);
+    return stability::growth_of(solver.at(speed));
 }
 
 // Hopf bounds computed from the published equations, four digits printed.
@@ -124,7 +125,7 @@ TEST(Tiers, UpperEndOfAFlexibleRotorIsMetInProportionToTheBallMass) {
     const auto joint = analyses::balance(scene).joint.bands;
     ASSERT_FALSE(joint.ends.empty());
     const auto upper = std::find_if(joint.ends.begin(), joint.ends.end(),
-                                    [](const analyses::BandEnd &end) { return end.upper; });
+                                    [](const results::BandEnd &end) { return end.upper; });
     ASSERT_NE(upper, joint.ends.end());
     std::vector<double> differences;
     for (const double mass : {0.04, 0.02, 0.01}) {
@@ -154,11 +155,11 @@ TEST(Tiers, MotionInTimeDoesWhatTheEigenvaluesPromise) {
             scene.speeds = model::SpeedRange{speed, speed, 1};
             scene.simulate.time = 14 / std::abs(growth);
             scene.simulate.tolerance = 1e-7;
-            scene.simulate.ball_angles = analyses::arrangement_at_balance(scene.rotor);
+            scene.simulate.ball_angles = balancers::arrangement_at_balance(scene.rotor);
             scene.simulate.ball_angles[0][0] += 0.02;
             scene.simulate.ball_angles[1][1] += 0.01;
             const auto result = analyses::simulate(scene);
-            EXPECT_EQ(result.outcome == analyses::Outcome::balanced, growth < 0)
+            EXPECT_EQ(result.outcome == results::Outcome::balanced, growth < 0)
                 << "speed " << speed << ", ball mass " << mass << ", growth " << growth << ": "
                 << result.evidence;
             ++points;

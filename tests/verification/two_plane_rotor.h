@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/arrangement.h"
-#include "analyses/balancer_scenes.h"
 #include "analyses/stability.h"
+#include "balancers/arrangement.h"
+#include "support/balancer_scenes.h"
 
 #include <cmath>
 #include <complex>
@@ -45,7 +45,7 @@ inline model::Case rotor_with(const Imbalance &imbalance, double ball_mass, doub
 inline double stable_above(model::Case scene, double from, double to) {
     scene.speeds = model::SpeedRange{from, to, 81};
     const auto bands =
-        analyses::unstable_bands_of(scene, analyses::arrangement_at_balance(scene.rotor), false)
+        analyses::unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor), false)
             .bands;
     return bands.empty() ? from : bands.back().second;
 }

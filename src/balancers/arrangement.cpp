@@ -1,0 +1,69 @@
+#include "balancers/arrangement.h"
+
+#include "balancers/balanced_position.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::balancers {
+
+namespace {
+
+bool has_balls(const model::Balancer &balancer) {
+    return balancer.kind == model::BalancerKind::ball;
+}
+
+std::vector<double> in_the_rotor(const std::vector<double> &from_the_imbalance,
+                                 const model::Balancer &balancer) {
+    return turned(from_the_imbalance, balancer.imbalance_phase);
+}
+
+std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", index); }
+
+} // namespace
+
+Arrangement arrangement_at_balance(const model::Rotor &rotor) {
+    Arrangement out;
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
+        out.push_back(has_balls(rotor.balancers[i])
+                          ? in_the_rotor(ball_angles_at_balance(rotor.balancers[i], label_of(i)),
+                                         rotor.balancers[i])
+                          : std::vector<double>{});
+    return out;
+}
+
+std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
+                                               const Arrangement &arrangement) {
+    std::vector<BalancerElement> out;
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        const auto &angles = arrangement[i];
+        out.push_back(balancer_element(rotor.balancers[i],
+                                       angles.empty() ? 0.0 : second_harmonic_of(angles)));
+    }
+    return out;
+}
+
+std::vector<Arrangement> sampled_arrangements(const model::Rotor &rotor, int count) {
+    std::vector<Arrangement> choices; // of each balancer
+    std::size_t most = 1;
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        choices.push_back(has_balls(rotor.balancers[i])
+                              ? sampled_positions(rotor.balancers[i], count, label_of(i))
+                              : Arrangement{{}});
+        most = std::max(most, choices.back().size());
+    }
+    // Each balancer runs through its own list with its own stride, so that several balancers do
+    // not always stand at the same place of the family together.
+    std::vector<Arrangement> out;
+    for (std::size_t k = 0; k < most; ++k) {
+        Arrangement arrangement;
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            arrangement.push_back(
+                in_the_rotor(choices[i][k * (2 * i + 1) % choices[i].size()], rotor.balancers[i]));
+        out.push_back(std::move(arrangement));
+    }
+    return out;
+}
+
+} // namespace whirl::balancers

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "results/balance.h"
+
+#include <functional>
+#include <vector>
+
+namespace whirl::criterion {
+
+/// A scalar criterion over spin speed (rad/s); negative: balanced.
+using SpeedFunction = std::function<double(double)>;
+
+/// Bands of a criterion of an undamped rotor, whose sign changes nowhere but at the critical speeds
+/// (a pole) and at those of the rotor pinned at the planes (a zero): signs are looked at between
+/// them, so that no band is missed. Lower ends are critical speeds; upper ends are refined as zeros
+/// of the criterion itself, beside the pinned critical speed. Bands narrower than 1e-8 of the speed
+/// are left out.
+///
+/// @param critical,pinned  in (from, to), ascending
+[[nodiscard]] std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
+                                                          const std::vector<double> &critical,
+                                                          const std::vector<double> &pinned,
+                                                          double from, double to);
+
+/// Bands of any criterion, from its signs at these speeds (ascending, the ends of the range among
+/// them); where it comes near zero between two speeds and turns back, its extremum is sought.
+[[nodiscard]] std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
+                                                            const std::vector<double> &speeds);
+
+/// Speeds at which a criterion of a damped rotor is to be looked at: the given ones and more of
+/// them close to each of `hints`, where lightly damped resonances stand, and between the hints.
+[[nodiscard]] std::vector<double> samples_around(const std::vector<double> &hints,
+                                                 const std::vector<double> &given, double from,
+                                                 double to);
+
+} // namespace whirl::criterion

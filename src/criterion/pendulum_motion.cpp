@@ -1,0 +1,178 @@
+#include "criterion/pendulum_motion.h"
+
+#include "closed_form/pendulum_balancer.h"
+#include "linalg/check.h"
+#include "results/formulation.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace whirl::criterion {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// At phi = psi = 0 the four masses are a ring as far as the tilt of the shaft is concerned.
+model::Rotor with_rings(model::Rotor rotor, const std::vector<model::Balancer> &pendulums) {
+    for (const model::Balancer &pendulum : pendulums) {
+        const double radius = pendulum.pivot + pendulum.arm;
+        model::Disc ring;
+        ring.z = pendulum.z;
+        ring.mass = 4 * pendulum.mass;
+        ring.Id = 2 * pendulum.mass * radius * radius;
+        ring.Ip = 2 * ring.Id;
+        rotor.discs.push_back(ring);
+    }
+    return rotor;
+}
+
+/// Places of the balancers, then of the imbalances. The mesh has nodes at all of them.
+std::vector<assembly::Combination> places_of(const assembly::Discretization &d,
+                                             const std::vector<model::Balancer> &pendulums,
+                                             const std::vector<model::Imbalance> &drive) {
+    std::vector<assembly::Combination> places;
+    for (const model::Balancer &pendulum : pendulums)
+        places.push_back(d.deflection_at(pendulum.z));
+    for (const model::Imbalance &imbalance : drive)
+        places.push_back(d.deflection_at(imbalance.z));
+    return places;
+}
+
+model::Rotor with_imbalances(model::Rotor rotor, const std::vector<model::Imbalance> &drive) {
+    rotor.imbalances = drive; // nodes where they act
+    return rotor;
+}
+
+} // namespace
+
+PendulumShaft::PendulumShaft(model::Rotor rotor, int order, std::vector<model::Balancer> pendulums,
+                             std::vector<model::Imbalance> drive)
+    : _pendulums(std::move(pendulums)), _drive(std::move(drive)),
+      _d(with_imbalances(with_rings(std::move(rotor), _pendulums), _drive), order),
+      _receptance(_d, results::Form::planar, places_of(_d, _pendulums, _drive)) {}
+
+void PendulumShaft::look_at(double speed) {
+    if (speed == _speed)
+        return;
+    const auto count = static_cast<Eigen::Index>(_pendulums.size());
+    Eigen::MatrixXcd R;
+    try {
+        R = _receptance.at(speed);
+    } catch (const linalg::SolverError &) { // at a resonance: beside it
+        R = _receptance.at(speed * (1 + 1e-11));
+    }
+    _R = R.topLeftCorner(count, count);
+    _held = Eigen::VectorXcd::Zero(count);
+    for (std::size_t k = 0; k < _drive.size(); ++k)
+        _held += R.col(count + static_cast<Eigen::Index>(k)).head(count) *
+                 std::polar(_drive[k].mr, _drive[k].phase);
+    _speed = speed;
+}
+
+Eigen::VectorXcd PendulumShaft::held(double speed) {
+    look_at(speed);
+    return _held;
+}
+
+/// Solves u - held - R f(u) = 0 from u; false where Newton's method does not converge.
+bool PendulumShaft::newton(Eigen::VectorXcd &u) const {
+    const Eigen::Index n = u.size();
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        Eigen::VectorXcd force(n);
+        Eigen::VectorXd slope(2 * n);
+        for (Eigen::Index j = 0; j < n; ++j) {
+            const model::Balancer &p = _pendulums[static_cast<std::size_t>(j)];
+            const double x = std::hypot(p.pivot, u(j).real());
+            const double y = std::hypot(p.pivot, u(j).imag());
+            const double size = 2 * p.mass * p.arm;
+            force(j) = size * Complex(u(j).real() / x, u(j).imag() / y);
+            slope(j) = size * p.pivot * p.pivot / (x * x * x);
+            slope(n + j) = size * p.pivot * p.pivot / (y * y * y);
+        }
+        const Eigen::VectorXcd rest = u - _held - _R * force;
+        Eigen::MatrixXd J(2 * n, 2 * n);
+        J << _R.real(), -_R.imag(), _R.imag(), _R.real();
+        J = Eigen::MatrixXd::Identity(2 * n, 2 * n) - J * slope.asDiagonal();
+        Eigen::VectorXd g(2 * n);
+        g << rest.real(), rest.imag();
+        const Eigen::VectorXd step = J.fullPivLu().solve(g);
+        if (!step.allFinite())
+            return false;
+        u.real() -= step.head(n);
+        u.imag() -= step.tail(n);
+        if (step.norm() <= 1e-13 * u.norm() || u.isZero(0))
+            return true;
+    }
+    return false;
+}
+
+/// One balancer: D u - 2 m l (...) = D held with D = 1/R is the planar problem at a speed ratio
+/// whose 1 - R_w^2 and R_w H have the ratio of Re D and Im D.
+std::vector<Eigen::VectorXcd> PendulumShaft::closed_form_starts() const {
+    std::vector<Eigen::VectorXcd> starts;
+    const model::Balancer &p = _pendulums.front();
+    const Complex D = 1.0 / _R(0, 0);
+    if (!std::isfinite(D.real()) || !std::isfinite(D.imag()))
+        return starts;
+    const double scale = 2 * std::abs(D.real()) + 2 * p.mass; // keeps 1 - R_w^2 within +-1/2
+    const double ratio = std::sqrt(1 - D.real() / scale);
+    closed_form::PendulumRotor planar;
+    planar.mass_ratio = 2 * p.mass / (scale * ratio * ratio);
+    planar.pivot_ratio = p.pivot / p.arm;
+    planar.external_damping = D.imag() / (ratio * scale);
+    planar.imbalance = D * _held(0) / (2 * p.mass * p.arm);
+    for (const closed_form::PendulumMotion &motion : closed_form::steady_motions(planar, ratio))
+        starts.emplace_back(Eigen::VectorXcd::Constant(1, p.arm * motion.position));
+    return starts;
+}
+
+PendulumSteadyMotion PendulumShaft::motion_of(const Eigen::VectorXcd &u) const {
+    PendulumSteadyMotion motion{u, Eigen::VectorXd(u.size()), Eigen::VectorXd(u.size())};
+    for (Eigen::Index j = 0; j < u.size(); ++j) {
+        const double a = _pendulums[static_cast<std::size_t>(j)].pivot;
+        motion.phi(j) = std::atan(u(j).imag() / a);
+        motion.psi(j) = -std::atan(u(j).real() / a);
+    }
+    return motion;
+}
+
+std::vector<PendulumSteadyMotion>
+PendulumShaft::motions(double speed, const std::vector<PendulumSteadyMotion> &given) {
+    look_at(speed);
+    const Eigen::Index n = _held.size();
+    Eigen::VectorXd small(n); // force over deflection of small angles
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const model::Balancer &p = _pendulums[static_cast<std::size_t>(j)];
+        small(j) = 2 * p.mass * p.arm / p.pivot;
+    }
+    const Eigen::MatrixXcd linear =
+        Eigen::MatrixXcd::Identity(n, n) - _R * small.cast<Complex>().asDiagonal();
+    std::vector<Eigen::VectorXcd> starts{_held, linear.fullPivLu().solve(_held)};
+    if (n == 1)
+        for (Eigen::VectorXcd &start : closed_form_starts())
+            starts.push_back(std::move(start));
+    for (const PendulumSteadyMotion &motion : given)
+        starts.push_back(motion.deflection);
+    std::vector<Eigen::VectorXcd> found;
+    for (Eigen::VectorXcd &u : starts) {
+        if (!u.allFinite() || !newton(u))
+            continue;
+        const bool known = std::any_of(found.begin(), found.end(), [&u](const auto &other) {
+            return (u - other).norm() <= 1e-8 * u.norm();
+        });
+        if (!known)
+            found.push_back(u);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const auto &a, const auto &b) { return a.norm() < b.norm(); });
+    std::vector<PendulumSteadyMotion> out;
+    for (const Eigen::VectorXcd &u : found)
+        out.push_back(motion_of(u));
+    return out;
+}
+
+} // namespace whirl::criterion

@@ -1,0 +1,176 @@
+#include "assembly/system.h"
+#include "criterion/pendulum_motion.h"
+#include "linalg/check.h"
+#include "linalg/definite_pair.h"
+#include "modes/support_damping.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::criterion {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Modes at rest of least frequency and static deflections under unit forces, orthonormal with M.
+Eigen::MatrixXd basis_of(const assembly::PlanarSystem &system, const Eigen::MatrixXd &forces,
+                         int modes) {
+    const Sparse K = system.K.view();
+    const Sparse M = system.M.view();
+    std::vector<Eigen::VectorXd> wanted;
+    const linalg::DefinitePair pair(system.K, system.M);
+    for (const linalg::RealPair &mode : pair.smallest(std::min(modes, static_cast<int>(K.rows()))))
+        wanted.push_back(mode.vector);
+    const Eigen::SimplicialLDLT<Sparse> factors(K);
+    for (Eigen::Index j = 0; j < forces.cols(); ++j)
+        wanted.emplace_back(factors.solve(forces.col(j)));
+    Eigen::MatrixXd V(K.rows(), 0);
+    for (Eigen::VectorXd &v : wanted) {
+        const double before = std::sqrt(v.dot(M * v));
+        for (int twice = 0; twice < 2; ++twice)
+            v -= V * (V.transpose() * (M * v));
+        const double after = std::sqrt(std::max(0.0, v.dot(M * v)));
+        if (!(after > 1e-6 * before))
+            continue; // already spanned by the others
+        V.conservativeResize(Eigen::NoChange, V.cols() + 1);
+        V.rightCols<1>() = v / after;
+    }
+    return V;
+}
+
+/// The forces and unit forces at the bearings, where dampers act.
+Eigen::MatrixXd with_bearings(const assembly::Discretization &d, Eigen::MatrixXd forces) {
+    for (const model::Bearing &bearing : d.rotor().bearings) {
+        forces.conservativeResize(Eigen::NoChange, forces.cols() + 1);
+        forces.rightCols<1>().setZero();
+        for (const auto &[unknown, value] : d.deflection_at(bearing.z))
+            forces(unknown, forces.cols() - 1) += value;
+    }
+    return forces;
+}
+
+Sparse support_damping(const assembly::Discretization &d, double speed) {
+    const auto entries = modes::planar_support_damping(d, speed);
+    Sparse C(d.planar_size(), d.planar_size());
+    C.setFromTriplets(entries.begin(), entries.end());
+    return C;
+}
+
+Sparse shaft_damping(const assembly::Discretization &d) {
+    std::vector<Eigen::Triplet<double>> entries;
+    assembly::assemble_rotating_parts(d, [&entries](assembly::Term term,
+                                                    std::span<const int> unknowns,
+                                                    const Eigen::MatrixXd &block) {
+        if (term != assembly::Term::damping)
+            return;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+            for (std::size_t j = 0; j < unknowns.size(); ++j)
+                entries.emplace_back(
+                    unknowns[i], unknowns[j],
+                    block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    });
+    Sparse C(d.planar_size(), d.planar_size());
+    C.setFromTriplets(entries.begin(), entries.end());
+    return C;
+}
+
+/// P + i Q on (x; y).
+Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
+    Eigen::MatrixXd out(2 * P.rows(), 2 * P.cols());
+    out << P, -Q, Q, P;
+    return out;
+}
+
+} // namespace
+
+struct PendulumStability::Data {
+    std::vector<model::Balancer> pendulums;
+    Eigen::MatrixXd M, G, K, Ce, Ci; ///< of the kept motions
+    Eigen::MatrixXd places;          ///< deflections of the kept motions at the balancers, rows
+    double stiffest = 0;             ///< highest frequency kept, rad/s
+};
+
+PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_speed, int modes)
+    : _data(std::make_unique<Data>()) {
+    Data &data = *_data;
+    const assembly::Discretization &d = shaft.rotor();
+    data.pendulums = shaft.pendulums();
+    const auto count = static_cast<Eigen::Index>(data.pendulums.size());
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(d.planar_size(), count);
+    for (Eigen::Index j = 0; j < count; ++j)
+        for (const auto &[unknown, value] :
+             d.deflection_at(data.pendulums[static_cast<std::size_t>(j)].z))
+            forces(unknown, j) += value;
+    const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
+    const Eigen::MatrixXd V = basis_of(system, with_bearings(d, forces), modes);
+    const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd { return V.transpose() * (A * V); };
+    data.M = kept(system.M.view());
+    data.G = kept(system.G.view());
+    data.K = kept(system.K.view());
+    data.Ce = kept(support_damping(d, bearing_speed));
+    data.Ci = kept(shaft_damping(d));
+    data.places = forces.transpose() * V;
+    data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());
+}
+
+PendulumStability::~PendulumStability() = default;
+
+/// With D = d/dt + i W the derivative in the rotating frame, e the deflection at a balancer:
+/// M D^2 w - i W G D w + C_e D w + C_i w' + K w + sum 2 m l e D^2 (i cos(phi) p - cos(psi) q) = 0,
+/// 2 m l^2 p'' + 2 H_1 p' + (2 m a l W^2 / cos(phi)) p + 2 m l cos(phi) Im D^2 (e w) = 0, q
+/// likewise with -Re. Pendulum unknowns are scaled to a unit mass matrix.
+double PendulumStability::growth(double speed, const PendulumSteadyMotion &motion) const {
+    const Data &d = *_data;
+    const double W = speed;
+    const Eigen::Index k = d.M.rows();
+    const auto n = static_cast<Eigen::Index>(d.pendulums.size());
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(k, k);
+    const Eigen::Index size = 2 * k + 2 * n;
+    Eigen::MatrixXd M = Eigen::MatrixXd::Identity(size, size);
+    Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size, size);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+    M.topLeftCorner(2 * k, 2 * k) = real_form(d.M, none);
+    C.topLeftCorner(2 * k, 2 * k) = real_form(d.Ce + d.Ci, 2 * W * d.M - W * d.G);
+    K.topLeftCorner(2 * k, 2 * k) = real_form(d.K - W * W * (d.M - d.G), W * d.Ce);
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * k, 2 * n); // shaft forces of the pendulums
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const model::Balancer &p = d.pendulums[static_cast<std::size_t>(j)];
+        const double cos_phi = std::cos(motion.phi(j));
+        const double cos_psi = std::cos(motion.psi(j));
+        const double force = std::sqrt(2 * p.mass);
+        S.col(2 * j).tail(k) = force * cos_phi * d.places.row(j).transpose();
+        S.col(2 * j + 1).head(k) = -force * cos_psi * d.places.row(j).transpose();
+        const Eigen::Index at = 2 * k + 2 * j;
+        C(at, at) = C(at + 1, at + 1) = p.damping / (p.mass * p.arm * p.arm);
+        K(at, at) = W * W * p.pivot / (p.arm * cos_phi);
+        K(at + 1, at + 1) = W * W * p.pivot / (p.arm * cos_psi);
+    }
+    const Eigen::MatrixXd turn = real_form(none, Eigen::MatrixXd::Identity(k, k)); // times i
+    M.topRightCorner(2 * k, 2 * n) = S;
+    M.bottomLeftCorner(2 * n, 2 * k) = S.transpose();
+    C.topRightCorner(2 * k, 2 * n) = 2 * W * turn * S;
+    C.bottomLeftCorner(2 * n, 2 * k) = 2 * W * S.transpose() * turn;
+    K.topRightCorner(2 * k, 2 * n) = -W * W * S;
+    K.bottomLeftCorner(2 * n, 2 * k) = -W * W * S.transpose();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * size, 2 * size); // time in 1/W
+    state.topRightCorner(size, size).setIdentity();
+    state.bottomLeftCorner(size, size) = -lu.solve(K) / (W * W);
+    state.bottomRightCorner(size, size) = -lu.solve(C) / W;
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(state, false);
+    if (solver.info() != Eigen::Success)
+        throw linalg::SolverError("the eigenvalues of small motions did not converge");
+    return W * solver.eigenvalues().real().maxCoeff();
+}
+
+double PendulumStability::rounding(double speed) const {
+    // Undamped roots lie on the imaginary axis within rounding; double ones within its root.
+    return 1e-6 * speed + 1e-8 * _data->stiffest;
+}
+
+} // namespace whirl::criterion

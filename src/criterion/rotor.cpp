@@ -1,0 +1,172 @@
+#include "criterion/rotor.h"
+
+#include "mesh_error/estimate.h"
+#include "model/case.h"
+#include "model/errors.h"
+#include "modes/formulation.h"
+#include "process/parallel.h"
+#include "synchronous/forced_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::criterion {
+
+namespace {
+
+std::vector<model::CorrectionPlane> planes_of(const model::Case &scene) {
+    std::vector<model::CorrectionPlane> planes = scene.rotor.planes;
+    if (planes.empty())
+        for (const model::Balancer &balancer : scene.rotor.balancers)
+            planes.push_back({balancer.name, balancer.z});
+    if (planes.empty())
+        throw model::BadInput(fmt::format(
+            "{}: plane: expected at least one [[plane]] with its z, or a [[balancer]] whose plane "
+            "counts, got neither",
+            scene.file.string()));
+    return planes;
+}
+
+model::SpeedRange checked_range(const model::Case &scene) {
+    const model::SpeedRange &range = model::required_speeds(scene);
+    if (range.from < 0 || (range.count > 1 && range.to <= range.from) ||
+        (range.count == 1 && range.from <= 0))
+        throw model::BadInput(
+            fmt::format("{}: speeds: expected spin speeds from 0 up (one alone: above 0), got "
+                        "from = {} rad/s, to = {} rad/s, count = {}",
+                        scene.file.string(), range.from, range.to, range.count));
+    return range;
+}
+
+/// Dampers that lock make other resonances: those of the rotor held at its damped bearings.
+std::vector<assembly::Combination> damped_places(const assembly::Discretization &d,
+                                                 const model::Rotor &rotor) {
+    std::vector<assembly::Combination> places;
+    for (const model::Bearing &bearing : rotor.bearings) {
+        const bool damped =
+            std::any_of(bearing.rows.begin(), bearing.rows.end(),
+                        [](const model::BearingCoefficients &row) { return !row.c.isZero(0); });
+        if (damped)
+            places.push_back(d.deflection_at(bearing.z));
+    }
+    return places;
+}
+
+/// Symmetric without negative eigenvalues, but for rounding of the entries (turned axes).
+bool pushes_back(const Eigen::Matrix2d &k) {
+    const double mean = k.trace() / 2;
+    const double apart = std::hypot((k(0, 0) - k(1, 1)) / 2, k(0, 1));
+    return model::symmetric(k) && apart <= mean * (1 + 1e-14);
+}
+
+/// Every bearing has a symmetric stiffness that pushes back in every direction; else inertia counts
+/// would say nothing.
+bool bearings_push_back(const model::Rotor &rotor) {
+    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
+        return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
+            return pushes_back(row.k) && pushes_back(row.kt);
+        });
+    });
+}
+
+void append(std::vector<double> &list, const std::vector<double> &more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+/// Speeds at which the bearings are read: the start, and with tables their rows and the end.
+std::vector<double> reading_speeds(const BalanceScene &scene) {
+    std::vector<double> speeds{scene.from};
+    if (!scene.rotor.bearings_depend_on_speed())
+        return speeds;
+    for (const model::Bearing &bearing : scene.rotor.bearings)
+        for (const double speed : bearing.speeds)
+            if (speed > scene.from && speed < scene.to)
+                speeds.push_back(speed);
+    speeds.push_back(scene.to);
+    std::sort(speeds.begin(), speeds.end());
+    speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
+    return speeds;
+}
+
+/// Resonances of the undamped twins of a damped rotor, or of one with bearing tables. A twin with
+/// the bearings of one row counts as far as the neighbouring rows.
+std::vector<double> hints_of(const BalanceScene &scene) {
+    const model::Rotor undamped = without_damping(scene.rotor);
+    const assembly::Discretization d(undamped, scene.order);
+    const std::vector<double> speeds = reading_speeds(scene);
+    const std::vector<assembly::Combination> places = scene.places(d);
+    const std::vector<assembly::Combination> locked = damped_places(d, scene.rotor);
+    std::vector<double> hints;
+    for (std::size_t k = 0; k < speeds.size(); ++k) {
+        const double from = k == 0 ? scene.from : speeds[k - 1];
+        const double to = k + 1 < speeds.size() ? speeds[k + 1] : scene.to;
+        const UndampedTwin twin(d, undamped.bearings_isotropic(), speeds[k]);
+        append(hints, twin.critical_speeds(from, to));
+        append(hints, twin.pinned_critical_speeds(places, from, to));
+        for (const assembly::Combination &place : places)
+            append(hints, twin.pinned_critical_speeds({place}, from, to));
+        if (!locked.empty())
+            append(hints, twin.pinned_critical_speeds(locked, from, to));
+    }
+    std::sort(hints.begin(), hints.end());
+    return hints;
+}
+
+} // namespace
+
+BalanceScene::BalanceScene(const model::Case &scene)
+    : planes(planes_of(scene)), rotor(scene.rotor) {
+    const model::SpeedRange range = checked_range(scene);
+    speeds = range.values();
+    to = range.count == 1 ? range.from : range.to;
+    // At rest there is no criterion; this near to it nothing but zero speeds of a free rotor stand.
+    from = range.count == 1 ? range.from : std::max(range.from, 1e-6 * range.to);
+    rotor.balancers.clear();
+    rotor.anisotropies.clear();
+    rotor.planes = planes;
+    model::Case bare = scene;
+    bare.rotor = rotor;
+    formulation = synchronous::response_formulation(bare);
+    bare.formulation = model::FormChoice::automatic; // the order is judged by frequencies
+    order = mesh_error::resolve_order(bare, modes::choose_formulation(bare));
+}
+
+std::vector<assembly::Combination> BalanceScene::places(const assembly::Discretization &d) const {
+    std::vector<assembly::Combination> out;
+    for (const model::CorrectionPlane &plane : planes)
+        out.push_back(d.deflection_at(plane.z));
+    return out;
+}
+
+std::vector<double> BalanceScene::plane_positions() const {
+    std::vector<double> z;
+    for (const model::CorrectionPlane &plane : planes)
+        z.push_back(plane.z);
+    return z;
+}
+
+BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d,
+                                       bool undamped) {
+    BalanceBreakpoints out;
+    const bool planar = scene.rotor.bearings_isotropic();
+    out.sharp =
+        undamped && !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
+    out.pinned.resize(scene.planes.size());
+    if (!scene.has_range())
+        return out;
+    if (!out.sharp) {
+        out.hints = hints_of(scene);
+        return out;
+    }
+    const UndampedTwin twin(d, planar, scene.from);
+    const std::vector<assembly::Combination> places = scene.places(d);
+    out.critical = twin.critical_speeds(scene.from, scene.to);
+    out.pinned_all = twin.pinned_critical_speeds(places, scene.from, scene.to);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        out.pinned[i] = twin.pinned_critical_speeds({places[i]}, scene.from, scene.to);
+    return out;
+}
+
+} // namespace whirl::criterion

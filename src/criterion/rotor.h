@@ -1,0 +1,46 @@
+#pragma once
+
+#include "criterion/form.h"
+#include "criterion/undamped_rotor.h"
+#include "model/case.h"
+#include "results/formulation.h"
+
+#include <vector>
+
+namespace whirl::criterion {
+
+/// What all parts of the balancing analysis share: planes, range of speeds and discretised rotor.
+struct BalanceScene {
+    std::vector<model::CorrectionPlane> planes;
+    std::vector<double> speeds; ///< of the grid, rad/s
+    double from = 0;            ///< range of the bands, rad/s; never zero
+    double to = 0;
+    results::Formulation formulation;
+    int order = 1;
+    model::Rotor rotor; ///< without balancers and rotating anisotropies, with all planes
+
+    explicit BalanceScene(const model::Case &scene);
+
+    [[nodiscard]] bool has_range() const { return to > from; }
+    /// Deflections at the planes.
+    [[nodiscard]] std::vector<assembly::Combination>
+    places(const assembly::Discretization &d) const;
+    /// z of the planes, m.
+    [[nodiscard]] std::vector<double> plane_positions() const;
+};
+
+/// Speeds at which signs of the criterion can change.
+struct BalanceBreakpoints {
+    bool sharp = false; ///< they change nowhere else, and the lists are complete
+    std::vector<double> critical;
+    std::vector<std::vector<double>> pinned; ///< at each plane alone
+    std::vector<double> pinned_all;          ///< at all planes
+    std::vector<double> hints;               ///< not sharp: resonances of related undamped rotors
+};
+
+/// Critical speeds of the rotor, free and pinned; for damped rotors those of its undamped twins,
+/// with free and with locked dampers.
+[[nodiscard]] BalanceBreakpoints
+balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d, bool undamped);
+
+} // namespace whirl::criterion

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "assembly/discretization.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace whirl::criterion {
+
+/// The rotor without damping and with symmetric stiffness: its forward synchronous motion is
+/// governed by a Hermitian pair, (K - Omega^2 A) u = f, whose signs can be counted. Isotropic
+/// bearings: planar unknowns, A = M - G. Else (x, i y), A = M - S; real where the bearings are
+/// orthotropic, and K + i Kc with Kc = [0 -kxy; kxy 0] where they couple x and y. See
+/// docs/theory.md, "The criterion on a flexible rotor".
+class UndampedTwin {
+  public:
+    /// @param bearing_speed  at which bearing tables are read, rad/s
+    UndampedTwin(const assembly::Discretization &rotor, bool planar, double bearing_speed);
+
+    /// Synchronous critical speeds in (from, to), ascending, rad/s.
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::vector<double> critical_speeds(double from, double to) const;
+
+    /// The same with the forward motion of these combinations of planar unknowns held at zero.
+    /// @throws linalg::SolverError
+    [[nodiscard]] std::vector<double>
+    pinned_critical_speeds(const std::vector<assembly::Combination> &places, double from,
+                           double to) const;
+
+  private:
+    bool _planar;
+    Eigen::SparseMatrix<double> _K;
+    Eigen::SparseMatrix<double> _K_imaginary; ///< skew; empty where nothing couples x and y
+    Eigen::SparseMatrix<double> _A;
+
+    [[nodiscard]] std::vector<double> roots(const Eigen::SparseMatrix<double> &motions, double from,
+                                            double to) const;
+};
+
+/// Supports without damping and with the symmetric part of their stiffness; tables and everything
+/// else as they are.
+[[nodiscard]] model::Rotor without_damping(model::Rotor rotor);
+
+/// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic
+/// ones.
+[[nodiscard]] model::Rotor with_mean_bearings(model::Rotor rotor);
+
+} // namespace whirl::criterion

@@ -1,0 +1,141 @@
+#include "mesh_error/finer_model.h"
+
+#include "assembly/planar_mass.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::mesh_error {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+double relative(std::complex<double> coarse, std::complex<double> fine) {
+    const double size = std::abs(coarse);
+    return size == 0 ? 0 : estimate_safety * std::abs(coarse - fine) / size;
+}
+
+/// Modes of one sense, by their place; in real symmetric form all are of one kind.
+std::vector<std::complex<double>> of_sense(const modes::Spectrum &spectrum, bool planar,
+                                           results::Whirl sense) {
+    std::vector<std::complex<double>> out;
+    for (const modes::WhirlMode &mode : spectrum.modes)
+        if (!planar || mode.whirl == sense)
+            out.push_back(mode.eigenvalue);
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+    return out;
+}
+
+/// Distance to the partner among candidates (likeness, eigenvalue of the finer model). Where one of
+/// them is far nearer than all others, and not much less like it, that is the mode (damped modes,
+/// and those on cross-coupled bearings, are not orthogonal: their shapes resemble each other). Else
+/// the farthest counts: where shapes do not tell which is which, the larger error is stated.
+double error_among(std::complex<double> value,
+                   std::vector<std::pair<double, std::complex<double>>> candidates) {
+    constexpr double far_nearer = 0.02;
+    constexpr double not_much_less = 0.7;
+    std::sort(candidates.begin(), candidates.end(), [value](const auto &a, const auto &b) {
+        return std::abs(a.second - value) < std::abs(b.second - value);
+    });
+    double best = 0;
+    for (const auto &[likeness, fine] : candidates)
+        best = std::max(best, likeness);
+    const auto distance = [&](std::size_t i) { return std::abs(candidates[i].second - value); };
+    const bool told = candidates.size() == 1 || (distance(0) <= far_nearer * distance(1) &&
+                                                 candidates[0].first >= not_much_less * best);
+    return relative(value, told ? candidates.front().second : candidates.back().second);
+}
+
+} // namespace
+
+FinerModel::FinerModel(const model::Rotor &rotor, const modes::SpectrumSolver &coarse,
+                       int refinement)
+    : _coarse(coarse), _fine(std::make_unique<modes::SpectrumSolver>(
+                           rotor, coarse.form(), finer_order(coarse.discretization().order()),
+                           refinement, modes::SpectrumSolver::hill_harmonics + 2)),
+      _places(coarse.discretization().places_in(_fine->discretization())),
+      _mass(assembly::planar_mass(_fine->discretization())) {}
+
+std::vector<double> FinerModel::errors(const modes::Spectrum &coarse) const {
+    const results::Form form = _coarse.form();
+    return form == results::Form::planar || form == results::Form::hyperbolic
+               ? errors_by_place(coarse)
+               : errors_by_shape(coarse);
+}
+
+std::vector<double> FinerModel::errors_by_place(const modes::Spectrum &coarse) const {
+    const bool planar = _coarse.form() == results::Form::planar;
+    const auto count = [&](results::Whirl sense) { return of_sense(coarse, planar, sense).size(); };
+    modes::Spectrum fine;
+    // The lowest modes of the finer model may have another share of either sense.
+    for (auto ask = coarse.modes.size();; ask *= 2) {
+        fine = _fine->at(coarse.speed, static_cast<int>(ask));
+        const bool enough = of_sense(fine, planar, results::Whirl::forward).size() >=
+                                count(results::Whirl::forward) &&
+                            of_sense(fine, planar, results::Whirl::backward).size() >=
+                                count(results::Whirl::backward);
+        if (enough || fine.modes.size() < ask)
+            break;
+    }
+    std::vector<double> errors;
+    for (const modes::WhirlMode &mode : coarse.modes) {
+        const auto ours = of_sense(coarse, planar, mode.whirl);
+        const auto theirs = of_sense(fine, planar, mode.whirl);
+        const auto place = std::find(ours.begin(), ours.end(), mode.eigenvalue) - ours.begin();
+        errors.push_back(place < std::ssize(theirs)
+                             ? relative(mode.eigenvalue, theirs[static_cast<std::size_t>(place)])
+                             : unknown);
+    }
+    return errors;
+}
+
+/// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
+std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
+    constexpr double nearly = 0.5;
+    const modes::Spectrum fine = _fine->at(
+        coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));
+    const Eigen::Index n = 2 * _mass.rows();
+    const auto plane = [n](const Eigen::VectorXcd &shape, int which) {
+        return Eigen::VectorXcd(shape(Eigen::seqN(which, n / 2, 2)));
+    };
+    const auto product = [&](const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+        std::complex<double> sum = 0;
+        for (const int which : {0, 1})
+            sum += plane(a, which).dot(Eigen::VectorXcd(_mass * plane(b, which)));
+        return sum;
+    };
+    std::vector<double> size;
+    for (const modes::WhirlMode &mode : fine.modes)
+        size.push_back(std::abs(product(mode.shape, mode.shape)));
+    std::vector<double> errors;
+    for (const modes::WhirlMode &mode : coarse.modes) {
+        const Eigen::VectorXcd shape = embedded(mode.shape);
+        std::vector<double> likeness;
+        for (std::size_t i = 0; i < fine.modes.size(); ++i)
+            likeness.push_back(
+                size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i] : 0);
+        const double best =
+            likeness.empty() ? 0 : *std::max_element(likeness.begin(), likeness.end());
+        std::vector<std::pair<double, std::complex<double>>> candidates;
+        for (std::size_t i = 0; i < likeness.size() && best > 0; ++i)
+            if (likeness[i] > nearly * best)
+                candidates.emplace_back(likeness[i], fine.modes[i].eigenvalue);
+        errors.push_back(candidates.empty() ? unknown : error_among(mode.eigenvalue, candidates));
+    }
+    return errors;
+}
+
+Eigen::VectorXcd FinerModel::embedded(const Eigen::VectorXcd &shape) const {
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2 * _mass.rows());
+    for (std::size_t i = 0; i < _places.size(); ++i)
+        for (const int which : {0, 1})
+            out(2 * _places[i] + which) = shape(2 * static_cast<Eigen::Index>(i) + which);
+    return out;
+}
+
+} // namespace whirl::mesh_error

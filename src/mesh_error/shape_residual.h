@@ -1,0 +1,44 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "modes/whirl_mode.h"
+#include "results/formulation.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace whirl::mesh_error {
+
+/// How far a mode is from solving the equation of the shaft between the nodes: the energy of its
+/// residual in the internal functions of the next two orders, each element on its own, over the
+/// kinetic energy of the mode. It follows the discretisation error from speed to speed up to a
+/// slowly varying factor (it is the first term of that error where the further functions are
+/// orthogonal to the others), at a small part of the cost of a finer model.
+class ShapeResidual {
+  public:
+    /// @param discretization  kept by reference
+    ShapeResidual(const assembly::Discretization &discretization, results::Form form);
+
+    /// At a spin speed (rad/s); 0 for a rigid shaft.
+    [[nodiscard]] double of(const modes::WhirlMode &mode, double speed) const;
+
+  private:
+    /// Of one element: further functions over its own unknowns, and among themselves.
+    struct Element {
+        int span = 0;
+        Eigen::MatrixXd M, G, K;
+        Eigen::MatrixXd M2, G2, K2;
+    };
+    const assembly::Discretization &_discretization;
+    results::Form _form;
+    std::vector<Element> _elements;
+    Eigen::SparseMatrix<double> _mass;
+
+    [[nodiscard]] Eigen::VectorXcd own_motion(int span, const Eigen::VectorXcd &plane) const;
+    [[nodiscard]] double energy(const Eigen::VectorXcd &plane, std::complex<double> rate,
+                                double speed) const;
+};
+
+} // namespace whirl::mesh_error

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <complex>
+
+namespace whirl::modes {
+
+/// Change of D and K with speed.
+struct MatrixRates {
+    Eigen::SparseMatrix<double> D, K;
+};
+
+/// Q(v) = v^2 M + v D + K at one speed, with its change towards lower and higher speeds: they
+/// differ at the rows of bearing tables. In the symmetric forms v is real, l = i v, and M stands
+/// with a minus.
+struct QuadraticAt {
+    Eigen::SparseMatrix<double> M, D, K;
+    MatrixRates below, above;
+};
+
+/// Right and left eigenvectors of some modes at one speed as states (x, v x), so that products
+/// left^T right of one speed are the unit matrix. With y the left vector of the problem itself,
+/// y^T Q(v) = 0, the left state is (K^T y, -v M^T y) / y^T (K - v^2 M) x: two modes of one problem
+/// have y1^T (K - v1 v2 M) x2 = 0 (theory.md, "Following modes"). Real in the symmetric forms,
+/// complex in the others; the other pair is empty. A mode with v = 0 has zeros.
+struct ModeBasis {
+    Eigen::MatrixXd left, right;
+    Eigen::MatrixXcd complex_left, complex_right;
+    /// In rotating axes a mode may be followed by the conjugate of its continuation.
+    bool conjugates = false;
+    /// dv/dspeed of each mode towards lower and higher speeds; not a number where unknown.
+    Eigen::VectorXcd rate_below, rate_above;
+};
+
+/// Products of left and right vectors of two speeds, both ways: 1 for a mode and itself, 0 for two
+/// modes of one speed. Rows of a, columns of b.
+[[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
+
+/// Eigenpairs of a symmetric problem: left vectors are the right ones.
+[[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
+                                 const Eigen::MatrixXd &vectors);
+
+/// @param mirrored  the problem is its transpose seen in a mirror (y -> -y): the left vectors are
+///                  the right ones mirrored, else they are found by inverse iteration
+[[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
+                                 const Eigen::MatrixXcd &vectors, bool mirrored);
+
+/// For motions whose left vectors are not to be had (a Hill series cut off): the dual basis of the
+/// states among themselves, in the kinetic energy. Rates are unknown.
+[[nodiscard]] ModeBasis dual_basis_of(const Eigen::SparseMatrix<double> &mass,
+                                      const Eigen::VectorXcd &values,
+                                      const Eigen::MatrixXcd &vectors);
+
+} // namespace whirl::modes

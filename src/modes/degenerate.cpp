@@ -1,0 +1,69 @@
+#include "modes/degenerate.h"
+
+#include "modes/orbits.h"
+#include "modes/spectrum.h"
+#include "results/formulation.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace whirl::modes {
+
+namespace {
+
+/// Closer than this, relative, eigenvalues are one: the solvers resolve some 1e-12.
+constexpr double same = 1e-9;
+
+/// Orthonormalises the deflections of the group, then diagonalises its mean orbit area.
+void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode *group, int size) {
+    const auto points = static_cast<Eigen::Index>(stations.z().size());
+    Eigen::MatrixXcd X(points, size);
+    Eigen::MatrixXcd Y(points, size);
+    for (int i = 0; i < size; ++i) {
+        X.col(i) = solver.x_at(group[i], stations);
+        Y.col(i) = solver.y_at(group[i], stations);
+    }
+    const std::complex<double> j(0, 1);
+    const Eigen::VectorXd weights = stations.masses().cwiseSqrt();
+    const Eigen::MatrixXcd with = weights.asDiagonal() * (X + j * Y) / 2.0;
+    const Eigen::MatrixXcd against = weights.asDiagonal() * (X - j * Y) / 2.0;
+    const Eigen::MatrixXcd area = with.adjoint() * with - against.adjoint() * against;
+    Eigen::MatrixXcd size2 = with.adjoint() * with + against.adjoint() * against;
+    if (solver.form() == results::Form::hyperbolic) {
+        // Real shapes must stay real; both forms are real there.
+        size2 = size2.real().cast<std::complex<double>>().eval();
+    }
+    const Eigen::MatrixXcd form = solver.form() == results::Form::hyperbolic
+                                      ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>())
+                                      : area;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(form, size2);
+    if (eigen.info() != Eigen::Success)
+        return; // deflections that vanish at all stations: left as they are
+    Eigen::MatrixXcd shapes(group[0].shape.size(), size);
+    for (int i = 0; i < size; ++i)
+        shapes.col(i) = group[i].shape;
+    const Eigen::MatrixXcd turned = shapes * eigen.eigenvectors();
+    for (int i = 0; i < size; ++i)
+        group[i].shape = turned.col(i);
+}
+
+} // namespace
+
+void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
+                         std::vector<WhirlMode> &modes) {
+    std::size_t first = 0;
+    for (std::size_t i = 1; i <= modes.size(); ++i) {
+        const bool joined =
+            i < modes.size() && std::abs(modes[i].eigenvalue - modes[i - 1].eigenvalue) <=
+                                    same * std::abs(modes[i].eigenvalue);
+        if (joined)
+            continue;
+        // Zero modes of free rotors come separated.
+        if (i - first > 1 && modes[first].eigenvalue != 0.0)
+            separate(solver, stations, &modes[first], static_cast<int>(i - first));
+        first = i;
+    }
+}
+
+} // namespace whirl::modes

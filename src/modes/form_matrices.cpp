@@ -1,0 +1,170 @@
+#include "modes/form_matrices.h"
+
+#include "assembly/rotating_system.h"
+#include "assembly/system.h"
+#include "results/formulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace whirl::modes {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+bool mirror_is_transpose(const Sparse &A) {
+    Sparse mirrored = A.transpose();
+    for (Eigen::Index column = 0; column < mirrored.outerSize(); ++column)
+        for (Sparse::InnerIterator entry(mirrored, column); entry; ++entry)
+            if ((entry.row() + entry.col()) % 2 != 0)
+                entry.valueRef() = -entry.value();
+    return (mirrored - A).norm() <= 1e-14 * A.norm();
+}
+
+bool mirrored_bearings(const model::Rotor &rotor) {
+    const auto mirrored = [](const Eigen::Matrix2d &k) { return k(0, 1) == -k(1, 0); };
+    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const auto &bearing) {
+        return std::all_of(bearing.rows.begin(), bearing.rows.end(), [&](const auto &row) {
+            return mirrored(row.k) && mirrored(row.c) && mirrored(row.kt) && mirrored(row.ct);
+        });
+    });
+}
+
+/// Block on (x, y) in a form's unknowns; in rotating axes the part that is the same from every
+/// direction, `turned` by i.
+void put(Entries &entries, results::Form form, int i, int j, const Eigen::Matrix2d &block,
+         bool turned = false) {
+    if (form == results::Form::planar) {
+        entries.emplace_back(i, j, block(0, 0));
+        return;
+    }
+    Eigen::Matrix2d in_form = block;
+    if (results::in_rotating_axes(form)) {
+        const double a = block.trace() / 2;
+        const double b = (block(1, 0) - block(0, 1)) / 2;
+        if (turned)
+            in_form << -b, -a, a, -b;
+        else
+            in_form << a, -b, b, a;
+    }
+    for (int p = 0; p < 2; ++p)
+        for (int q = 0; q < 2; ++q)
+            if (in_form(p, q) != 0)
+                entries.emplace_back(2 * i + p, 2 * j + q, in_form(p, q));
+}
+
+/// The nearest speeds of table rows below and above, infinite beyond the tables.
+std::pair<double, double> neighbours(const model::Rotor &rotor, double speed) {
+    double below = -INFINITY;
+    double above = INFINITY;
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const double row : bearing.speeds) {
+            if (row < speed)
+                below = std::max(below, row);
+            if (row > speed)
+                above = std::min(above, row);
+        }
+    return {below, above};
+}
+
+} // namespace
+
+FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form,
+                           const std::vector<balancers::BalancerElement> &balancers)
+    : _discretization(d), _form(form) {
+    if (results::in_rotating_axes(form)) {
+        const assembly::RotatingSystem system = assembly::assemble_rotating(d, 0, balancers);
+        _M = system.M.view();
+        _D = system.C.view();
+        _Ds = system.Cs.view();
+        _K = system.K.view();
+        _Ks = system.Ks.view();
+        _Kss = system.Kss.view();
+        for (const Sparse *A : {&_M, &_D, &_Ds, &_K, &_Ks, &_Kss})
+            _mirrored = _mirrored && mirror_is_transpose(*A);
+        return;
+    }
+    if (form == results::Form::general) {
+        const assembly::FixedSystem system = assembly::assemble_fixed(d, 0);
+        _M = system.M.view();
+        _D = system.C.view();
+        _Ds = system.G.view();
+        _K = system.K.view();
+        _Ks = system.Kc.view();
+        _Kss.resize(_M.rows(), _M.cols());
+        _mirrored = mirrored_bearings(d.rotor());
+        return;
+    }
+    if (form == results::Form::planar) {
+        const assembly::PlanarSystem system = assembly::assemble_planar(d, 0);
+        _M = -system.M.view();
+        _Ds = system.G.view();
+        _K = system.K.view();
+    } else {
+        const assembly::FixedSystem system = assembly::assemble_fixed(d, 0);
+        _M = -system.M.view();
+        _Ds = -assembly::hyperbolic_coupling(d).view();
+        _K = system.K.view();
+    }
+    for (Sparse *none : {&_D, &_Ks, &_Kss})
+        none->resize(_M.rows(), _M.cols());
+}
+
+FormMatrices::Supports FormMatrices::support_change(double from, double to) const {
+    Entries D;
+    Entries K;
+    Entries Ks;
+    for (const auto &[speed, sign] : {std::pair(from, -1.0), std::pair(to, 1.0)})
+        assembly::assemble_supports(
+            _discretization, speed,
+            [&, s = sign](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
+                if (term == assembly::Term::stiffness)
+                    put(K, _form, i, j, s * block);
+                if (term != assembly::Term::damping)
+                    return;
+                put(D, _form, i, j, s * block);
+                if (results::in_rotating_axes(_form))
+                    put(Ks, _form, i, j, s * block, true);
+            });
+    Supports out;
+    for (auto &[matrix, entries] :
+         {std::pair(&out.D, &D), std::pair(&out.K, &K), std::pair(&out.Ks, &Ks)}) {
+        matrix->resize(size(), size());
+        matrix->setFromTriplets(entries->begin(), entries->end());
+    }
+    return out;
+}
+
+void FormMatrices::add_tables(QuadraticAt &problem, double speed) const {
+    const Supports now = support_change(0, speed);
+    problem.D += now.D;
+    problem.K += now.K + speed * now.Ks;
+    const auto [below, above] = neighbours(_discretization.rotor(), speed);
+    for (const auto &[rates, end] :
+         {std::pair(&problem.below, below), std::pair(&problem.above, above)}) {
+        rates->K += now.Ks;
+        if (!std::isfinite(end))
+            continue; // constant beyond the tables
+        const Supports change = support_change(speed, end);
+        const double length = end - speed;
+        rates->D += change.D / length;
+        rates->K += (change.K + speed * change.Ks) / length;
+    }
+}
+
+QuadraticAt FormMatrices::at(double speed) const {
+    QuadraticAt out;
+    out.M = _M;
+    out.D = _D + speed * _Ds;
+    out.K = _K + speed * _Ks + speed * speed * _Kss;
+    out.below = {_Ds, _Ks + 2 * speed * _Kss};
+    out.above = out.below;
+    if (_discretization.rotor().bearings_depend_on_speed())
+        add_tables(out, speed);
+    return out;
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/element.h"
+#include "modes/biorthogonal.h"
+#include "results/formulation.h"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// The matrices of the eigenproblem of a form, at any speed, from one assembly: bearing tables add
+/// the change of the bearings alone.
+class FormMatrices {
+  public:
+    /// @param balancers  at their balanced positions; in rotating forms
+    FormMatrices(const assembly::Discretization &discretization, results::Form form,
+                 const std::vector<balancers::BalancerElement> &balancers);
+
+    /// Form hill: without the part of the bearings that turns.
+    [[nodiscard]] QuadraticAt at(double speed) const;
+
+    /// The mirror image in y -> -y of each matrix is its transpose, at every speed: so for bearings
+    /// without coupling of the planes, or with kxy = -kyx.
+    [[nodiscard]] bool mirrored() const { return _mirrored; }
+
+    [[nodiscard]] const Eigen::SparseMatrix<double> &mass() const { return _M; }
+    [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
+
+  private:
+    using Sparse = Eigen::SparseMatrix<double>;
+    const assembly::Discretization &_discretization;
+    results::Form _form;
+    bool _mirrored = true;
+    Sparse _M, _D, _Ds, _K, _Ks, _Kss; ///< v^2 M + v (D + s Ds) + K + s Ks + s^2 Kss
+
+    struct Supports {
+        Sparse D, K, Ks;
+    };
+    [[nodiscard]] Supports support_change(double from, double to) const;
+    void add_tables(QuadraticAt &problem, double speed) const;
+};
+
+} // namespace whirl::modes

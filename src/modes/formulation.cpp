@@ -1,0 +1,110 @@
+#include "modes/formulation.h"
+
+#include "model/errors.h"
+#include "modes/stiffness_sign.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::modes {
+
+namespace {
+
+/// Why the forms in the fixed frame cannot describe this rotor; empty where they can.
+std::string against_fixed(const model::Rotor &rotor) {
+    if (rotor.rotating_anisotropy())
+        return "something that turns is not axisymmetric ([[anisotropy]], [[balancer]] or an "
+               "asymmetric segment)";
+    return {};
+}
+
+std::string against_planar(const model::Rotor &rotor) {
+    if (std::string reason = against_fixed(rotor); !reason.empty())
+        return reason;
+    if (!rotor.bearings_isotropic())
+        return "a bearing differs between x and y or couples them";
+    if (rotor.damped())
+        return "there is damping";
+    return {};
+}
+
+std::string against_hyperbolic(const model::Rotor &rotor) {
+    if (std::string reason = against_fixed(rotor); !reason.empty())
+        return reason;
+    if (!rotor.bearings_orthotropic())
+        return "a bearing couples x and y";
+    if (rotor.damped())
+        return "there is damping";
+    return {};
+}
+
+void require(const std::string &reason, results::Form form) {
+    if (!reason.empty())
+        throw model::BadInput(
+            fmt::format("formulation: expected one that can describe the scene, got \"{}\": {}",
+                        results::form_name(form), reason));
+}
+
+results::Formulation forced(const model::Case &scene) {
+    switch (scene.formulation) {
+    case model::FormChoice::planar:
+        require(against_planar(scene.rotor), results::Form::planar);
+        return {results::Form::planar, "asked for by the case"};
+    case model::FormChoice::hyperbolic:
+        require(against_hyperbolic(scene.rotor), results::Form::hyperbolic);
+        return {results::Form::hyperbolic, "asked for by the case"};
+    case model::FormChoice::rotating:
+        require(scene.rotor.bearings_rotation_invariant()
+                    ? ""
+                    : "a bearing is not the same from every direction",
+                results::Form::rotating);
+        return {results::Form::rotating, "asked for by the case"};
+    case model::FormChoice::hill:
+        return {results::Form::hill, "asked for by the case"};
+    default:
+        require(against_fixed(scene.rotor), results::Form::general);
+        return {results::Form::general, "asked for by the case"};
+    }
+}
+
+} // namespace
+
+results::Formulation choose_formulation(const model::Case &scene) {
+    const model::Rotor &rotor = scene.rotor;
+    if (scene.formulation != model::FormChoice::automatic)
+        return forced(scene);
+    if (rotor.rotating_anisotropy())
+        return rotor.bearings_rotation_invariant()
+                   ? results::Formulation{results::Form::rotating,
+                                          "something that turns is not axisymmetric and the "
+                                          "bearings are "
+                                          "the "
+                                          "same from every direction: constant coefficients in "
+                                          "axes that "
+                                          "turn with the rotor"}
+                   : results::Formulation{
+                         results::Form::hill,
+                         "neither what turns nor the bearings are the same from every "
+                         "direction: a series in twice the spin speed, in rotating axes"};
+    if (!rotor.damped() && may_push_away(rotor) &&
+        !stiffness_positive(rotor, std::max(1, rotor.shaft.order)))
+        return {results::Form::general,
+                "the stiffness is not positive definite (a bearing pushes away, or "
+                "the axial force buckles the shaft): real eigenvalues are looked "
+                "for beside frequencies"};
+    const std::string no_planar = against_planar(rotor);
+    if (no_planar.empty())
+        return {results::Form::planar,
+                "isotropic bearings, axisymmetric rotor, no damping: w = x + i y "
+                "halves the unknowns and the matrices are symmetric"};
+    const std::string no_hyperbolic = against_hyperbolic(rotor);
+    if (no_hyperbolic.empty())
+        return {results::Form::hyperbolic,
+                "bearings differ between x and y without coupling them, no "
+                "damping: a symmetric problem with real frequencies"};
+    return {results::Form::general,
+            no_hyperbolic + ": a real quadratic problem with complex eigenvalues"};
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "assembly/system.h"
+#include "modes/whirl_mode.h"
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// Whirl modes of the real form M q'' + (C + speed G) q' + (K + speed Kc) q = 0.
+class GeneralSpectrum {
+  public:
+    /// Bearings as at `bearing_speed` (rad/s).
+    GeneralSpectrum(const assembly::Discretization &discretization, double bearing_speed);
+
+    struct Modes {
+        std::vector<WhirlMode> modes;   ///< Im > 0 or zero modes; whirl not set, unsorted
+        std::vector<double> overdamped; ///< real eigenvalues, 1/s
+        std::vector<double> growing;    ///< those of them that are positive beyond their error
+        double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
+    };
+
+    /// At least `wanted` whirl modes of least modulus, or all.
+    [[nodiscard]] Modes modes(double speed, int wanted) const;
+
+    [[nodiscard]] const assembly::FixedSystem &system() const { return _system; }
+
+  private:
+    const assembly::Discretization &_discretization;
+    double _bearing_speed;
+    assembly::FixedSystem _system;
+
+    [[nodiscard]] Modes solve(double speed, int wanted) const;
+};
+
+} // namespace whirl::modes

@@ -1,0 +1,167 @@
+#include "modes/orbits.h"
+
+#include "elements/section.h"
+#include "results/whirl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace whirl::modes {
+
+namespace {
+
+/// Gauss's three points on [0, 1] with their weights: exact to degree 5 in each piece.
+constexpr std::array<std::pair<double, double>, 3> gauss{{
+    {0.11270166537925831, 5.0 / 18},
+    {0.5, 8.0 / 18},
+    {0.88729833462074169, 5.0 / 18},
+}};
+
+/// Pieces of the whole length: a mode of sixteen half waves has three pieces to each.
+constexpr double pieces_of_length = 48;
+
+/// Where the mass per length or the shape may have a kink: ends of segments, attached parts.
+std::vector<double> kinks(const model::Rotor &rotor) {
+    std::vector<double> out{0};
+    for (const model::Segment &segment : rotor.shaft.segments)
+        out.push_back(out.back() + segment.length);
+    for (const model::Disc &disc : rotor.discs)
+        out.push_back(disc.z);
+    for (const model::Bearing &bearing : rotor.bearings)
+        out.push_back(bearing.z);
+    for (const model::Balancer &balancer : rotor.balancers)
+        out.push_back(balancer.z);
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+/// Of the balls or the four pendulums, and of the imbalance where it is a point mass.
+double mass_of(const model::Balancer &balancer) {
+    const int parts = balancer.kind == model::BalancerKind::ball ? balancer.n : 4;
+    return parts * balancer.mass +
+           (balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0);
+}
+
+} // namespace
+
+Stations::Stations(const assembly::Discretization &d, int per_span) {
+    const auto &mesh = d.shaft_mesh();
+    for (std::size_t span = 0; span < mesh.spans.size(); ++span) {
+        _z.push_back(mesh.nodes[span]);
+        _rows.push_back(d.deflection_at_node(static_cast<int>(span)));
+        for (int i = 1; i <= per_span; ++i) {
+            const double xi = static_cast<double>(i) / (per_span + 1);
+            _z.push_back(mesh.spans[span].z + xi * mesh.spans[span].length);
+            _rows.push_back(d.deflection_inside(static_cast<int>(span), xi));
+        }
+    }
+    _z.push_back(mesh.nodes.back());
+    _rows.push_back(d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
+}
+
+void Stations::add(double z, assembly::Combination row, double mass, std::vector<double> &masses) {
+    _z.push_back(z);
+    _rows.push_back(std::move(row));
+    masses.push_back(mass);
+}
+
+void Stations::add_shaft(const assembly::Discretization &d, std::vector<double> &masses) {
+    const std::vector<mesh::Span> &spans = d.shaft_mesh().spans;
+    const std::vector<double> ends = kinks(d.rotor());
+    const double piece = ends.back() / pieces_of_length;
+    std::size_t span = 0;
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const double length = ends[i] - ends[i - 1];
+        const int pieces =
+            length > 0 ? std::max(1, static_cast<int>(std::ceil(length / piece))) : 0;
+        for (int k = 0; k < pieces; ++k)
+            for (const auto &[point, weight] : gauss) {
+                const double z = ends[i - 1] + (k + point) * length / pieces;
+                while (span + 1 < spans.size() && z > spans[span + 1].z)
+                    ++span;
+                const double xi = std::clamp((z - spans[span].z) / spans[span].length, 0.0, 1.0);
+                const double rhoA = elements::beam_of(d.rotor().shaft, spans[span]).at(xi).rhoA;
+                add(z, d.deflection_inside(static_cast<int>(span), xi),
+                    rhoA * weight * length / pieces, masses);
+            }
+    }
+}
+
+Stations Stations::for_orbits(const assembly::Discretization &d) {
+    Stations out;
+    std::vector<double> masses;
+    out.add_shaft(d, masses);
+    for (const model::Disc &disc : d.rotor().discs)
+        out.add(disc.z, d.deflection_at(disc.z), disc.mass, masses);
+    for (const model::Balancer &balancer : d.rotor().balancers)
+        out.add(balancer.z, d.deflection_at(balancer.z), mass_of(balancer), masses);
+    out._masses = Eigen::Map<const Eigen::VectorXd>(masses.data(), std::ssize(masses));
+    return out;
+}
+
+Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
+    Eigen::VectorXcd out(static_cast<Eigen::Index>(_rows.size()));
+    for (std::size_t i = 0; i < _rows.size(); ++i) {
+        std::complex<double> sum = 0;
+        for (const auto &[unknown, value] : _rows[i])
+            sum += value * planar(unknown);
+        out(static_cast<Eigen::Index>(i)) = sum;
+    }
+    return out;
+}
+
+Stations Stations::over(const Eigen::MatrixXd &shapes) const {
+    Stations out;
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(_masses.size(), shapes.cols());
+    for (std::size_t i = 0; i < _rows.size(); ++i)
+        for (const auto &[unknown, value] : _rows[i])
+            rows.row(static_cast<Eigen::Index>(i)) += value * shapes.row(unknown);
+    out._weights = rows.transpose() * _masses.asDiagonal() * rows;
+    return out;
+}
+
+double Stations::deflection_energy(const Eigen::VectorXcd &planar) const {
+    if (_weights.size() > 0) {
+        const Eigen::VectorXcd a = planar.head(_weights.rows());
+        return a.dot(_weights * a).real();
+    }
+    return _masses.dot(deflections(planar).cwiseAbs2());
+}
+
+Ellipse ellipse_of(std::complex<double> x, std::complex<double> y) {
+    const std::complex<double> i(0, 1);
+    // x(t) + i y(t) = 1/2 (x + i y) exp(i w t) + 1/2 conj(x - i y) exp(-i w t)
+    const double with = std::abs(x + i * y) / 2;
+    const double against = std::abs(x - i * y) / 2;
+    return {with + against, with - against};
+}
+
+OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
+                       const Stations &stations, double spin_speed) {
+    // Ellipses narrower than the first share are straight lines to rounding and modelling accuracy.
+    // A sense with less than the second share of the swept areas is that of places that hardly
+    // move, beside the nodes of the mode.
+    constexpr double straight = 1e-6;
+    constexpr double significant = 0.01;
+    double forward = 0;
+    double backward = 0;
+    double size = 0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const Ellipse orbit = ellipse_of(x(i), y(i));
+        const double area = stations.masses()(i) * orbit.major * orbit.minor;
+        ((area > 0) == (spin_speed >= 0) ? forward : backward) += std::abs(area);
+        size += stations.masses()(i) * orbit.major * orbit.major;
+    }
+    const double swept = forward + backward;
+    if (!(swept > straight * size))
+        return {results::Whirl::mixed, 0.5};
+    const double share = forward / swept;
+    return {share >= 1 - significant ? results::Whirl::forward
+            : share <= significant   ? results::Whirl::backward
+                                     : results::Whirl::mixed,
+            share};
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "results/whirl.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// Stations along a shaft at which orbits are looked at, each with the mass it stands for.
+class Stations {
+  public:
+    /// The nodes and `per_span` points inside each span, without masses: to draw shapes.
+    Stations(const assembly::Discretization &discretization, int per_span);
+
+    /// Points of a quadrature over the length of the shaft with the mass per length, and the discs
+    /// and balancers. They follow from the rotor alone, not from its mesh: sums over them are
+    /// kinetic energies of deflection, the same on every mesh that resolves the mode.
+    [[nodiscard]] static Stations for_orbits(const assembly::Discretization &discretization);
+
+    [[nodiscard]] const std::vector<double> &z() const { return _z; }
+    /// kg; empty for stations that only draw.
+    [[nodiscard]] const Eigen::VectorXd &masses() const { return _masses; }
+
+    /// Deflections at the stations from planar unknowns.
+    [[nodiscard]] Eigen::VectorXcd deflections(const Eigen::VectorXcd &planar) const;
+
+    /// The same for amplitudes of shapes in the place of planar unknowns, to weigh motions only.
+    [[nodiscard]] Stations over(const Eigen::MatrixXd &shapes) const;
+
+    /// Sum of mass times squared deflection; entries of `planar` beyond the unknowns do not count.
+    [[nodiscard]] double deflection_energy(const Eigen::VectorXcd &planar) const;
+
+  private:
+    std::vector<double> _z;
+    std::vector<assembly::Combination> _rows;
+    Eigen::VectorXd _masses;
+    Eigen::MatrixXd _weights; ///< of products of two amplitudes of shapes; empty without shapes
+
+    Stations() = default;
+    void add(double z, assembly::Combination row, double mass, std::vector<double> &masses);
+    void add_shaft(const assembly::Discretization &d, std::vector<double> &masses);
+};
+
+/// Sense of whirl of orbits x, y at stations, x(t) = Re(x exp(i w t)), w > 0, against a spin of
+/// this sign.
+///
+/// An orbit is a circle of radius |f| with the spin and one of radius |b| against it. Where
+/// |f| > |b| it whirls forward; |f|^2 - |b|^2 is its swept area over pi. The share is that of the
+/// areas swept forward in all areas, weighted with the mass there.
+struct OrbitSense {
+    results::Whirl whirl = results::Whirl::mixed;
+    double forward_fraction =
+        0.5; ///< 1: forward everywhere; 1/2 as well where all orbits are lines
+};
+[[nodiscard]] OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
+                                     const Stations &stations, double spin_speed);
+
+/// Semi-axes of the ellipse x(t) = Re(x exp(i w t)), y likewise; the minor one is negative for an
+/// orbit against the positive sense.
+struct Ellipse {
+    double major = 0;
+    double minor = 0;
+};
+[[nodiscard]] Ellipse ellipse_of(std::complex<double> x, std::complex<double> y);
+
+} // namespace whirl::modes

@@ -1,0 +1,282 @@
+#include "modes/rotating_spectrum.h"
+
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+#include "modes/zero_modes.h"
+#include "reduction/projection.h"
+#include "results/whirl.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::modes {
+
+namespace {
+
+constexpr std::complex<double> i_unit(0, 1);
+
+/// As in the fixed frame: so near the real axis there is no whirl (general_spectrum.cpp).
+constexpr double real_axis = 0.02;
+
+/// Share of the copy whose centre must be largest; equal shares may differ by rounding.
+constexpr double equal_share = 1 - 1e-6;
+
+template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
+    return shapes != nullptr ? reduction::Projection(*shapes).of(system) : std::move(system);
+}
+
+} // namespace
+
+RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretization,
+                                   double bearing_speed,
+                                   const std::vector<balancers::BalancerElement> &balancers,
+                                   int harmonics, const Eigen::MatrixXd *shapes)
+    : _discretization(discretization), _harmonics(harmonics),
+      _system(
+          reduced(assembly::assemble_rotating(discretization, bearing_speed, balancers), shapes)),
+      _M(_system.M.view()), _C(_system.C.view()), _Cs(_system.Cs.view()), _K(_system.K.view()),
+      _Ks(_system.Ks.view()), _Kss(_system.Kss.view()),
+      _stations(shapes != nullptr ? Stations::for_orbits(discretization).over(*shapes)
+                                  : Stations::for_orbits(discretization)) {
+    if (shapes != nullptr)
+        _method = linalg::QuadraticMethod::dense;
+    // |D| = 1: both balls on one diameter, whose motion along it moves nothing: roots 0 and -h.
+    for (const balancers::BalancerElement &balancer : balancers)
+        if (balancer.restoring == 0 && std::abs(std::abs(balancer.second_harmonic) - 1) < 1e-12)
+            _zeros += balancer.damping > 0 ? 1 : 2;
+    if (harmonics > 0)
+        _supports = reduced(assembly::turning_supports(discretization, bearing_speed,
+                                                       2 * (discretization.planar_size() +
+                                                            static_cast<int>(balancers.size()))),
+                            shapes);
+}
+
+assembly::SystemAtSpeed RotatingSpectrum::hill_system(double speed) const {
+    return assembly::hill_system(_system, *_supports, speed, _harmonics);
+}
+
+double RotatingSpectrum::motion_energy(const Eigen::VectorXcd &xy) const {
+    const Eigen::Index n = xy.size() / 2;
+    return _stations.deflection_energy(xy(Eigen::seqN(0, n, 2))) +
+           _stations.deflection_energy(xy(Eigen::seqN(1, n, 2)));
+}
+
+int RotatingSpectrum::largest_term(const Eigen::VectorXcd &vector) const {
+    const Eigen::Index n = _system.M.size();
+    double most = motion_energy(vector.head(n));
+    int term = 0;
+    for (int k = 1; k <= _harmonics; ++k) {
+        const Eigen::VectorXcd a = vector.segment((2 * k - 1) * n, n);
+        const Eigen::VectorXcd b = vector.segment(2 * k * n, n);
+        const double size =
+            std::max(motion_energy(a - i_unit * b), motion_energy(a + i_unit * b)) / 4;
+        if (size * equal_share > most) {
+            most = size;
+            term = k;
+        }
+    }
+    return term;
+}
+
+linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, double shift) const {
+    linalg::QuadraticOptions options;
+    options.shift = shift;
+    options.fewest = 1;
+    if (speed != 0) {
+        const assembly::SystemAtSpeed hill = hill_system(speed);
+        options.wanted = std::min(wanted, hill.M.size());
+        return linalg::solve_quadratic(hill.M, hill.D, hill.K, options);
+    }
+    // At rest nothing turns: constant coefficients.
+    options.wanted = std::min(wanted, _system.M.size());
+    linalg::QuadraticResult found = linalg::solve_quadratic(
+        _system.M, linalg::Matrix::sum(1, _system.C, 1, _supports->C.cosine),
+        linalg::Matrix::sum(1, _system.K, 1, _supports->K.cosine), options);
+    const Eigen::Index n = _system.M.size();
+    for (linalg::ComplexPair &pair : found.pairs) {
+        pair.vector.conservativeResize(n * (2 * _harmonics + 1));
+        pair.vector.tail(2 * _harmonics * n).setZero();
+    }
+    return found;
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
+                                                      Keep keep) const {
+    linalg::QuadraticOptions options;
+    options.shift = shift;
+    options.fewest = 1;
+    linalg::QuadraticResult found;
+    if (_harmonics == 0) {
+        options.wanted = std::min(wanted, _system.M.size());
+        options.zeros = _zeros;
+        options.method = _method;
+        found = linalg::solve_quadratic(_M, _C + speed * _Cs,
+                                        _K + speed * _Ks + speed * speed * _Kss, options);
+    } else {
+        found =
+            solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
+    }
+    Eigenvalues out;
+    out.complete_radius = std::max(0.0, found.complete_radius - shift);
+    const int last = keep == Keep::best ? 0 : std::max(1, _harmonics - 1);
+    for (linalg::ComplexPair &pair : found.pairs) {
+        if (_harmonics > 0 && largest_term(pair.vector) > last)
+            continue;
+        if (keep == Keep::best)
+            pair.vector.conservativeResize(_system.M.size());
+        out.pairs.push_back(std::move(pair));
+    }
+    std::sort(out.pairs.begin(), out.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+    if (_harmonics == 0) // known to be zero, they come blurred
+        for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
+            if (std::abs(out.pairs[i].value) < 1e-5 * shift)
+                out.pairs[i].value = 0;
+    return out;
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
+                                                      Keep keep) const {
+    // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
+    // supports, or, where those are far slower than the elastic ones wanted besides, these.
+    const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
+    const double slow =
+        0.31 *
+        (near_zero ? std::abs(speed) : std::max(std::abs(speed), support_scale(_discretization)));
+    const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
+    try {
+        return up_to(speed, radius, least, keep, slow);
+    } catch (const linalg::SolverError &) {
+        if (fast == slow)
+            throw;
+        return up_to(speed, radius, least, keep, fast);
+    }
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
+                                                      Keep keep, double shift) const {
+    const int terms = keep == Keep::best ? 1 : 2 * _harmonics + 1;
+    const int all = _system.M.size() * terms;
+    double reached = 0;
+    for (int wanted = std::min(all, std::max(least, _usual));;
+         wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
+        Eigenvalues out = solve(speed, wanted, shift, keep);
+        // No more can be resolved beside those found: enough where they reach as far as asked.
+        const bool last = out.complete_radius <= reached;
+        reached = std::max(reached, out.complete_radius);
+        if (last && reached < radius)
+            throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
+        const bool enough = static_cast<int>(out.pairs.size()) >= least;
+        if ((enough && out.complete_radius >= radius) || wanted == all || last ||
+            std::isinf(out.complete_radius)) {
+            _usual = wanted;
+            return out;
+        }
+    }
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
+                                                            int least) const {
+    return up_to(speed, radius, least, Keep::best);
+}
+
+RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
+                                                       int least) const {
+    return up_to(speed, radius, least, Keep::accurate);
+}
+
+/// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
+/// Im + speed and Im - speed backwards, the one with the larger deflections.
+WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, double speed) const {
+    // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
+    const Eigen::Index n = pair.vector.size() / 2;
+    const Eigen::VectorXcd X = pair.vector(Eigen::seqN(0, n, 2));
+    const Eigen::VectorXcd Y = pair.vector(Eigen::seqN(1, n, 2));
+    const Eigen::VectorXcd p = (X + i_unit * Y) / 2;
+    const Eigen::VectorXcd r = (X.conjugate() + i_unit * Y.conjugate()) / 2;
+    const double nu = pair.value.imag();
+    WhirlMode mode;
+    mode.frequency_rotating = nu;
+    if (_harmonics == 0) {
+        mode.rotating_value = pair.value;
+        mode.rotating_vector = pair.vector;
+    }
+    mode.shape.resize(2 * n);
+    double turn = 0; // rad/s, of the dominant whirl, positive with the spin
+    if (speed == 0) {
+        turn = nu; // both whirls have this frequency: the whole motion
+        mode.shape = pair.vector;
+    } else {
+        const bool first = _stations.deflection_energy(p) >= _stations.deflection_energy(r);
+        turn = speed + (first ? nu : -nu);
+        // w exp(i turn t) = x + i y with x = Re(w exp(i turn t)), y = Im: for a turn against the
+        // positive sense x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
+        const Eigen::VectorXcd w = first ? p : r;
+        const Eigen::VectorXcd x = turn >= 0 ? w : Eigen::VectorXcd(w.conjugate());
+        mode.shape(Eigen::seqN(0, n, 2)) = x;
+        mode.shape(Eigen::seqN(1, n, 2)) =
+            turn >= 0 ? Eigen::VectorXcd(-i_unit * x) : Eigen::VectorXcd(i_unit * x);
+        mode.whirl = turn * speed >= 0 ? results::Whirl::forward : results::Whirl::backward;
+        mode.forward_fraction = mode.whirl == results::Whirl::forward ? 1 : 0;
+    }
+    mode.eigenvalue = {pair.value.real(), std::abs(turn)};
+    const double size = std::max(std::abs(mode.eigenvalue), 1e-300);
+    mode.residual = pair.residual * std::abs(pair.value) / size;
+    mode.rounding = pair.rounding * std::abs(pair.value) / size;
+    return mode;
+}
+
+RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
+    Modes out;
+    out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
+    std::vector<WhirlMode> real; // two of these make up one motion
+    for (const linalg::ComplexPair &pair : found.pairs) {
+        WhirlMode mode = in_fixed_frame(pair, speed);
+        if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
+            const double rate = mode.eigenvalue.real();
+            out.overdamped.push_back(rate);
+            if (rate > 10 * (pair.residual + pair.rounding) * std::abs(pair.value))
+                out.growing.push_back(rate);
+        } else if (pair.value.imag() == 0)
+            real.push_back(std::move(mode));
+        else
+            out.modes.push_back(std::move(mode));
+    }
+    std::sort(real.begin(), real.end(), [](const WhirlMode &a, const WhirlMode &b) {
+        return a.eigenvalue.real() > b.eigenvalue.real();
+    });
+    // Of the two real ones that a complex pair turns into, the one that grows more stands for
+    // both, so that a mode stays one mode through a band of instability.
+    real.resize((real.size() + 1) / 2);
+    out.modes.insert(out.modes.end(), real.begin(), real.end());
+    return out;
+}
+
+RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const {
+    double radius = std::abs(speed);
+    Modes out;
+    for (int attempt = 0; attempt <= 12; ++attempt) {
+        Eigenvalues found;
+        try {
+            found = eigenvalues(speed, radius, wanted);
+        } catch (const linalg::SolverError &) {
+            if (out.modes.empty())
+                throw;
+            return out; // beside those found (a rotor of few masses) no more can be resolved
+        }
+        out = modes_of(found, speed);
+        std::vector<double> lowest;
+        for (const WhirlMode &mode : out.modes)
+            lowest.push_back(std::abs(mode.eigenvalue));
+        std::sort(lowest.begin(), lowest.end());
+        const auto last = static_cast<std::size_t>(wanted) - 1;
+        const bool enough = lowest.size() > last && lowest[last] <= out.complete_radius;
+        if (enough || std::isinf(found.complete_radius))
+            break;
+        radius = lowest.size() > last ? 1.001 * (lowest[last] + std::abs(speed))
+                                      : 1.5 * std::max(radius, found.complete_radius);
+    }
+    return out;
+}
+
+} // namespace whirl::modes

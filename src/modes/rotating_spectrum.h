@@ -1,0 +1,92 @@
+#pragma once
+
+#include "assembly/hill_system.h"
+#include "assembly/rotating_system.h"
+#include "linalg/eigenpair.h"
+#include "linalg/quadratic_eigen.h"
+#include "modes/orbits.h"
+#include "modes/whirl_mode.h"
+
+#include <optional>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Eigenvalues and whirl modes of a rotor in axes that turn with it: forms rotating and hill.
+class RotatingSpectrum {
+  public:
+    /// Bearings as at `bearing_speed` (rad/s).
+    /// @param balancers  at their balanced positions
+    /// @param harmonics  of the Hill series; 0 where the bearings are the same from every direction
+    /// @param shapes     planar shapes to reduce the rotor to (reduction/), or none; modes() is
+    /// then
+    ///                   not to be asked for
+    RotatingSpectrum(const assembly::Discretization &discretization, double bearing_speed,
+                     const std::vector<balancers::BalancerElement> &balancers, int harmonics,
+                     const Eigen::MatrixXd *shapes = nullptr);
+
+    /// Eigenvalues in rotating axes, Im >= 0; shape over the unknowns of the rotating system.
+    struct Eigenvalues {
+        std::vector<linalg::ComplexPair> pairs; ///< by modulus, ascending
+        double complete_radius = 0;             ///< all of smaller modulus are in `pairs`
+    };
+    /// All of modulus up to `radius` (1/s), and at least `least`, or all there are.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Eigenvalues eigenvalues(double speed, double radius, int least) const;
+
+    /// Hill's series, every motion found at all its places 2 i speed apart that the cut leaves
+    /// accurate: motions that resonate meet at one of them, which need not be that of the largest
+    /// constant part. Vectors over all terms of the series. All places within `radius` of 0, and at
+    /// least `least`, or all there are.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Eigenvalues copies(double speed, double radius, int least) const;
+
+    /// Number k of the harmonic 2 k speed of Hill's series in which a motion is largest.
+    [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
+
+    struct Modes {
+        /// Eigenvalue and shape of the dominant harmonic as seen from the fixed frame, where the
+        /// motion is Re(shape exp(eigenvalue t)) over real unknowns (x, y).
+        std::vector<WhirlMode> modes;
+        std::vector<double> overdamped; ///< real parts of motions that do not whirl, 1/s
+        std::vector<double> growing;    ///< those of them that are positive beyond their error
+        double complete_radius = 0;     ///< all modes of smaller frequency are known
+    };
+    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all.
+    /// @throws linalg::SolverError
+    [[nodiscard]] Modes modes(double speed, int wanted) const;
+
+    [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
+    /// The constant terms of Hill's series at a speed.
+    [[nodiscard]] assembly::SystemAtSpeed hill_system(double speed) const;
+    [[nodiscard]] int harmonics() const { return _harmonics; }
+
+  private:
+    const assembly::Discretization &_discretization;
+    int _harmonics;
+    assembly::RotatingSystem _system;
+    std::optional<assembly::TurningSupports> _supports;
+    Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
+    Stations _stations;
+    /// Of a reduced rotor all motions are found.
+    linalg::QuadraticMethod _method = linalg::QuadraticMethod::automatic;
+    int _zeros = 0; ///< eigenvalues that are zero: balls that can roll on without any effect
+    mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
+
+    /// Copies of a motion that count.
+    enum class Keep {
+        best,    ///< the one whose constant part is largest
+        accurate ///< those whose largest term has neighbours on both sides in the series
+    };
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
+                                    double shift) const;
+    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
+    [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
+    /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
+    [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
+    [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
+    [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
+};
+
+} // namespace whirl::modes

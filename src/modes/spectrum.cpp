@@ -1,0 +1,220 @@
+#include "modes/spectrum.h"
+
+#include "balancers/arrangement.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "modes/degenerate.h"
+#include "modes/form_matrices.h"
+#include "modes/general_spectrum.h"
+#include "modes/orbits.h"
+#include "modes/rotating_spectrum.h"
+#include "modes/symmetric_spectrum.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace whirl::modes {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// v of the problem: signed and real in the symmetric forms.
+double real_value(const WhirlMode &mode, results::Form form, double speed) {
+    const bool negative =
+        form == results::Form::planar && (mode.whirl == results::Whirl::forward) != (speed >= 0);
+    return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
+}
+
+/// A real part that the eigensolver does not tell from zero is none: without damping the forms that
+/// allow for it would otherwise show damping of either sign.
+void drop_undetermined_damping(WhirlMode &mode) {
+    const double error = (mode.residual + mode.rounding) * std::abs(mode.eigenvalue);
+    if (std::abs(mode.eigenvalue.real()) <= error)
+        mode.eigenvalue.real(0);
+}
+
+/// Change of the eigenvalue in the fixed frame from that of the value in rotating axes: the mode
+/// whirls at the spin speed plus or minus what is seen from the rotor.
+std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
+                                      std::complex<double> rate) {
+    if (speed == 0)
+        return unknown; // both whirls at once
+    const bool positive = (mode.whirl == results::Whirl::forward) == (speed > 0);
+    const double turn = positive ? mode.eigenvalue.imag() : -mode.eigenvalue.imag();
+    const double turn_rate = 1 + (turn >= speed ? rate.imag() : -rate.imag());
+    return {rate.real(), positive ? turn_rate : -turn_rate};
+}
+
+} // namespace
+
+struct SpectrumSolver::Data {
+    assembly::Discretization d;
+    results::Form form;
+    bool tables; ///< bearings change with speed: assemble again at every speed
+    Stations stations;
+    std::unique_ptr<SymmetricSpectrum> symmetric;
+    std::unique_ptr<GeneralSpectrum> general;
+    std::vector<balancers::BalancerElement> balancers;
+    std::unique_ptr<RotatingSpectrum> rotating;
+    std::unique_ptr<FormMatrices> matrices;
+
+    Data(const model::Rotor &rotor, results::Form which, int order, int refinement, int harmonics)
+        : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
+          stations(Stations::for_orbits(d)) {
+        if (results::in_rotating_axes(form)) {
+            balancers =
+                balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
+            rotating = std::make_unique<RotatingSpectrum>(
+                d, 0, balancers, form == results::Form::hill ? harmonics : 0);
+        } else if (form == results::Form::general && !tables) {
+            general = std::make_unique<GeneralSpectrum>(d, 0);
+        } else if (!tables) {
+            symmetric = std::make_unique<SymmetricSpectrum>(d, form == results::Form::planar, 0);
+        }
+        matrices = std::make_unique<FormMatrices>(d, form, balancers);
+    }
+};
+
+SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, results::Form form, int order,
+                               int refinement, int harmonics)
+    : _data(std::make_unique<Data>(rotor, form, order, refinement, harmonics)) {}
+
+SpectrumSolver::~SpectrumSolver() = default;
+
+const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
+results::Form SpectrumSolver::form() const { return _data->form; }
+int SpectrumSolver::unknowns() const { return _data->matrices->size(); }
+
+Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
+    Spectrum spectrum;
+    const bool planar = _data->form == results::Form::planar;
+    spectrum.modes = _data->tables ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
+                                   : _data->symmetric->modes(speed, wanted);
+    for (const WhirlMode &mode : spectrum.modes)
+        spectrum.complete_radius = std::max(spectrum.complete_radius, mode.eigenvalue.imag());
+    return spectrum;
+}
+
+Spectrum SpectrumSolver::general(double speed, int wanted) const {
+    GeneralSpectrum::Modes found = _data->tables
+                                       ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
+                                       : _data->general->modes(speed, wanted);
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
+}
+
+Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
+    RotatingSpectrum::Modes found =
+        _data->tables
+            ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
+                  .modes(speed, wanted)
+            : _data->rotating->modes(speed, wanted);
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
+}
+
+void SpectrumSolver::classify(Spectrum &spectrum) const {
+    // At speed each mode in rotating axes comes with its dominant whirl, which is circular.
+    if (_data->form == results::Form::planar ||
+        (results::in_rotating_axes(_data->form) && spectrum.speed != 0))
+        return;
+    separate_degenerate(*this, _data->stations, spectrum.modes);
+    for (WhirlMode &mode : spectrum.modes) {
+        const OrbitSense sense =
+            orbit_sense(x_at(mode, _data->stations), y_at(mode, _data->stations), _data->stations,
+                        spectrum.speed);
+        mode.whirl = sense.whirl;
+        mode.forward_fraction = sense.forward_fraction;
+    }
+}
+
+Spectrum SpectrumSolver::at(double speed, int wanted) const {
+    try {
+        Spectrum spectrum = results::in_rotating_axes(_data->form)  ? rotating(speed, wanted)
+                            : _data->form == results::Form::general ? general(speed, wanted)
+                                                                    : symmetric(speed, wanted);
+        spectrum.speed = speed;
+        for (WhirlMode &mode : spectrum.modes)
+            drop_undetermined_damping(mode);
+        std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
+                         [](const WhirlMode &a, const WhirlMode &b) {
+                             return a.eigenvalue.imag() < b.eigenvalue.imag();
+                         });
+        // No more than asked for: what follows modes to other speeds asks for as many there.
+        if (static_cast<int>(spectrum.modes.size()) > wanted)
+            spectrum.modes.resize(static_cast<std::size_t>(wanted));
+        classify(spectrum);
+        return spectrum;
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(fmt::format(
+            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
+            "or missed some ({} unknowns, {} modes asked for, {} form)",
+            speed, unknowns(), wanted, results::form_name(_data->form)));
+    }
+}
+
+ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
+    const results::Form form = _data->form;
+    const auto count = std::ssize(spectrum.modes);
+    const Eigen::Index n = _data->matrices->size();
+    const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
+        return spectrum.modes[static_cast<std::size_t>(i)];
+    };
+    if (form == results::Form::planar || form == results::Form::hyperbolic) {
+        Eigen::VectorXd values(count);
+        Eigen::MatrixXd X(n, count);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            values(i) = real_value(mode(i), form, spectrum.speed);
+            X.col(i) = mode(i).shape.real();
+        }
+        ModeBasis out = basis_of(_data->matrices->at(spectrum.speed), values, X);
+        for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+            for (Eigen::Index i = 0; i < count; ++i)
+                (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
+        return out;
+    }
+    const bool turning = form == results::Form::rotating;
+    Eigen::VectorXcd values(count);
+    Eigen::MatrixXcd X(n, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        values(i) = turning ? mode(i).rotating_value : mode(i).eigenvalue;
+        X.col(i) = turning ? mode(i).rotating_vector : mode(i).shape;
+    }
+    if (form == results::Form::hill)
+        return dual_basis_of(_data->matrices->mass(), values, X);
+    ModeBasis out =
+        basis_of(_data->matrices->at(spectrum.speed), values, X, _data->matrices->mirrored());
+    out.conjugates = turning;
+    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+        for (Eigen::Index i = 0; turning && i < count; ++i)
+            (*rates)(i) = seen_from_ground(mode(i), spectrum.speed, (*rates)(i));
+    return out;
+}
+
+Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
+    if (_data->form == results::Form::planar)
+        return stations.deflections(mode.shape);
+    const Eigen::Index n = mode.shape.size() / 2;
+    return stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
+}
+
+Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &stations) const {
+    const std::complex<double> i(0, 1);
+    if (_data->form == results::Form::planar) {
+        // w exp(i s t): y(t) = Re(-i w exp(i s t)) for s > 0, Re(+i w exp(i |s| t)) for s < 0.
+        // A forward mode turns with the spin; the planar form is used with both signs of it.
+        const Eigen::VectorXcd w = stations.deflections(mode.shape);
+        return mode.whirl == results::Whirl::forward ? Eigen::VectorXcd(-i * w)
+                                                     : Eigen::VectorXcd(i * w);
+    }
+    const Eigen::Index n = mode.shape.size() / 2;
+    const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
+    return _data->form == results::Form::hyperbolic ? Eigen::VectorXcd(i * y) : y;
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "model/rotor.h"
+#include "modes/biorthogonal.h"
+#include "modes/whirl_mode.h"
+#include "results/formulation.h"
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace whirl::assembly {
+class Discretization;
+}
+
+namespace whirl::modes {
+
+class Stations;
+
+/// The whirl modes at one spin speed with the lowest frequencies, ascending by frequency.
+struct Spectrum {
+    double speed = 0; ///< rad/s
+    std::vector<WhirlMode> modes;
+    std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
+    std::vector<double> growing;    ///< those of them above zero by more than their error
+    double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
+};
+
+/// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
+/// the speed is assembled and factorised once.
+class SpectrumSolver {
+  public:
+    /// @param order       of the shaft elements
+    /// @param refinement  every element is split into that many
+    /// @param harmonics   of the Hill series (form hill)
+    SpectrumSolver(const model::Rotor &rotor, results::Form form, int order, int refinement = 1,
+                   int harmonics = hill_harmonics);
+    ~SpectrumSolver();
+    SpectrumSolver(const SpectrumSolver &) = delete;
+    SpectrumSolver &operator=(const SpectrumSolver &) = delete;
+    SpectrumSolver(SpectrumSolver &&) = delete;
+    SpectrumSolver &operator=(SpectrumSolver &&) = delete;
+
+    /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer).
+    /// @throws model::AnalysisFailure where they cannot be found.
+    [[nodiscard]] Spectrum at(double speed, int wanted) const;
+
+    /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
+    /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
+    [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
+
+    /// Complex deflections of a mode at the stations: x(t) = Re(x exp(l t)).
+    [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;
+    [[nodiscard]] Eigen::VectorXcd y_at(const WhirlMode &mode, const Stations &stations) const;
+
+    [[nodiscard]] const assembly::Discretization &discretization() const;
+    [[nodiscard]] results::Form form() const;
+    /// Unknowns of the eigenproblem.
+    [[nodiscard]] int unknowns() const;
+
+    /// Harmonics of the Hill series for whirl modes; `stability` chooses its own number.
+    static constexpr int hill_harmonics = 4;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> _data;
+
+    [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
+    [[nodiscard]] Spectrum general(double speed, int wanted) const;
+    [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
+    void classify(Spectrum &spectrum) const;
+};
+
+} // namespace whirl::modes

@@ -1,0 +1,311 @@
+#include "reduction/reduced_rotor.h"
+
+#include "assembly/assemble.h"
+#include "linalg/check.h"
+#include "linalg/definite_pair.h"
+#include "model/errors.h"
+#include "reduction/planar_pair.h"
+#include "reduction/reduction_error.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace whirl::reduction {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using assembly::Term;
+
+/// Up to this many planar unknowns nothing is gained by a reduction.
+constexpr int small_enough = 8;
+/// More modes than that are as good as none left out.
+constexpr int most_modes = 60;
+
+/// Planar matrices of the whole rotor, shifted so that a free rotor is held: K + shift M is
+/// positive definite.
+struct PlanarPair : reduction::PlanarPair {
+    double shift = 0; ///< 1/s2
+};
+
+PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
+    PlanarPair pair{reduction::planar_pair(d, speed), 0};
+    // At the least as much as holds a free rotor against the rounding of its stiffness.
+    constexpr double rounding = 1e-13;
+    pair.shift = 0.01 * speed * speed;
+    for (Eigen::Index i = 0; i < pair.M.rows(); ++i)
+        if (pair.M.coeff(i, i) > 0)
+            pair.shift = std::max(pair.shift, rounding * pair.K.coeff(i, i) / pair.M.coeff(i, i));
+    return pair;
+}
+
+/// Mass-orthonormal combinations of the columns that make the stiffness diagonal, ascending.
+Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
+    Eigen::MatrixXd V(columns.rows(), 0);
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+        Eigen::VectorXd v = columns.col(j);
+        const double length = std::sqrt(v.dot(pair.M * v));
+        for (int pass = 0; pass < 2; ++pass)
+            v -= V * (V.transpose() * (pair.M * v)).eval();
+        const double rest = std::sqrt(v.dot(pair.M * v));
+        if (!(rest > 1e-7 * length))
+            continue; // already among the others
+        V.conservativeResize(Eigen::NoChange, V.cols() + 1);
+        V.rightCols(1) = v / rest;
+    }
+    const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((K + K.transpose()) / 2);
+    return V * solver.eigenvectors();
+}
+
+/// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
+/// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
+Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double sense,
+                                   const std::vector<assembly::Combination> &loaded) {
+    Eigen::MatrixXd forces =
+        Eigen::MatrixXd::Zero(pair.M.rows(), static_cast<Eigen::Index>(loaded.size()));
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        for (const auto &[unknown, value] : loaded[i])
+            forces(unknown, static_cast<Eigen::Index>(i)) += value;
+    Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
+    A.makeCompressed();
+    Eigen::SparseLU<Sparse> factors(A);
+    if (factors.info() == Eigen::Success) {
+        Eigen::MatrixXd shapes = factors.solve(forces);
+        if (shapes.allFinite())
+            return shapes;
+    }
+    return Eigen::SimplicialLDLT<Sparse>(pair.K + pair.shift * pair.M).solve(forces);
+}
+
+/// Shapes to choose from: the lowest modes at rest; the deflections under synchronous forces at
+/// the places (and moments), with which the undamped response there is exact; and those under
+/// forces at the bearings, which carry the effect of damping and of differences between x and y.
+class ShapeSource {
+  public:
+    ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
+        : _pair(planar_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
+        if (_small)
+            return;
+        std::vector<assembly::Combination> loaded;
+        for (const double z : goal.places)
+            loaded.push_back(d.deflection_at(z));
+        for (const double z : goal.tilted)
+            loaded.push_back(d.slope_at(z));
+        _at_places = synchronous_shapes(_pair, goal.speed, 1, loaded);
+        std::vector<assembly::Combination> bearings;
+        for (const model::Bearing &bearing : d.rotor().bearings)
+            bearings.push_back(d.deflection_at(bearing.z));
+        const Eigen::MatrixXd forward = synchronous_shapes(_pair, goal.speed, 1, bearings);
+        const Eigen::MatrixXd backward = synchronous_shapes(_pair, goal.speed, -1, bearings);
+        const bool both = !d.rotor().bearings_isotropic();
+        _at_bearings.resize(forward.rows(), (both ? 2 : 1) * forward.cols());
+        _at_bearings.leftCols(forward.cols()) = forward;
+        if (both)
+            _at_bearings.rightCols(backward.cols()) = backward;
+        const Sparse held = _pair.K + _pair.shift * _pair.M;
+        const int wanted = std::min(std::max(goal.modes, most_modes), d.planar_size());
+        _modes = linalg::DefinitePair(linalg::Matrix::from_sparse(held),
+                                      linalg::Matrix::from_sparse(_pair.M))
+                     .smallest(wanted);
+    }
+
+    /// All there are.
+    [[nodiscard]] int modes() const {
+        return _small ? static_cast<int>(_pair.M.rows()) : static_cast<int>(_modes.size());
+    }
+
+    [[nodiscard]] Eigen::MatrixXd shapes(int modes, bool with_bearings) const {
+        if (_small)
+            return ritz_shapes(_pair, Eigen::MatrixXd::Identity(_pair.M.rows(), _pair.M.rows()));
+        const Eigen::Index at_bearings = with_bearings ? _at_bearings.cols() : 0;
+        Eigen::MatrixXd columns(_pair.M.rows(), modes + _at_places.cols() + at_bearings);
+        for (int i = 0; i < modes; ++i)
+            columns.col(i) = _modes[static_cast<std::size_t>(i)].vector;
+        columns.middleCols(modes, _at_places.cols()) = _at_places;
+        columns.rightCols(at_bearings) = _at_bearings.leftCols(at_bearings);
+        return ritz_shapes(_pair, columns);
+    }
+
+    [[nodiscard]] bool complete() const { return _small; }
+    [[nodiscard]] const PlanarPair &pair() const { return _pair; }
+
+  private:
+    PlanarPair _pair;
+    bool _small;
+    Eigen::MatrixXd _at_places;
+    Eigen::MatrixXd _at_bearings;
+    std::vector<linalg::RealPair> _modes;
+};
+
+Eigen::MatrixXd rows_of(const Eigen::MatrixXd &shapes, std::span<const int> unknowns) {
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(unknowns.size()), shapes.cols());
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        rows.row(static_cast<Eigen::Index>(i)) = shapes.row(unknowns[i]);
+    return rows;
+}
+
+ReducedRotor::Supports project_supports(const assembly::Discretization &d,
+                                        const Eigen::MatrixXd &shapes, double speed) {
+    const Eigen::Index r = shapes.cols();
+    ReducedRotor::Supports supports{speed, Eigen::MatrixXd::Zero(2 * r, 2 * r),
+                                    Eigen::MatrixXd::Zero(2 * r, 2 * r)};
+    assembly::assemble_supports(
+        d, speed, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+            if (term != Term::stiffness && term != Term::damping)
+                return;
+            Eigen::MatrixXd &target =
+                term == Term::stiffness ? supports.stiffness : supports.damping;
+            const Eigen::MatrixXd product = shapes.row(i).transpose() * shapes.row(j);
+            for (int a = 0; a < 2; ++a)
+                for (int b = 0; b < 2; ++b)
+                    target.block(a * r, b * r, r, r) += block(a, b) * product;
+        });
+    return supports;
+}
+
+/// Matrices of the shaft and its discs; their mass on the side.
+void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
+    const Eigen::Index r = reduced.shapes.cols();
+    reduced.elastic = reduced.internal = reduced.gyroscopic = Eigen::MatrixXd::Zero(r, r);
+    const std::vector<double> translation = d.rigid_motion(false);
+    assembly::assemble_rotating_parts(
+        d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+            if (term == Term::mass) {
+                Eigen::VectorXd v(static_cast<Eigen::Index>(unknowns.size()));
+                for (std::size_t i = 0; i < unknowns.size(); ++i)
+                    v(static_cast<Eigen::Index>(i)) =
+                        translation[static_cast<std::size_t>(unknowns[i])];
+                reduced.mass += v.dot(block * v);
+                return;
+            }
+            const Eigen::MatrixXd rows = rows_of(reduced.shapes, unknowns);
+            Eigen::MatrixXd &target = term == Term::stiffness    ? reduced.elastic
+                                      : term == Term::gyroscopic ? reduced.gyroscopic
+                                                                 : reduced.internal;
+            if (term != Term::circulatory) // the same as the damping of the shaft
+                target += rows.transpose() * block * rows;
+        });
+}
+
+ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
+                     const Eigen::MatrixXd &shapes) {
+    ReducedRotor reduced;
+    reduced.shapes = shapes;
+    reduced.mass_times = pair.M * shapes;
+    project_rotor(d, reduced);
+    std::set<double> speeds;
+    for (const model::Bearing &bearing : d.rotor().bearings)
+        speeds.insert(bearing.speeds.begin(), bearing.speeds.end());
+    if (speeds.empty())
+        speeds.insert(0.0);
+    for (const double speed : speeds)
+        reduced.supports.push_back(project_supports(d, shapes, speed));
+    const Eigen::MatrixXd K = shapes.transpose() * (pair.K * shapes);
+    reduced.frequencies = K.diagonal().cwiseMax(0).cwiseSqrt();
+    return reduced;
+}
+
+void refuse_massless(const assembly::Discretization &d) {
+    const auto &bearings = d.rotor().bearings;
+    for (std::size_t i = 0; i < bearings.size(); ++i)
+        if (bearings[i].pedestal && bearings[i].pedestal->mass == 0)
+            throw model::AnalysisFailure(
+                fmt::format("motion in time needs mass in all that moves: bearing[{}] stands on a "
+                            "pedestal without; give it a pedestal_mass",
+                            i));
+}
+
+/// Of the choices that are good enough the one whose highest frequency is lowest: that frequency
+/// limits the steps of the integration.
+template <class With>
+std::optional<ReducedRotor> slowest_good(const With &with, const ReductionError &error, int most,
+                                         double tolerance) {
+    std::optional<ReducedRotor> best;
+    for (const bool bearings : {false, true})
+        for (int modes = 0; modes <= most; ++modes) {
+            ReducedRotor reduced = with(modes, bearings);
+            if (best &&
+                reduced.frequencies(reduced.size() - 1) >= best->frequencies(best->size() - 1))
+                break;
+            error.measure(reduced);
+            if (std::max(reduced.response_error, reduced.frequency_error) > tolerance)
+                continue;
+            best = std::move(reduced);
+            break;
+        }
+    return best;
+}
+
+} // namespace
+
+Row ReducedRotor::row(const assembly::Combination &combination) const {
+    Row row = Row::Zero(shapes.cols());
+    for (const auto &[unknown, value] : combination)
+        row += value * shapes.row(unknown).transpose();
+    return row;
+}
+
+ReducedRotor::Supports ReducedRotor::supports_at(double speed) const {
+    const auto above = std::find_if(supports.begin(), supports.end(),
+                                    [speed](const Supports &entry) { return entry.speed > speed; });
+    if (above == supports.begin())
+        return supports.front();
+    if (above == supports.end())
+        return supports.back();
+    const Supports &a = *std::prev(above);
+    const double t = (speed - a.speed) / (above->speed - a.speed);
+    return {speed, (1 - t) * a.stiffness + t * above->stiffness,
+            (1 - t) * a.damping + t * above->damping};
+}
+
+ReducedRotor::Supports ReducedRotor::supports_slope(double speed) const {
+    const auto above = std::find_if(supports.begin(), supports.end(),
+                                    [speed](const Supports &entry) { return entry.speed > speed; });
+    const Supports &a = above == supports.begin() ? supports.front() : *std::prev(above);
+    if (above == supports.begin() || above == supports.end())
+        return {speed, 0 * a.stiffness, 0 * a.damping};
+    const double span = above->speed - a.speed;
+    return {speed, (above->stiffness - a.stiffness) / span, (above->damping - a.damping) / span};
+}
+
+ReducedRotor reduce(const assembly::Discretization &discretization, const ReductionGoal &goal) {
+    refuse_massless(discretization);
+    try {
+        const ShapeSource source(discretization, goal);
+        const auto with = [&](int modes, bool bearings) {
+            ReducedRotor reduced =
+                project(discretization, source.pair(), source.shapes(modes, bearings));
+            reduced.modes = modes;
+            return reduced;
+        };
+        if (source.complete())
+            return with(source.modes(), false);
+        const ReductionError error(discretization, goal);
+        if (goal.modes > 0) {
+            ReducedRotor reduced = with(std::min(goal.modes, source.modes()), false);
+            error.measure(reduced);
+            return reduced;
+        }
+        std::optional<ReducedRotor> best =
+            slowest_good(with, error, source.modes(), goal.tolerance);
+        if (best)
+            return *best;
+        throw model::AnalysisFailure(
+            fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "
+                        "less with simulate.reduction_tolerance",
+                        source.modes(), goal.tolerance));
+    } catch (const linalg::SolverError &error) {
+        throw model::AnalysisFailure(std::string("the modes of the shaft: ") + error.what());
+    }
+}
+
+} // namespace whirl::reduction

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "assembly/discretization.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace whirl::reduction {
+
+/// Row of a quantity (a deflection, a slope) over the reduced unknowns, r entries.
+using Row = Eigen::VectorXd;
+
+/// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, shapes
+/// orthonormal under the mass matrix. The real form is (Re p; Im p).
+struct ReducedRotor {
+    Eigen::MatrixXd shapes;     ///< N x r
+    Eigen::MatrixXd mass_times; ///< M * shapes, N x r: p = mass_times^T q
+    Eigen::MatrixXd elastic;    ///< r x r, of the shaft
+    Eigen::MatrixXd internal;   ///< r x r, damping of the shaft in rotating axes
+    Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
+    double mass = 0;            ///< kg, without pedestals
+
+    /// Bearings at one speed, on the real form (2r x 2r).
+    struct Supports {
+        double speed = 0; ///< rad/s
+        Eigen::MatrixXd stiffness;
+        Eigen::MatrixXd damping;
+    };
+    std::vector<Supports> supports; ///< ascending; linear between, constant outside
+
+    int modes = 0;               ///< lowest modes at rest that the shapes contain; r: all
+    double response_error = 0;   ///< relative, of the synchronous response at the planes
+    double frequency_error = 0;  ///< relative, of the whirl speeds up to the spin speed
+    Eigen::VectorXd frequencies; ///< rad/s, of the shapes at rest on mean bearings, ascending
+
+    [[nodiscard]] int size() const { return static_cast<int>(shapes.cols()); }
+    [[nodiscard]] Row row(const assembly::Combination &combination) const;
+    /// Supports at a speed and what they change per unit of speed.
+    [[nodiscard]] Supports supports_at(double speed) const;
+    [[nodiscard]] Supports supports_slope(double speed) const;
+};
+
+/// What the shapes must be good for.
+struct ReductionGoal {
+    double speed = 0;           ///< rad/s, where the response is compared
+    std::vector<double> places; ///< z of forces and of the deflections that count, m
+    std::vector<double> tilted; ///< z of moments, m
+    double tolerance = 1e-3;    ///< relative, of response and whirl speeds
+    int modes = 0;              ///< so many modes, whatever the error; 0: as many as needed
+};
+
+/// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static
+/// deflections under forces at the places. Raises the number of modes until the steady response to
+/// forward synchronous forces and the whirl speeds up to the spin speed agree with the full model.
+/// A rigid shaft, and one with few unknowns, is kept whole.
+/// @throws model::AnalysisFailure where a part that moves has no mass, or the full model cannot be
+///         solved.
+[[nodiscard]] ReducedRotor reduce(const assembly::Discretization &discretization,
+                                  const ReductionGoal &goal);
+
+} // namespace whirl::reduction

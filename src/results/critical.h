@@ -1,0 +1,23 @@
+#pragma once
+
+#include "results/model_summary.h"
+#include "results/whirl.h"
+
+#include <vector>
+
+namespace whirl::results {
+
+struct CriticalSpeed {
+    double speed = 0; ///< rad/s
+    Whirl whirl = Whirl::forward;
+    double real = 0;  ///< 1/s, of the synchronous eigenvalue
+    double error = 0; ///< relative estimate
+    double residual = 0;
+};
+
+struct CriticalResult {
+    ModelSummary model;
+    std::vector<CriticalSpeed> critical_speeds; ///< ascending
+};
+
+} // namespace whirl::results

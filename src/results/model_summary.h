@@ -1,0 +1,20 @@
+#pragma once
+
+#include "results/formulation.h"
+
+#include <string>
+#include <vector>
+
+namespace whirl::results {
+
+/// What every result says of the model behind it.
+struct ModelSummary {
+    Formulation formulation;
+    int order = 0;                  ///< of the shaft elements; 1: classical
+    int elements = 0;               ///< of the shaft
+    int unknowns = 0;               ///< of the eigenproblem or the linear systems
+    double seconds = 0;             ///< wall time of the computation, without input and output
+    std::vector<std::string> notes; ///< what a user must know beside the numbers
+};
+
+} // namespace whirl::results

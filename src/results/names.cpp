@@ -1,0 +1,70 @@
+#include "results/formulation.h"
+#include "results/simulate.h"
+#include "results/stability.h"
+#include "results/whirl.h"
+
+namespace whirl::results {
+
+std::string form_name(Form form) {
+    switch (form) {
+    case Form::planar:
+        return "planar";
+    case Form::hyperbolic:
+        return "hyperbolic";
+    case Form::rotating:
+        return "rotating";
+    case Form::hill:
+        return "hill";
+    default:
+        return "general";
+    }
+}
+
+std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(form) : "fixed"; }
+
+std::string unknowns_name(Form form) { return form == Form::planar ? "planar" : "real"; }
+
+std::string whirl_name(Whirl whirl) {
+    switch (whirl) {
+    case Whirl::forward:
+        return "forward";
+    case Whirl::backward:
+        return "backward";
+    default:
+        return "mixed";
+    }
+}
+
+std::string verdict_name(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::stable:
+        return "stable";
+    case Verdict::neutral:
+        return "neutral";
+    case Verdict::unstable:
+        return "unstable";
+    case Verdict::diverges:
+        return "diverges";
+    default:
+        return {};
+    }
+}
+
+std::string outcome_name(Outcome outcome) {
+    switch (outcome) {
+    case Outcome::balanced:
+        return "balanced";
+    case Outcome::offset:
+        return "offset";
+    case Outcome::lagging:
+        return "lagging";
+    case Outcome::whirling:
+        return "whirling";
+    case Outcome::growing:
+        return "growing";
+    default:
+        return "undecided";
+    }
+}
+
+} // namespace whirl::results

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "results/model_summary.h"
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::results {
+
+using Interval = std::pair<double, double>; ///< least, largest
+
+/// Dimensionless numbers of the composite rotor (docs/theory.md, "Composite rotor"): units of mass
+/// M_s, of length sqrt(A_Sigma/M_s), of time sqrt(M_s/c_x). Those that need the bearings are empty
+/// where these do not reduce to isotropic coefficients.
+struct DimensionlessNumbers {
+    double C = 0;            ///< polar inertia over the mean diametral one, A_Sigma
+    std::optional<double> A; ///< |A_m0 + A_m D|/2 over A_Sigma, with a balanced position
+    double A_m = 0;          ///< n m R^2 over A_Sigma
+    double A_m0 = 0;         ///< m0 R0^2 over A_Sigma
+    double m = 0;            ///< n m over M_s
+    double z_A = 0;          ///< plane of the balancer from the centre of mass
+    std::optional<double> p2, c_y, h_x, h_beta, h_y, h_s;
+};
+
+/// The rotor without one of its balancers and that one's point-mass imbalance.
+struct BareRotorNumbers {
+    double mass = 0; ///< kg
+    double Id = 0;   ///< mean diametral, about its own centre of mass, kg m2
+    double Ip = 0;   ///< kg m2
+    double z_GA = 0; ///< from its centre of mass to the balancer, m
+};
+
+/// Curves of the composite rotor over the mass of the balls at the case's capacity, all inertias
+/// over A_Sigma. "paper": with the unsigned D_A = |D| in place of D.
+struct CompositeCurves {
+    std::vector<double> m; ///< n m/M_s
+    std::vector<double> A_m, C;
+    std::vector<double> A_C1, A_C2;             ///< about angles 0 and pi/2; principal ones where
+    std::vector<double> A_C1_paper, A_C2_paper; ///< D is not real
+    std::vector<double> A, A_paper;             ///< anisotropy
+    std::vector<double> A_without, A_full;      ///< for D_A = 0 and 1
+    std::vector<double> A_least, A_largest;     ///< over all balanced positions; may be empty
+    std::vector<double> angle;                  ///< rad, once around
+    std::vector<double> A_C, A_C_paper;         ///< diametral inertia about that angle, case's mass
+};
+
+/// What a balancer adds to the rotor at its balanced position. Without a balanced position (E < 1)
+/// what depends on it is empty.
+struct BalancerNumbers {
+    std::string name;
+    double z = 0; ///< m
+    double E = 0; ///< capacity, infinite without an imbalance
+    std::vector<double> position;
+    std::optional<std::complex<double>> D;
+    std::optional<Interval> D_interval; ///< of |D| over all balanced positions
+    std::optional<double> dA;           ///< |A_m0 + A_m D|/2, kg m2
+    std::optional<Interval> dA_interval;
+    std::optional<double> dA_paper; ///< (A_m0 + A_m |D|)/2, kg m2
+    BareRotorNumbers bare;
+    DimensionlessNumbers dimensionless;
+    std::optional<CompositeCurves> curves;
+};
+
+/// A band of spin speed, rad/s; no upper end: up to infinity.
+struct ChartBand {
+    double from = 0;
+    std::optional<double> to;
+};
+
+/// Critical speeds and stability limits of a rigid rotor with unequal diametral inertias,
+/// symmetric on isotropic supports; its tilt motion (docs/theory.md).
+struct AnisotropyChart {
+    double C = 0;          ///< polar inertia over the mean diametral one
+    double anisotropy = 0; ///< half the difference of the diametral inertias over their mean
+    double p = 0;          ///< natural frequency of tilt at rest, rad/s
+    double h = 0;          ///< tilt damping over the mean diametral inertia, 1/s
+    std::vector<double> critical_speeds; ///< rad/s
+    std::optional<ChartBand> unstable;
+    double permissible = 0;                  ///< largest anisotropy stable at every speed
+    std::optional<double> permissible_speed; ///< where it is least; none: at infinity
+    std::vector<double> speed;               ///< rad/s, the axis of the next two
+    std::vector<double> limit, undamped;     ///< anisotropy at the stability limit, and at a
+                                             ///< critical speed
+    std::vector<double> polar;               ///< C, the axis of the next two
+    std::vector<std::vector<double>> critical_over_polar;
+    std::vector<std::optional<ChartBand>> unstable_over_polar;
+};
+
+/// What the scene is.
+struct ShowResult {
+    ModelSummary model;
+    double mass = 0;           ///< kg, with balls and point-mass imbalances
+    double center_of_mass = 0; ///< m
+    double Id = 0;             ///< mean diametral, about the centre of mass, kg m2
+    double Ip = 0;             ///< polar, kg m2
+    std::string type;          ///< "long", "spherical" or "short"
+    double shaft_mass = 0;     ///< kg
+    double length = 0;         ///< m
+    std::vector<std::pair<std::string, Formulation>> formulations; ///< command, what it will use
+    std::optional<double> dI;       ///< principal diametral inertias Id -+ dI, kg m2
+    std::optional<double> dI_angle; ///< axis of the smaller one in the rotor, rad
+    std::vector<BalancerNumbers> balancers;
+    std::optional<AnisotropyChart> anisotropy;
+};
+
+} // namespace whirl::results

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "model/restart.h"
+#include "results/model_summary.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::results {
+
+/// How a motion ended.
+enum class Outcome {
+    balanced, ///< all stands still in the rotor and little of the unbalanced amplitude is left
+    offset,   ///< all stands still in the rotor, which is not balanced
+    lagging,  ///< balls turn slower (or faster) than the rotor
+    whirling, ///< balls or pendulums swing in the rotor without end
+    growing,  ///< the motion grows steadily, wherever it may end
+    undecided ///< the motion still changes, or what it looks like cannot last
+};
+
+/// "balanced", "offset", "lagging", "whirling", "growing" or "undecided".
+[[nodiscard]] std::string outcome_name(Outcome outcome);
+
+/// Over the output times.
+struct MotionSeries {
+    std::vector<double> time;  ///< s
+    std::vector<double> speed; ///< rad/s
+    /// For each plane: largest |w| since the output time before, m; deflections at the time, m.
+    std::vector<std::vector<double>> amplitude, x, y;
+    std::vector<std::vector<double>> angles; ///< for each ball or pair, in the rotor, rad, whole
+};
+
+/// A balancer at the end of the motion.
+struct BalancerMotion {
+    double z = 0; ///< m
+    std::string name;
+    std::string kind;               ///< "ball" or "pendulum4"
+    std::optional<double> capacity; ///< E = n m R / (m0 R0), where it has an imbalance
+    std::vector<double> angles;     ///< in the rotor, (-pi, pi], rad; pairs of pendulums: phi, psi
+    std::vector<double> rates;      ///< mean over the last tenth of the time, rad/s
+    std::vector<double> swing;      ///< greatest less least angle over the same window, rad
+    double amplitude = 0;           ///< largest |w| over the last 2.5 % of the time, m
+    double reference = 0;           ///< largest |w| of the steady motion without balls, m
+};
+
+/// How well energy and angular momentum were kept: what is missing in the books.
+struct MotionAudit {
+    double energy_error = 0;   ///< J
+    double energy_scale = 0;   ///< J, largest of work, loss and change of energy
+    double momentum_error = 0; ///< kg m2/s
+    double momentum_scale = 0; ///< kg m2/s, largest of impulse and change of momentum
+};
+
+/// A motion from another start, told by its end.
+struct OtherStart {
+    std::vector<double> start_angles; ///< of all balls and pairs, rad
+    Outcome outcome = Outcome::whirling;
+    std::string evidence;
+    std::optional<double> residual_ratio;
+    std::vector<std::vector<double>> angles; ///< final ones of each balancer, rad
+    std::vector<double> amplitude;           ///< over the output times, largest of the planes, m
+};
+
+struct SimulateResult {
+    ModelSummary model;
+    Outcome outcome = Outcome::whirling;
+    std::string evidence; ///< the numbers behind the outcome, for readers
+    std::optional<double> residual_ratio;
+    /// Rate at which the amplitude grows over the last half of the time, 1/s; none where the speed
+    /// changes.
+    std::optional<double> trend;
+    /// Largest real part of the balanced position's eigenvalues at the last speed, 1/s; none where
+    /// there is no such position (linear_growth.h) or the speed changes.
+    std::optional<double> linear_growth;
+    /// Time of the motion, s, with which an undecided outcome would be known.
+    std::optional<double> decision_time;
+    double time = 0;        ///< s, at the end
+    double speed = 0;       ///< rad/s, at the end
+    double revolutions = 0; ///< from the start
+    std::vector<BalancerMotion> balancers;
+    MotionSeries series;
+    std::vector<double> start_angles; ///< of all balls and pairs, rad
+    std::vector<OtherStart> other_starts;
+
+    int modes = 0;              ///< lowest modes among the shapes
+    int shapes = 0;             ///< planar shapes the shaft moves in
+    double response_error = 0;  ///< relative, by the reduction
+    double frequency_error = 0; ///< relative, by the reduction
+    std::string integrator;
+    long steps = 0;
+    long rate_evaluations = 0;
+    MotionAudit audit;
+
+    /// Set where the run was interrupted: the rest of this result is that of the part done.
+    std::optional<model::Restart> restart;
+};
+
+} // namespace whirl::results

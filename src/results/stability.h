@@ -1,0 +1,79 @@
+#pragma once
+
+#include "model/case.h"
+#include "results/model_summary.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::results {
+
+/// Largest rotating inertial anisotropy of one element that leaves every speed of the range stable.
+struct PermissibleAnisotropy {
+    double z = 0; ///< m
+    std::string name;
+    std::optional<double> dI;          ///< kg m2; none: stable up to `most`
+    std::optional<double> closed_form; ///< of the rigid rotor, where one applies, kg m2
+    double most = 0;     ///< that a body can have: half its polar inertia, its diametral one, kg m2
+    bool of_disc = true; ///< the body is a disc at this place; else the whole rotor
+};
+
+/// What becomes of a small motion at one speed.
+enum class Verdict {
+    stable,   ///< every motion dies out
+    neutral,  ///< some motion neither grows nor dies out (no damping), none grows
+    unstable, ///< a whirl grows
+    diverges, ///< what grows most does not swing in the axes of the form: a real root
+    unknown   ///< no answer at this speed
+};
+
+/// "stable", "neutral", "unstable" or "diverges"; empty: no answer.
+[[nodiscard]] std::string verdict_name(Verdict verdict);
+
+/// What follows from the choice that n >= 3 balls have among their balanced positions.
+struct ArrangementFamily {
+    int arrangements = 0;    ///< sampled, the extreme ones among them
+    bool incomplete = false; ///< some critical or additional speeds could not be resolved
+    std::vector<std::pair<double, double>> unstable;          ///< with some arrangement, rad/s
+    std::vector<std::pair<double, double>> always_unstable;   ///< with every one
+    std::vector<std::pair<double, double>> critical_speeds;   ///< least and largest, rad/s
+    std::vector<std::pair<double, double>> additional_speeds; ///< least and largest, rad/s
+    /// Least and largest inertial anisotropy that each balancer adds, kg m2; NaN: not searched.
+    std::vector<std::pair<double, double>> anisotropy;
+};
+
+/// Growth over two entries of the case.
+struct StabilityMap {
+    model::MapAxis x, y;
+    std::vector<double> x_values, y_values;
+    std::vector<std::vector<double>> growth; ///< [y][x], 1/s; NaN: no such rotor
+    std::string why;                         ///< of one such point, what was wrong with it
+};
+
+struct StabilityResult {
+    ModelSummary model;
+    std::vector<double> speeds;   ///< rad/s
+    std::vector<double> growth;   ///< largest real part at each, 1/s; NaN: no answer
+    std::vector<Verdict> verdict; ///< at each speed
+    std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
+    /// Error of both ends of each, rad/s (band_errors.h).
+    std::vector<std::pair<double, double>> unstable_error;
+    /// Forward critical speeds in the range, balls held in place and without damping, rad/s
+    /// (rotating form): what critical lists.
+    std::vector<double> critical_speeds;
+    /// Speeds in the range at which an eigenvalue of the rotor as it is, in rotating axes, is zero:
+    /// a motion stands still in the rotor and neither grows nor dies out, rad/s (rotating form).
+    std::vector<double> zero_root_speeds;
+    /// Speeds in the range at which a root is zero with the balls free: the rotor's critical
+    /// speeds when it is pinned at the balancers, rad/s.
+    std::vector<double> additional_speeds;
+    std::vector<PermissibleAnisotropy> permissible;
+    int neutral_pairs = 0; ///< pairs 0, -h of balls that move without changing the balance
+    int harmonics = 0;     ///< of the Hill series
+    std::optional<ArrangementFamily> family;
+    std::optional<StabilityMap> map;
+};
+
+} // namespace whirl::results

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "results/show.h"
+#include "rigid/inertia.h"
+
+namespace whirl::rigid {
+
+/// Critical speeds and stability limits of the scene as a rigid rotor over its anisotropy and its
+/// polar inertia. Empty, with a note, unless the scene has rotating anisotropies and no balancers
+/// and is symmetric on isotropic supports: sums of k z and of c z about the centre of mass vanish.
+///
+/// @param whole  inertia of the rotor
+[[nodiscard]] std::optional<results::AnisotropyChart>
+anisotropy_chart(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes);
+
+} // namespace whirl::rigid

@@ -1,0 +1,244 @@
+#include "rigid/composite_rotor.h"
+
+#include "balancers/balanced_position.h"
+#include "closed_form/composite_rotor_parameters.h"
+#include "model/errors.h"
+#include "rigid/supports.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace whirl::rigid {
+
+namespace {
+
+using std::numbers::pi;
+
+/// A difference of terms of that size that is their rounding alone is none.
+double without_rounding(double difference, double terms) {
+    return difference <= 4 * std::numeric_limits<double>::epsilon() * terms ? 0 : difference;
+}
+
+/// One balancer, its point-mass imbalance and the rest of the rotor, for the closed forms.
+struct Parts {
+    closed_form::BareRotor rest;
+    closed_form::BallSet balls;
+    closed_form::PlaneImbalance imbalance;
+    double center = 0; ///< of the composite rotor, m
+};
+
+Parts parts_of(const model::Balancer &balancer, const Inertia &whole) {
+    Inertia rest = whole;
+    rest -= inertia_of(balancer);
+    Parts parts;
+    parts.center = whole.center();
+    parts.rest = {rest.mass, rest.diametral(), rest.polar, balancer.z - rest.center()};
+    const bool ball = balancer.kind == model::BalancerKind::ball;
+    parts.balls = {balancer.n, balancer.mass,
+                   ball ? balancer.radius : balancer.pivot + balancer.arm, balancer.damping};
+    const double mass =
+        balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
+    parts.imbalance = {balancer.imbalance, mass};
+    return parts;
+}
+
+results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
+                                                    const model::Balancer &balancer,
+                                                    std::optional<std::complex<double>> D,
+                                                    const model::Rotor &rotor, std::string &why) {
+    const auto found = reduced_supports(rotor, parts.center, why);
+    // Masses and inertias do not ask for the supports, nor for D: any will do.
+    const closed_form::ReducedSupports supports =
+        found.value_or(closed_form::ReducedSupports{1, 1, 0, 0, 0, 0});
+    const closed_form::PhysicalParameters physical = closed_form::physical_parameters(
+        parts.rest, parts.balls, parts.imbalance, D.value_or(0), supports, 0);
+    const closed_form::DimensionlessParameters d =
+        closed_form::to_dimensionless(physical).dimensionless;
+    results::DimensionlessNumbers numbers;
+    numbers.C = d.polar_inertia;
+    if (D)
+        numbers.A =
+            without_rounding(std::abs(d.anisotropy()), d.ball_inertia + d.imbalance_inertia);
+    numbers.A_m = d.ball_inertia;
+    numbers.A_m0 = d.imbalance_inertia;
+    numbers.m = d.ball_mass;
+    numbers.z_A = d.balancer_position;
+    if (!found)
+        return numbers;
+    numbers.p2 = d.p * d.p;
+    numbers.c_y = d.c_y;
+    numbers.h_x = d.h_x;
+    numbers.h_beta = d.h_beta;
+    numbers.h_y = d.h_y;
+    if (balancer.kind == model::BalancerKind::ball)
+        numbers.h_s = d.h_s;
+    return numbers;
+}
+
+/// Diametral inertias about angles 0 and pi/2 over the mean one; the principal ones where D is not
+/// real.
+results::Interval diametral_pair(const closed_form::CompositeRotor &composite) {
+    const double mean = composite.mean_inertia();
+    if (std::abs(composite.second_harmonic.imag()) < 1e-12)
+        return {composite.inertia_about(0) / mean, composite.inertia_about(pi / 2) / mean};
+    const closed_form::PrincipalInertias principal = composite.principal_inertias();
+    return {principal.smaller / mean, principal.larger / mean};
+}
+
+/// Anisotropy over the mean inertia, with another second harmonic.
+double relative_anisotropy(closed_form::CompositeRotor composite, std::complex<double> D) {
+    composite.second_harmonic = D;
+    const double terms = composite.ball_inertia + composite.imbalance_inertia;
+    return without_rounding(std::abs(composite.anisotropy()), terms) / composite.mean_inertia();
+}
+
+void add_point(results::CompositeCurves &curves, const closed_form::CompositeRotor &composite,
+               double m) {
+    const double mean = composite.mean_inertia();
+    const std::complex<double> D = composite.second_harmonic;
+    curves.m.push_back(m);
+    curves.A_m.push_back(composite.ball_inertia / mean);
+    curves.C.push_back(composite.polar_inertia / mean);
+    const auto [first, second] = diametral_pair(composite);
+    curves.A_C1.push_back(first);
+    curves.A_C2.push_back(second);
+    const auto [first_paper, second_paper] = diametral_pair(composite.with_unsigned_harmonic());
+    curves.A_C1_paper.push_back(first_paper);
+    curves.A_C2_paper.push_back(second_paper);
+    curves.A.push_back(relative_anisotropy(composite, D));
+    curves.A_paper.push_back(relative_anisotropy(composite, std::abs(D)));
+    curves.A_without.push_back(relative_anisotropy(composite, 0));
+    curves.A_full.push_back(relative_anisotropy(composite, 1));
+}
+
+void add_hodograph(results::CompositeCurves &curves, const closed_form::CompositeRotor &composite) {
+    constexpr int steps = 240;
+    const double mean = composite.mean_inertia();
+    const closed_form::CompositeRotor paper = composite.with_unsigned_harmonic();
+    for (int i = 0; i <= steps; ++i) {
+        const double angle = 2 * pi * i / steps;
+        curves.angle.push_back(angle);
+        curves.A_C.push_back(composite.inertia_about(angle) / mean);
+        curves.A_C_paper.push_back(paper.inertia_about(angle) / mean);
+    }
+}
+
+/// Ball and imbalance masses scaled together, so that the capacity stays: n m/M_s from 0 to 0.2, or
+/// past the case's own value, but short of a rotor of nothing else.
+results::CompositeCurves composite_curves(const Parts &parts, std::complex<double> D,
+                                          const std::optional<results::Interval> &anisotropy) {
+    constexpr int steps = 100;
+    const double ball_mass = parts.balls.count * parts.balls.mass;
+    const double added = 1 + parts.imbalance.mass / ball_mass; // (n m + m0)/(n m)
+    const auto composite = composite_rotor(parts.rest, parts.balls, parts.imbalance, D);
+    const double own = ball_mass / composite.mass;
+    const double widest = std::min(std::max(0.2, 1.25 * own), std::max(own, 0.9 / added));
+    results::CompositeCurves curves;
+    for (int i = 0; i <= steps; ++i) {
+        const double m = widest * i / steps;
+        const double scale = m * parts.rest.mass / (1 - m * added) / ball_mass;
+        Parts scaled = parts;
+        scaled.balls.mass *= scale;
+        scaled.imbalance.mass *= scale;
+        scaled.imbalance.moment *= scale;
+        const auto point = composite_rotor(scaled.rest, scaled.balls, scaled.imbalance, D);
+        add_point(curves, point, m);
+        if (!anisotropy)
+            continue;
+        // Both inertias of the plane grow with the scale, and so do the ends of the interval.
+        curves.A_least.push_back(anisotropy->first * scale / point.mean_inertia());
+        curves.A_largest.push_back(anisotropy->second * scale / point.mean_inertia());
+    }
+    add_hodograph(curves, composite);
+    return curves;
+}
+
+/// Ends of an interval of values that are sums of terms of that size.
+std::optional<results::Interval> ends(const std::optional<balancers::PositionInterval> &interval,
+                                      double terms) {
+    if (!interval)
+        return std::nullopt;
+    return results::Interval{without_rounding(interval->least, terms),
+                             without_rounding(interval->largest, terms)};
+}
+
+/// Everything that depends on the balanced position.
+void add_position(results::BalancerNumbers &numbers, const model::Balancer &balancer,
+                  const Parts &parts, const std::string &label, std::vector<std::string> &notes) {
+    if (balancer.kind == model::BalancerKind::pendulum4) {
+        numbers.D = 0;
+        notes.push_back(label +
+                        ": inertias are those of the pendulums at rest; E = 2 m arm/(m0 R0)");
+    } else {
+        try {
+            numbers.position = balancers::ball_angles_at_balance(balancer, label);
+        } catch (const model::BadInput &none) {
+            notes.emplace_back(none.what());
+            return;
+        }
+        numbers.D = balancers::second_harmonic_of(numbers.position);
+        if (without_rounding(std::abs(numbers.D->imag()), 1) == 0)
+            numbers.D = numbers.D->real();
+        numbers.position = balancers::turned(numbers.position, balancer.imbalance_phase);
+    }
+    const auto [A_m, A_m0] = balancers::added_inertias(balancer);
+    numbers.dA = without_rounding(std::abs(A_m0 + A_m * *numbers.D) / 2, A_m0 + A_m);
+    numbers.dA_paper = (A_m0 + A_m * std::abs(*numbers.D)) / 2;
+    if (balancer.kind == model::BalancerKind::pendulum4)
+        return;
+    numbers.D_interval = ends(balancers::second_harmonic_interval(balancer), 1);
+    numbers.dA_interval = ends(balancers::anisotropy_interval(balancer), A_m0 + A_m);
+    if (!numbers.D_interval)
+        notes.push_back(fmt::format("{}: the intervals over all balanced positions are searched "
+                                    "for up to {} balls",
+                                    label, balancers::largest_searched_count));
+    numbers.curves = composite_curves(parts, *numbers.D, numbers.dA_interval);
+}
+
+} // namespace
+
+std::vector<results::BalancerNumbers>
+show_balancers(const model::Rotor &rotor, const Inertia &whole, std::vector<std::string> &notes) {
+    std::vector<results::BalancerNumbers> all;
+    std::string why;
+    for (const model::Balancer &balancer : rotor.balancers) {
+        const Parts parts = parts_of(balancer, whole);
+        results::BalancerNumbers numbers;
+        numbers.name = balancer.name;
+        numbers.z = balancer.z;
+        numbers.E = balancers::capacity(balancer);
+        numbers.bare = {parts.rest.mass, parts.rest.diametral_inertia, parts.rest.polar_inertia,
+                        parts.rest.balancer_distance};
+        add_position(numbers, balancer, parts, fmt::format("balancer[{}]", all.size()), notes);
+        numbers.dimensionless = dimensionless_numbers(parts, balancer, numbers.D, rotor, why);
+        all.push_back(numbers);
+    }
+    if (!why.empty())
+        notes.push_back("no dimensionless stiffness and damping: " + why);
+    if (all.size() > 1)
+        notes.emplace_back("the dimensionless numbers of each balancer take the rest of the rotor, "
+                           "with the other balancers' masses, as the bare rotor");
+    return all;
+}
+
+std::optional<std::complex<double>>
+anisotropy_of(const model::Rotor &rotor, const std::vector<results::BalancerNumbers> &balancers) {
+    std::complex<double> a = 0;
+    for (const model::Anisotropy &anisotropy : rotor.anisotropies)
+        a += anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
+    for (std::size_t i = 0; i < balancers.size(); ++i) {
+        if (!balancers[i].D)
+            return std::nullopt;
+        const model::Balancer &balancer = rotor.balancers[i];
+        const auto [A_m, A_m0] =
+            balancers::added_inertias(balancer); // D is measured from the imbalance
+        a += (A_m0 + A_m * *balancers[i].D) / 2.0 * std::polar(1.0, 2 * balancer.imbalance_phase);
+    }
+    return a;
+}
+
+} // namespace whirl::rigid

@@ -1,0 +1,260 @@
+#include "rigid/forms.h"
+
+#include "balancers/arrangement.h"
+#include "balancers/balanced_position.h"
+#include "closed_form/composite_rotor_equations.h"
+#include "closed_form/rigid_rotor_criterion.h"
+#include "elements/quadrature.h"
+#include "elements/section.h"
+#include "model/case.h"
+#include "model/errors.h"
+#include "process/parallel.h"
+#include "rigid/inertia.h"
+#include "rigid/projection.h"
+#include "rigid/tilt_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace whirl::rigid {
+
+namespace {
+
+/// int rho I asymmetry exp(2 i angle) dz of segments with two bending stiffnesses: their rotary
+/// inertia shares the asymmetry. A cone's rho I has degree 4 in z: three Gauss points are exact.
+std::complex<double> shaft_anisotropy(const model::Shaft &shaft, const mesh::ShaftMesh &mesh) {
+    const elements::Quadrature &rule = elements::gauss_legendre(3);
+    std::complex<double> sum = 0;
+    for (const mesh::Span &span : mesh.spans) {
+        const auto &segment = shaft.segments[static_cast<std::size_t>(span.segment)];
+        const elements::Beam beam = elements::beam_of(shaft, span);
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+            sum += std::polar(segment.asymmetry, 2 * segment.asymmetry_angle) *
+                   (beam.at(rule.points[q]).rhoI * rule.weights[q] * span.length);
+    }
+    return sum;
+}
+
+RigidInertia inertia_of_all(const model::Rotor &rotor) {
+    const mesh::ShaftMesh mesh = mesh::make_mesh(rotor);
+    Inertia sum = inertia_of(rotor.shaft, mesh);
+    std::complex<double> a = shaft_anisotropy(rotor.shaft, mesh);
+    for (const model::Disc &disc : rotor.discs)
+        sum += inertia_of(disc);
+    for (const model::Anisotropy &anisotropy : rotor.anisotropies)
+        a += anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(rotor);
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        sum += inertia_of(rotor.balancers[i]);
+        const auto [A_m, A_m0] = balancers::added_inertias(rotor.balancers[i]);
+        if (!arrangement[i].empty()) // pendulums at rest stand evenly
+            a += A_m / 2 * balancers::second_harmonic_of(arrangement[i]);
+        a += std::polar(A_m0 / 2, 2 * rotor.balancers[i].imbalance_phase);
+    }
+    // What balls and imbalance leave of each other by rounding is no anisotropy.
+    if (std::abs(a) < 1e-14 * sum.polar)
+        a = 0;
+    return {sum.mass, sum.center(), sum.diametral(), sum.polar, a};
+}
+
+/// Bearings about the centre of mass of the whole: the projection is about that of the rotor
+/// without balancers.
+closed_form::RotatingCoefficients coefficients_of(const RigidInertia &whole,
+                                                  const RigidRotor &body) {
+    const double shift = body.center - whole.center; // w_body = w + shift phi
+    closed_form::RotatingCoefficients c;
+    c.mass = whole.mass;
+    c.mean_inertia = whole.A;
+    c.polar_inertia = whole.C;
+    c.anisotropy = whole.a;
+    c.supports.c_x = body.k11;
+    c.supports.c_y = body.k14 + shift * body.k11;
+    c.supports.c_beta = body.k33 + 2 * shift * body.k14 + shift * shift * body.k11;
+    c.supports.h_x = body.h11;
+    c.supports.h_y = body.h14 + shift * body.h11;
+    c.supports.h_beta = body.h33 + 2 * shift * body.h14 + shift * shift * body.h11;
+    return c;
+}
+
+closed_form::TwoSupportRotor two_supports(const closed_form::RotatingCoefficients &c) {
+    return {c.mass,         c.mean_inertia, c.polar_inertia,
+            c.supports.c_x, c.supports.c_y, c.supports.c_beta};
+}
+
+/// Targets from ascending values; of equal ones the first, whose counterpart is farthest off.
+void add_ascending(std::vector<RigidTarget> &targets, RigidTarget like,
+                   const std::vector<double> &values) {
+    std::vector<int> different;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i == 0 || values[i] - values[i - 1] > 1e-9 * values[i])
+            different.push_back(static_cast<int>(i));
+    const std::string name = like.quantity;
+    for (const int &i : different) {
+        like.index = i;
+        like.closed_form = values[static_cast<std::size_t>(i)];
+        if (different.size() > 1)
+            like.quantity = fmt::format("{} {}", name, &i - different.data() + 1);
+        targets.push_back(like);
+    }
+}
+
+/// With the multiplicity they have in the model: in its rotating form, of twice the size, each of
+/// the two principal planes brings its own, even where they are equal.
+std::vector<double> criticals_of(const closed_form::RotatingCoefficients &c, bool rotating) {
+    return rotating ? closed_form::critical_speeds(c) : closed_form::resonances(two_supports(c));
+}
+
+/// Planes of correction, or the balancers where the case names none.
+std::vector<std::pair<std::string, double>> planes_of(const model::Rotor &rotor) {
+    std::vector<std::pair<std::string, double>> planes;
+    const auto add = [&planes](const auto &items) {
+        for (const auto &item : items)
+            planes.emplace_back(item.name.empty() ? fmt::format("z = {:.6g} m", item.z) : item.name,
+                                item.z);
+    };
+    if (rotor.planes.empty())
+        add(rotor.balancers);
+    else
+        add(rotor.planes);
+    return planes;
+}
+
+void add_additional(std::vector<RigidTarget> &targets, closed_form::RotatingCoefficients c,
+                    const RigidInertia &whole, const model::Rotor &rotor) {
+    for (const auto &[name, z] : planes_of(rotor)) {
+        c.balancer_position = z - whole.center;
+        RigidTarget target;
+        target.kind = RigidQuantity::additional;
+        target.quantity = "additional speed, pinned at " + name;
+        target.unit = "rad/s";
+        target.z = z;
+        if (rotor.rotating_anisotropy())
+            add_ascending(targets, target, closed_form::additional_speeds(c));
+        else if (const auto speed =
+                     closed_form::additional_speed(two_supports(c), c.balancer_position))
+            add_ascending(targets, target, {*speed});
+    }
+}
+
+/// Place of a value in an ascending list that contains it.
+int place_of(double value, const std::vector<double> &ascending) {
+    const auto nearest =
+        std::min_element(ascending.begin(), ascending.end(), [value](double a, double b) {
+            return std::abs(a - value) < std::abs(b - value);
+        });
+    return static_cast<int>(nearest - ascending.begin());
+}
+
+/// Ends of the unstable range of a rotor whose tilt does not move its centre of mass.
+void add_unstable(RigidForms &forms, const closed_form::RotatingCoefficients &c) {
+    constexpr double rounding = 1e-9;
+    if (std::abs(c.supports.c_y) > rounding * std::sqrt(c.supports.c_x * c.supports.c_beta) ||
+        std::abs(c.supports.h_y) > rounding * std::sqrt(c.supports.h_x * c.supports.h_beta)) {
+        forms.notes.emplace_back("no closed form of the unstable range: the bearings are not "
+                                 "symmetric about the centre of mass");
+        return;
+    }
+    closed_form::AnisotropicRotor tilt = closed_form::tilt_rotor(c);
+    const auto band = closed_form::unstable_band(tilt);
+    if (!band) {
+        forms.notes.emplace_back("as a rigid rotor it is stable at every speed");
+        return;
+    }
+    const std::vector<double> all = criticals_of(c, true);
+    const std::vector<double> of_tilt = closed_form::critical_speeds(tilt);
+    RigidTarget target;
+    target.kind = RigidQuantity::unstable_from;
+    target.quantity = band->to ? "unstable range, lower end" : "unstable above";
+    target.unit = "rad/s";
+    target.closed_form = band->from;
+    target.index = place_of(of_tilt.front(), all);
+    if (band->to)
+        target.upper = place_of(of_tilt.back(), all);
+    forms.targets.push_back(target);
+    if (!band->to)
+        return;
+    target.kind = RigidQuantity::unstable_to;
+    target.quantity = "unstable range, upper end";
+    target.closed_form = *band->to;
+    forms.targets.push_back(target);
+}
+
+void add_permissible(RigidForms &forms, const model::Case &scene) {
+    if (!scene.speeds || scene.speeds->count < 2)
+        return;
+    const auto dI = rigid_permissible_anisotropy(scene.rotor, scene.speeds->from, scene.speeds->to);
+    if (!dI || !std::isfinite(*dI) || !(*dI > 1e-9 * forms.inertia.A))
+        return;
+    RigidTarget target;
+    target.kind = RigidQuantity::permissible;
+    target.quantity = "permissible anisotropy";
+    target.unit = "kg m2";
+    target.closed_form = *dI;
+    std::tie(target.from, target.to) = model::range_of_moduli(scene.speeds->from, scene.speeds->to);
+    forms.targets.push_back(target);
+}
+
+} // namespace
+
+model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string> &notes) {
+    model::Case out = scene;
+    bool tables = false;
+    for (std::size_t i = 0; i < out.rotor.bearings.size(); ++i) {
+        model::Bearing &bearing = out.rotor.bearings[i];
+        const std::string place =
+            fmt::format("the rigid rotor has no closed form: bearing[{}] ", i);
+        if (bearing.pedestal)
+            throw model::AnalysisFailure(place + "stands on a pedestal");
+        tables = tables || bearing.depends_on_speed();
+        bearing.rows = {bearing.at(0)};
+        bearing.speeds.clear();
+    }
+    for (std::size_t i = 0; i < out.rotor.bearings.size(); ++i) {
+        model::Rotor one;
+        one.bearings = {out.rotor.bearings[i]};
+        if (!one.bearings_isotropic())
+            throw model::AnalysisFailure(fmt::format(
+                "the rigid rotor has no closed form: bearing[{}] differs between x and y or "
+                "couples them",
+                i));
+    }
+    if (tables)
+        notes.emplace_back("bearing tables are read at zero speed, on both sides");
+    return out;
+}
+
+RigidForms rigid_forms(const model::Case &scene) {
+    const model::Rotor &rotor = scene.rotor;
+    const auto body = rigid_projection(rotor);
+    if (!body)
+        throw model::AnalysisFailure("the rigid rotor has no closed form with these bearings");
+    RigidForms forms;
+    forms.inertia = inertia_of_all(rotor);
+    forms.bearing_stiffness = body->k11;
+    const closed_form::RotatingCoefficients c = coefficients_of(forms.inertia, *body);
+    const auto &s = c.supports;
+    if (!(s.c_x > 0) || !(s.c_beta > 0) ||
+        s.c_x * s.c_beta - s.c_y * s.c_y <= 1e-12 * s.c_x * s.c_beta)
+        throw model::AnalysisFailure(
+            "the rigid rotor has no critical speeds to compare with: the bearings leave it free to "
+            "move or to tilt");
+    RigidTarget critical;
+    critical.quantity =
+        rotor.balancers.empty() ? "forward critical speed" : "critical speed with balancers held";
+    critical.unit = "rad/s";
+    add_ascending(forms.targets, critical, criticals_of(c, rotor.rotating_anisotropy()));
+    add_additional(forms.targets, c, forms.inertia, rotor);
+    if (std::abs(c.anisotropy) > 0 && rotor.balancers.empty()) {
+        add_unstable(forms, c);
+        add_permissible(forms, scene);
+    }
+    if (rotor.damped())
+        forms.notes.emplace_back("critical and additional speeds are those without damping, on "
+                                 "both sides");
+    return forms;
+}
+
+} // namespace whirl::rigid

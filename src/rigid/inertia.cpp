@@ -1,0 +1,70 @@
+#include "rigid/inertia.h"
+
+#include "balancers/balanced_position.h"
+#include "elements/quadrature.h"
+#include "elements/section.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::rigid {
+
+Inertia &Inertia::operator+=(const Inertia &other) {
+    mass += other.mass;
+    first += other.first;
+    second += other.second;
+    polar += other.polar;
+    return *this;
+}
+
+Inertia &Inertia::operator-=(const Inertia &other) {
+    mass -= other.mass;
+    first -= other.first;
+    second -= other.second;
+    polar -= other.polar;
+    return *this;
+}
+
+/// int rho A (1, z, z^2) dz, int rho I dz with z^2, int 2 rho I dz. A cone's rho A z^2 and rho I
+/// have degree 4 in z: three Gauss points are exact.
+Inertia inertia_of(const model::Shaft &shaft, const mesh::ShaftMesh &mesh) {
+    const elements::Quadrature &rule = elements::gauss_legendre(3);
+    Inertia sum;
+    for (const mesh::Span &span : mesh.spans) {
+        const elements::Beam beam = elements::beam_of(shaft, span);
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const elements::Section section = beam.at(rule.points[q]);
+            const double z = span.z + rule.points[q] * span.length;
+            const double dz = rule.weights[q] * span.length;
+            sum.mass += section.rhoA * dz;
+            sum.first += section.rhoA * z * dz;
+            sum.second += (section.rhoA * z * z + section.rhoI) * dz;
+            sum.polar += 2 * section.rhoI * dz;
+        }
+    }
+    return sum;
+}
+
+Inertia inertia_of(const model::Disc &disc) {
+    return {disc.mass, disc.mass * disc.z, disc.mass * disc.z * disc.z + disc.Id, disc.Ip};
+}
+
+Inertia inertia_of(const model::Balancer &balancer) {
+    const balancers::AddedInertias own = balancers::added_inertias(balancer);
+    const double imbalance_mass =
+        balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
+    const double mass = balancer.n * balancer.mass + imbalance_mass;
+    const double polar = own.balls + own.imbalance;
+    // Point masses in one plane: the mean diametral inertia is half the polar one.
+    return {mass, mass * balancer.z, mass * balancer.z * balancer.z + polar / 2, polar};
+}
+
+std::string rigid_type(double Id, double Ip) {
+    // Inputs carry nine digits or more where a spherical rotor is meant.
+    constexpr double equal = 1e-9;
+    if (std::abs(Id - Ip) <= equal * std::max(Id, Ip))
+        return "spherical";
+    return Id > Ip ? "long" : "short";
+}
+
+} // namespace whirl::rigid

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "mesh/shaft_mesh.h"
+#include "model/rotor.h"
+
+#include <string>
+
+namespace whirl::rigid {
+
+/// Moments of the mass over z = 0 with the parts' inertias about their own centres: they add up
+/// over the parts of a rotor.
+struct Inertia {
+    double mass = 0;   ///< kg
+    double first = 0;  ///< sum of m z, kg m
+    double second = 0; ///< sum of m z^2 + own mean diametral inertia, kg m2
+    double polar = 0;  ///< kg m2
+
+    Inertia &operator+=(const Inertia &other);
+    Inertia &operator-=(const Inertia &other);
+    /// z of the centre of mass, m.
+    [[nodiscard]] double center() const { return first / mass; }
+    /// Mean diametral inertia about the centre of mass, kg m2.
+    [[nodiscard]] double diametral() const { return second - mass * center() * center(); }
+};
+
+[[nodiscard]] Inertia inertia_of(const model::Shaft &shaft, const mesh::ShaftMesh &mesh);
+[[nodiscard]] Inertia inertia_of(const model::Disc &disc);
+/// Balls, or pendulums at rest, with the imbalance where it is a point mass.
+[[nodiscard]] Inertia inertia_of(const model::Balancer &balancer);
+
+/// "long", "spherical" or "short", by diametral and polar inertia (kg m2); equal within 1e-9.
+[[nodiscard]] std::string rigid_type(double Id, double Ip);
+
+} // namespace whirl::rigid

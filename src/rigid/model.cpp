@@ -1,0 +1,291 @@
+#include "rigid/model.h"
+
+#include "assembly/rotating_system.h"
+#include "balancers/arrangement.h"
+#include "linalg/check.h"
+#include "linalg/definite_pair.h"
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::rigid {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using assembly::Combination;
+using assembly::Discretization;
+
+/// Undamped forward motion that stands still in rotating axes: (K - W^2 A) u = 0.
+struct Standing {
+    Sparse K, A;
+    int planes = 1; ///< real unknowns for each planar one
+};
+
+assembly::RotatingSystem rotating_system(const Discretization &d) {
+    return assembly::assemble_rotating(
+        d, 0, balancers::balancer_elements(d.rotor(), balancers::arrangement_at_balance(d.rotor())),
+        true);
+}
+
+Standing standing(const Discretization &d) {
+    if (d.rotor().rotating_anisotropy()) {
+        const assembly::RotatingSystem system = rotating_system(d);
+        return {system.K.view(), Sparse(-Sparse(system.Kss.view())), 2};
+    }
+    const assembly::PlanarSystem system = assembly::assemble_planar(d, 0);
+    return {system.K.view(), Sparse(Sparse(system.M.view()) - Sparse(system.G.view())), 1};
+}
+
+/// The motions with sum of coefficient times unknown = 0: one unknown in terms of the others.
+Standing pinned(const Standing &free, const Combination &deflection) {
+    const auto pivot =
+        std::max_element(deflection.begin(), deflection.end(), [](const auto &a, const auto &b) {
+            return std::abs(a.second) < std::abs(b.second);
+        });
+    const auto planar = static_cast<int>(free.K.rows()) / free.planes;
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto column = [&](int unknown, int plane) {
+        return free.planes * (unknown > pivot->first ? unknown - 1 : unknown) + plane;
+    };
+    for (int plane = 0; plane < free.planes; ++plane) {
+        for (int i = 0; i < planar; ++i)
+            if (i != pivot->first)
+                entries.emplace_back(free.planes * i + plane, column(i, plane), 1);
+        for (const auto &[i, value] : deflection)
+            if (i != pivot->first)
+                entries.emplace_back(free.planes * pivot->first + plane, column(i, plane),
+                                     -value / pivot->second);
+    }
+    Sparse T(free.K.rows(), free.K.rows() - free.planes);
+    T.setFromTriplets(entries.begin(), entries.end());
+    const Sparse Tt = T.transpose();
+    return {Sparse(Tt * free.K * T), Sparse(Tt * free.A * T), free.planes};
+}
+
+/// The lowest positive roots, ascending with multiplicity; none where K is not positive definite.
+std::vector<ModelValue> roots(const Standing &motion, int count) {
+    std::vector<ModelValue> out;
+    try {
+        const auto K = linalg::Matrix::from_sparse(motion.K);
+        const auto A = linalg::Matrix::from_sparse(motion.A);
+        for (const linalg::RealPair &pair : linalg::DefinitePair(K, A).smallest(count))
+            out.push_back({pair.value, pair.residual + pair.rounding});
+    } catch (const linalg::SolverError &) {
+        out.clear();
+    }
+    return out;
+}
+
+/// K(W) = K + W Ks + W^2 Kss of the damped rotor in rotating axes.
+class StandingStiffness {
+  public:
+    explicit StandingStiffness(const Discretization &d) {
+        const assembly::RotatingSystem system = rotating_system(d);
+        _K = system.K.view();
+        _Ks = system.Ks.view();
+        _Kss = system.Kss.view();
+    }
+
+    /// An odd number of real roots is positive.
+    [[nodiscard]] bool unstable(double speed) {
+        factorize(speed);
+        return _factors.info() == Eigen::Success && _factors.signDeterminant() < 0;
+    }
+
+    /// Modulus of the complex slope under a unit moment in the x plane, rad/(N m).
+    [[nodiscard]] double receptance(double speed, const Combination &slope) {
+        factorize(speed);
+        Eigen::VectorXd moment = Eigen::VectorXd::Zero(_K.rows());
+        for (const auto &[unknown, value] : slope)
+            moment(2 * unknown) += value;
+        if (_factors.info() != Eigen::Success)
+            return std::numeric_limits<double>::infinity(); // at a resonance
+        const Eigen::VectorXd motion = _factors.solve(moment);
+        double x = 0;
+        double y = 0;
+        for (const auto &[unknown, value] : slope) {
+            x += value * motion(2 * unknown);
+            y += value * motion(2 * unknown + 1);
+        }
+        return std::hypot(x, y);
+    }
+
+  private:
+    Sparse _K, _Ks, _Kss;
+    Eigen::SparseLU<Sparse> _factors;
+
+    void factorize(double speed) {
+        Sparse K = _K + speed * _Ks + (speed * speed) * _Kss;
+        K.makeCompressed();
+        _factors.compute(K);
+    }
+};
+
+/// Where instability starts or ends, between a speed on either side.
+double bisected(StandingStiffness &stiffness, double stable, double unstable) {
+    for (int step = 0; step < 60 && std::abs(unstable - stable) > 1e-15 * unstable; ++step) {
+        const double middle = (stable + unstable) / 2;
+        (stiffness.unstable(middle) ? unstable : stable) = middle;
+    }
+    return (stable + unstable) / 2;
+}
+
+/// One end of the unstable range between two speeds: the outermost one on the side asked for.
+std::optional<double> unstable_end(StandingStiffness &stiffness, double low, double high,
+                                   bool lower) {
+    constexpr int steps = 128;
+    const double start = lower ? low : high;
+    const double step = (lower ? 1 : -1) * (high - low) / steps;
+    double before = start - 1e-3 * step;
+    for (int i = 0; i <= steps; ++i) {
+        // The ends themselves are roots without damping: just inside them.
+        const double speed = start + std::clamp<double>(i, 1e-6, steps - 1e-6) * step;
+        if (stiffness.unstable(speed))
+            return bisected(stiffness, before, speed);
+        before = speed;
+    }
+    return std::nullopt;
+}
+
+double permissible(StandingStiffness &stiffness, const Combination &slope, double from, double to) {
+    const auto limit = [&](double speed) {
+        return speed > 0 ? 1 / (speed * speed * stiffness.receptance(speed, slope))
+                         : std::numeric_limits<double>::infinity();
+    };
+    constexpr int steps = 200;
+    int best = 0;
+    std::vector<double> values;
+    for (int i = 0; i <= steps; ++i) {
+        values.push_back(limit(from + (to - from) * i / steps));
+        if (values.back() < values[static_cast<std::size_t>(best)])
+            best = i;
+    }
+    // Golden section about the least one of the grid.
+    double a = from + (to - from) * std::max(0, best - 1) / steps;
+    double b = from + (to - from) * std::min(steps, best + 1) / steps;
+    const double ratio = (std::sqrt(5.0) - 1) / 2;
+    while (b - a > 1e-8 * b) {
+        const double c = b - ratio * (b - a);
+        const double d = a + ratio * (b - a);
+        (limit(c) < limit(d) ? b : a) = limit(c) < limit(d) ? d : c;
+    }
+    return std::min(limit((a + b) / 2), values[static_cast<std::size_t>(best)]);
+}
+
+/// The values of one rotor, what several targets need computed once.
+class Model {
+  public:
+    Model(const model::Rotor &rotor, int order, const std::vector<RigidTarget> &targets)
+        : _d(rotor, order), _standing(standing(_d)) {
+        int count = 1;
+        for (const RigidTarget &target : targets)
+            if (target.kind != RigidQuantity::additional)
+                count = std::max({count, target.index + 1, target.upper.value_or(0) + 1});
+        _critical = roots(_standing, count);
+    }
+
+    [[nodiscard]] std::optional<ModelValue> value(const RigidTarget &target) const {
+        switch (target.kind) {
+        case RigidQuantity::critical:
+            return at(_critical, target.index);
+        case RigidQuantity::additional:
+            return at(roots(pinned(_standing, _d.deflection_at(target.z)), target.index + 1),
+                      target.index);
+        case RigidQuantity::permissible:
+            return permissible_anisotropy(target);
+        default:
+            return end(target);
+        }
+    }
+
+  private:
+    Discretization _d;
+    Standing _standing;
+    std::vector<ModelValue> _critical;
+
+    static std::optional<ModelValue> at(const std::vector<ModelValue> &values, int index) {
+        const auto i = static_cast<std::size_t>(index);
+        return i < values.size() ? std::optional(values[i]) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<ModelValue> end(const RigidTarget &target) const {
+        const auto low = at(_critical, target.index);
+        const auto high = target.upper ? at(_critical, *target.upper)
+                                       : std::optional(ModelValue{1.5 * target.closed_form, 0});
+        if (!low || !high || high->value <= low->value)
+            return std::nullopt;
+        StandingStiffness stiffness(_d);
+        const auto found = unstable_end(stiffness, low->value, high->value,
+                                        target.kind == RigidQuantity::unstable_from);
+        return found ? std::optional(ModelValue{*found, low->noise + high->noise}) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<ModelValue>
+    permissible_anisotropy(const RigidTarget &target) const {
+        model::Rotor round = _d.rotor();
+        const double z = round.anisotropies.front().z;
+        for (model::Anisotropy &anisotropy : round.anisotropies)
+            anisotropy.dI = 0;
+        const Discretization d(round, _d.order());
+        StandingStiffness stiffness(d);
+        const double noise = _critical.empty() ? 0 : _critical.front().noise;
+        // The least value is found to the square of the place's tolerance; its terms cancel.
+        return ModelValue{permissible(stiffness, d.slope_at(z), target.from, target.to),
+                          1e-12 + 10 * noise};
+    }
+};
+
+} // namespace
+
+std::vector<std::optional<ModelValue>> model_values(const model::Rotor &rotor, int order,
+                                                    const std::vector<RigidTarget> &targets) {
+    const Model model(rotor, order, targets);
+    std::vector<std::optional<ModelValue>> out;
+    for (const RigidTarget &target : targets)
+        out.push_back(model.value(target));
+    return out;
+}
+
+RigidInertia model_inertia(const model::Rotor &rotor, int order) {
+    const Discretization d(rotor, order);
+    const auto motion = [&d](bool tilt, int plane, int planes) {
+        const std::vector<double> planar = d.rigid_motion(tilt);
+        Eigen::VectorXd out = Eigen::VectorXd::Zero(planes * d.planar_size());
+        for (int i = 0; i < d.planar_size(); ++i)
+            out(planes * i + plane) = planar[static_cast<std::size_t>(i)];
+        return out;
+    };
+    const auto assembled = [&](const Sparse &M, const Sparse &polar, int planes) {
+        RigidInertia sum;
+        Eigen::Matrix2d about_zero = Eigen::Matrix2d::Zero();
+        for (int plane = 0; plane < planes; ++plane) {
+            const Eigen::VectorXd w = motion(false, plane, planes);
+            const Eigen::VectorXd phi = motion(true, plane, planes);
+            sum.mass += w.dot(M * w) / planes;
+            sum.center += w.dot(M * phi) / planes;
+            sum.A += phi.dot(M * phi) / planes;
+            sum.C += phi.dot(polar * phi) / planes;
+            for (int other = 0; other < planes; ++other)
+                about_zero(plane, other) = phi.dot(M * motion(true, other, planes));
+        }
+        sum.center /= sum.mass;
+        sum.A -= sum.mass * sum.center * sum.center;
+        if (planes == 2)
+            sum.a = {(about_zero(0, 0) - about_zero(1, 1)) / 2, about_zero(0, 1)};
+        return sum;
+    };
+    if (!rotor.rotating_anisotropy()) {
+        const assembly::PlanarSystem system = assembly::assemble_planar(d, 0);
+        return assembled(system.M.view(), system.G.view(), 1);
+    }
+    // speed^2 times Kss is -(M - G) with the anisotropy, whose mean over the planes vanishes.
+    const assembly::RotatingSystem system = rotating_system(d);
+    const Sparse M = system.M.view();
+    return assembled(M, Sparse(Sparse(system.Kss.view()) + M), 2);
+}
+
+} // namespace whirl::rigid

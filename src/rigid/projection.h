@@ -1,0 +1,31 @@
+#pragma once
+
+#include "model/rotor.h"
+
+#include <optional>
+
+namespace whirl::rigid {
+
+/// The rotor as a rigid body on its supports, about its centre of mass: (w, phi) with
+/// [m 0; 0 A] (w, phi)'' - i speed [0 0; 0 C] (w, phi)' + [h11 h14; h14 h33] (w, phi)'
+/// + [k11 k14; k14 k33] (w, phi) = 0.
+struct RigidRotor {
+    double mass = 0;   ///< kg
+    double center = 0; ///< z of the centre of mass, m
+    double A = 0;      ///< mean diametral inertia about it, kg m2
+    double C = 0;      ///< polar inertia, kg m2
+    double k11 = 0;    ///< N/m
+    double k14 = 0;    ///< N
+    double k33 = 0;    ///< N m
+    double h11 = 0;    ///< N s/m
+    double h14 = 0;    ///< N s
+    double h33 = 0;    ///< N m s
+};
+
+/// Shaft, discs and bearings (as at `bearing_speed`) by exact projection on rigid motion; without
+/// balancers and rotating anisotropies. None where a pedestal adds unknowns or a bearing is not
+/// the same from every direction.
+[[nodiscard]] std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor,
+                                                         double bearing_speed = 0);
+
+} // namespace whirl::rigid

@@ -1,0 +1,44 @@
+#include "rigid/supports.h"
+
+#include <algorithm>
+
+namespace whirl::rigid {
+
+namespace {
+
+std::string reason_against(const model::Rotor &rotor) {
+    if (!rotor.bearings_isotropic())
+        return "a bearing is not isotropic";
+    if (rotor.bearings_depend_on_speed())
+        return "a bearing depends on the spin speed";
+    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
+                    [](const model::Bearing &bearing) { return bearing.pedestal.has_value(); }))
+        return "a bearing stands on a pedestal";
+    return "";
+}
+
+} // namespace
+
+std::optional<closed_form::ReducedSupports> reduced_supports(const model::Rotor &rotor,
+                                                             double center, std::string &why) {
+    why = reason_against(rotor);
+    if (!why.empty())
+        return std::nullopt;
+    closed_form::ReducedSupports sum;
+    for (const model::Bearing &bearing : rotor.bearings) {
+        const model::BearingCoefficients &row = bearing.rows.front();
+        const double z = bearing.z - center;
+        sum.c_x += row.k(0, 0);
+        sum.c_y += row.k(0, 0) * z;
+        sum.c_beta += row.k(0, 0) * z * z + row.kt(0, 0);
+        sum.h_x += row.c(0, 0);
+        sum.h_y += row.c(0, 0) * z;
+        sum.h_beta += row.c(0, 0) * z * z + row.ct(0, 0);
+    }
+    if (sum.c_x > 0)
+        return sum;
+    why = "no bearing carries the rotor";
+    return std::nullopt;
+}
+
+} // namespace whirl::rigid

@@ -1,0 +1,136 @@
+// Energy and angular momentum of the moving rotor, and what crosses its borders.
+
+#include "simulation/motion.h"
+
+namespace whirl::simulation {
+
+namespace {
+
+using Eigen::Index;
+using ConstMap = Eigen::Map<const Eigen::VectorXd>;
+using ConstPair = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2>>;
+
+} // namespace
+
+void RotorMotion::keep_books(const Spin::At &spin, double torque, const double *state,
+                             double *books) const {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const int n = coordinates();
+    const ConstMap p(state, 2 * r);
+    const ConstMap v(state + n, 2 * r);
+    const ConstPair x(state, r, 2);
+    // _push = K p + C v; what of v . K p is not the change of a potential counts as loss.
+    double loss = 0;
+    double impulse = torque - (x.col(0).dot(_push.tail(r)) - x.col(1).dot(_push.head(r)));
+    if (_tables) {
+        const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
+        const reduction::ReducedRotor::Supports slope = rotor.supports_slope(spin.speed);
+        loss += v.dot(at.damping * v) - p.dot(slope.stiffness * p) * spin.acceleration / 2;
+        loss += (v.dot(at.stiffness * p) - p.dot(at.stiffness * v)) / 2;
+    } else {
+        loss += v.dot(_damping.lazyProduct(v));
+        if (_circulating)
+            loss += (v.dot(_stiffness * p) - p.dot(_stiffness * v)) / 2;
+    }
+    if (_internal) {
+        Eigen::Matrix<double, Eigen::Dynamic, 2> slip = ConstPair(state + n, r, 2);
+        slip.col(0) += spin.speed * x.col(1);
+        slip.col(1) -= spin.speed * x.col(0);
+        loss += slip.col(0).dot(rotor.internal * slip.col(0)) +
+                slip.col(1).dot(rotor.internal * slip.col(1));
+    }
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const double angle = state[first_angle() + static_cast<int>(i)];
+        const double rate = state[n + first_angle() + static_cast<int>(i)];
+        loss += (mass.pendulums ? 2 * mass.pair.damping : mass.drag) * rate * rate;
+        if (mass.pendulums)
+            impulse -= mass.pair.gravity * mass.pair.offset({spin.angle, spin.speed}, angle)(0);
+        else if (mass.ball.weight != 0)
+            impulse -= mass.ball.weight * std::cos(spin.angle + angle);
+    }
+    for (const FixedMass &mass : _parts.fixed)
+        if (mass.mass.weight != 0)
+            impulse -= mass.mass.weight * std::cos(spin.angle + mass.phase);
+    books[0] = torque * spin.speed;
+    books[1] = loss;
+    books[2] = impulse;
+}
+
+double RotorMotion::energy(double t, const double *state) const {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const int n = coordinates();
+    const Spin::At now = spin(t, state);
+    const ConstMap p(state, 2 * r);
+    const ConstMap v(state + n, 2 * r);
+    const ConstPair x(state, r, 2);
+    const ConstPair u(state + n, r, 2);
+    double energy = v.squaredNorm() / 2 + _parts.polar_inertia * now.speed * now.speed / 2;
+    energy -=
+        now.speed / 2 *
+        (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0)));
+    energy += (x.col(0).dot(rotor.elastic * x.col(0)) + x.col(1).dot(rotor.elastic * x.col(1)) +
+               p.dot(rotor.supports_at(now.speed).stiffness * p)) /
+              2;
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const double angle = state[first_angle() + static_cast<int>(i)];
+        const double rate = state[n + first_angle() + static_cast<int>(i)];
+        const balancers::PlaneVector velocity = at_plane(mass.plane, state + n);
+        const balancers::MassMomenta part =
+            mass.pendulums ? mass.pair.momenta({now.angle, now.speed}, velocity, angle, rate)
+                           : mass.ball.momenta(at_plane(mass.plane, state), velocity,
+                                               now.angle + angle, now.speed + rate);
+        energy += part.kinetic + part.potential;
+    }
+    for (const FixedMass &mass : _parts.fixed) {
+        const balancers::MassMomenta part =
+            mass.mass.momenta(fixed_motion(mass, state), fixed_motion(mass, state + n),
+                              now.angle + mass.phase, now.speed);
+        energy += part.kinetic + part.potential;
+    }
+    return energy;
+}
+
+double RotorMotion::momentum(double t, const double *state) const {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const int n = coordinates();
+    const Spin::At now = spin(t, state);
+    const ConstPair x(state, r, 2);
+    const ConstPair u(state + n, r, 2);
+    const auto turned = [](const balancers::PlaneVector &q,
+                           const balancers::PlaneVector &m) { // Im(q^H m)
+        return q(0) * m(1) - q(1) * m(0) + q(2) * m(3) - q(3) * m(2);
+    };
+    double momentum = _parts.polar_inertia * now.speed;
+    momentum -=
+        (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0))) / 2;
+    momentum += x.col(0).dot(u.col(1)) - x.col(1).dot(u.col(0));
+    momentum -=
+        now.speed / 2 *
+        (x.col(0).dot(rotor.gyroscopic * x.col(0)) + x.col(1).dot(rotor.gyroscopic * x.col(1)));
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const double angle = state[first_angle() + static_cast<int>(i)];
+        const double rate = state[n + first_angle() + static_cast<int>(i)];
+        const balancers::PlaneVector place = at_plane(mass.plane, state);
+        const balancers::PlaneVector velocity = at_plane(mass.plane, state + n);
+        const balancers::MassMomenta part =
+            mass.pendulums
+                ? mass.pair.momenta({now.angle, now.speed}, velocity, angle, rate)
+                : mass.ball.momenta(place, velocity, now.angle + angle, now.speed + rate);
+        momentum += part.spin + turned(place, part.plane);
+    }
+    for (const FixedMass &mass : _parts.fixed) {
+        const balancers::PlaneVector place = fixed_motion(mass, state);
+        const balancers::MassMomenta part = mass.mass.momenta(place, fixed_motion(mass, state + n),
+                                                              now.angle + mass.phase, now.speed);
+        momentum += part.spin + turned(place, part.plane);
+    }
+    return momentum;
+}
+
+} // namespace whirl::simulation

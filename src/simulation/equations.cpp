@@ -1,0 +1,347 @@
+#include "simulation/equations.h"
+
+#include "assembly/assemble.h"
+#include "balancers/balanced_position.h"
+#include "linalg/check.h"
+#include "mesh_error/estimate.h"
+#include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/orbits.h"
+#include "results/formulation.h"
+#include "synchronous/forced_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::simulation {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double most_revolutions = 1e7;
+
+double ball_inertia(const model::Balancer &b) { return b.mass * b.radius * b.radius; }
+
+/// Inertia against tilting of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
+double imbalance_inertia(const model::Balancer &b) {
+    return b.imbalance_radius && b.tilt_inertia ? b.imbalance * *b.imbalance_radius : 0;
+}
+
+/// The rotor with the constant inertia of all that is attached: balls and point masses as discs
+/// without polar inertia (their gyroscopic effect is in their own equations), pendulums as whole
+/// discs. Anisotropies stay for the nodes where they are; they are masses of their own.
+model::Rotor rotor_with_masses(const model::Rotor &rotor) {
+    model::Rotor with = rotor;
+    with.balancers.clear();
+    for (const model::Balancer &b : rotor.balancers) {
+        model::Disc disc;
+        disc.z = b.z;
+        disc.mass = b.n * b.mass;
+        if (b.kind == model::BalancerKind::ball) {
+            disc.Id = b.tilt_inertia ? b.n * ball_inertia(b) / 2 : 0;
+        } else if (b.tilt_inertia) {
+            const double reach = b.arm + b.pivot;
+            disc.Id = 2 * b.mass * reach * reach;
+            disc.Ip = 2 * disc.Id;
+        }
+        if (b.imbalance_radius && b.imbalance > 0) {
+            disc.mass += b.imbalance / *b.imbalance_radius;
+            disc.Id += imbalance_inertia(b) / 2;
+        }
+        with.discs.push_back(disc);
+    }
+    return with;
+}
+
+/// The rotor as it turns without balls, its imbalances as [[imbalance]]. A point mass makes it
+/// asymmetric; on bearings that differ between x and y its mean inertia has to do.
+model::Rotor rotor_without_balls(const model::Rotor &rotor) {
+    model::Rotor bare = rotor;
+    bare.balancers.clear();
+    const bool own = has_imbalance(rotor);
+    for (const model::Balancer &b : rotor.balancers) {
+        const double capacity =
+            b.n * b.mass * (b.kind == model::BalancerKind::ball ? b.radius : b.arm);
+        bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
+        model::Disc disc; // keeps a node at the balancer
+        disc.z = b.z;
+        if (b.imbalance_radius && b.imbalance > 0) {
+            disc.mass = b.imbalance / *b.imbalance_radius;
+            disc.Id = imbalance_inertia(b) / 2;
+            disc.Ip = imbalance_inertia(b);
+            if (disc.Id > 0 && rotor.bearings_isotropic())
+                bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
+        }
+        bare.discs.push_back(disc);
+    }
+    return bare;
+}
+
+/// Of the rotor and its discs, without what has an equation of its own.
+double polar_inertia(const assembly::Discretization &d, const model::Case &scene) {
+    const std::vector<double> tilt = d.rigid_motion(true);
+    double inertia = 0;
+    assembly::assemble_rotating_parts(
+        d, [&](assembly::Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+            if (term != assembly::Term::gyroscopic)
+                return;
+            Eigen::VectorXd v(static_cast<Eigen::Index>(unknowns.size()));
+            for (std::size_t i = 0; i < unknowns.size(); ++i)
+                v(static_cast<Eigen::Index>(i)) = tilt[static_cast<std::size_t>(unknowns[i])];
+            inertia += v.dot(block * v);
+        });
+    for (const model::Balancer &b : scene.rotor.balancers)
+        if (b.kind == model::BalancerKind::pendulum4 && b.tilt_inertia)
+            inertia -= 4 * b.mass * std::pow(b.arm + b.pivot, 2);
+    return inertia;
+}
+
+std::string where(const model::Case &scene) { return scene.file.string(); }
+
+void refuse_what_is_missing(const model::Case &scene) {
+    if (scene.rotor.balancers.empty())
+        throw model::BadInput(fmt::format("{}: balancer: expected at least one [[balancer]] whose "
+                                          "motion to simulate, got none",
+                                          where(scene)));
+    if (scene.simulate.time <= 0)
+        throw model::BadInput(fmt::format("{}: simulate: expected a table [simulate] with the "
+                                          "time to simulate, got none",
+                                          where(scene)));
+    if (scene.rotor.shaft.asymmetric())
+        throw model::AnalysisFailure("motion in time needs a shaft of equal bending stiffnesses; "
+                                     "this one has a segment with asymmetry");
+    if (scene.simulate.torque)
+        return;
+    if (!scene.simulate.run_up.empty())
+        return;
+    if (!scene.speeds)
+        throw model::BadInput(fmt::format("{}: speeds: expected a spin speed: [speeds] with from "
+                                          "and count = 1, simulate.run_up or simulate.torque, "
+                                          "got none",
+                                          where(scene)));
+    if (scene.speeds->count != 1)
+        throw model::BadInput(
+            fmt::format("{}: speeds.count: expected 1, the one spin speed of the "
+                        "motion, got {}; try --set speeds.count=1 --set speeds.from=...",
+                        where(scene), scene.speeds->count));
+}
+
+/// Angle `offset` from the one that the symmetric position would give: spread evenly, the first
+/// ball out of the symmetry that would hide unstable motions.
+std::vector<double> usual_start(const model::Balancer &b) {
+    if (b.kind == model::BalancerKind::pendulum4)
+        return {0.01, 0};
+    std::vector<double> angles;
+    for (int i = 0; i < b.n; ++i)
+        angles.push_back(pi / b.n * (1 + 2 * i));
+    angles.front() += 0.01;
+    return angles;
+}
+
+/// Index of the plane at z, made where there is none yet.
+int plane_at(double z, const assembly::Discretization &d, std::vector<double> &places,
+             MovingParts &parts) {
+    const auto same = std::find(places.begin(), places.end(), z);
+    const auto index = static_cast<int>(same - places.begin());
+    if (same == places.end()) {
+        places.push_back(z);
+        parts.planes.push_back(
+            {parts.rotor.row(d.deflection_at(z)), parts.rotor.row(d.slope_at(z))});
+    }
+    return index;
+}
+
+/// Inertia +dI against tilting along the axis of smaller inertia, -dI across it: what surplus
+/// masses on that axis, less those that would make it even, add.
+void add_anisotropy(const model::Anisotropy &anisotropy, int plane, MovingParts &parts) {
+    FixedMass mass;
+    mass.plane = plane;
+    mass.mass.tilt = anisotropy.dI;
+    mass.phase = anisotropy.angle;
+    parts.fixed.push_back(mass);
+    mass.mass.tilt = -anisotropy.dI;
+    mass.phase += pi / 2;
+    parts.fixed.push_back(mass);
+}
+
+void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
+                MotionScene &motion) {
+    const double g = scene.simulate.gravity;
+    if (b.kind == model::BalancerKind::ball) {
+        FreeMass mass;
+        mass.plane = plane;
+        mass.ball = {b.mass * b.radius, ball_inertia(b), b.tilt_inertia ? ball_inertia(b) : 0,
+                     b.mass * b.radius * g};
+        mass.drag = b.damping * b.radius * b.radius;
+        motion.parts.free.insert(motion.parts.free.end(), static_cast<std::size_t>(b.n), mass);
+    } else {
+        FreeMass mass;
+        mass.plane = plane;
+        mass.pendulums = true;
+        mass.pair = {b.mass, b.arm, b.pivot, b.damping, 0, g};
+        motion.parts.free.push_back(mass);
+        mass.pair.line = pi / 2;
+        motion.parts.free.push_back(mass);
+    }
+    if (b.imbalance > 0) {
+        FixedMass mass;
+        mass.plane = plane;
+        const double inertia = imbalance_inertia(b);
+        mass.mass = {b.imbalance, inertia, inertia, b.imbalance * g};
+        mass.phase = b.imbalance_phase;
+        motion.parts.fixed.push_back(mass);
+    }
+}
+
+void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
+                    MotionScene &motion) {
+    const auto &balancers = scene.rotor.balancers;
+    std::vector<double> places;
+    for (const model::Balancer &b : balancers) {
+        motion.plane_of.push_back(plane_at(b.z, d, places, motion.parts));
+        add_masses(scene, b, motion.plane_of.back(), motion);
+    }
+    for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
+        add_anisotropy(anisotropy, plane_at(anisotropy.z, d, places, motion.parts), motion.parts);
+    for (const model::Imbalance &imbalance : scene.rotor.imbalances) {
+        FixedMass mass;
+        mass.row = motion.parts.rotor.row(d.deflection_at(imbalance.z));
+        mass.mass.moment = imbalance.mr;
+        mass.mass.weight = imbalance.mr * scene.simulate.gravity;
+        mass.phase = imbalance.phase;
+        motion.parts.fixed.push_back(mass);
+    }
+    for (std::size_t i = 0; i < balancers.size(); ++i) {
+        const auto &given = scene.simulate.ball_angles;
+        const std::vector<double> start = given.empty() ? usual_start(balancers[i]) : given[i];
+        motion.start_angles.insert(motion.start_angles.end(), start.begin(), start.end());
+    }
+}
+
+/// The drive; fills fastest.
+void set_drive(const model::Case &scene, MotionScene &motion) {
+    const model::SimulateSettings &s = scene.simulate;
+    if (s.torque) {
+        motion.parts.motor = Motor{*s.torque, s.torque_slope};
+        const double start = scene.speeds ? scene.speeds->from : 0;
+        motion.parts.spin = Spin(start);
+        double inertia = motion.parts.polar_inertia;
+        for (const model::Balancer &b : scene.rotor.balancers)
+            inertia += b.n * (b.mass * std::pow(b.radius + b.arm + b.pivot, 2));
+        const double free_run = start + *s.torque / inertia * s.time;
+        const double limit = s.torque_slope > 0 ? *s.torque / s.torque_slope : free_run;
+        const double last = std::abs(free_run) < std::abs(limit) ? free_run : limit;
+        motion.fastest = std::max(std::abs(start), std::abs(last));
+    } else {
+        motion.parts.spin = s.run_up.empty() ? Spin(scene.speeds->from) : Spin(s.run_up);
+        motion.fastest = motion.parts.spin.fastest(s.time);
+    }
+    if (!(motion.fastest > 0))
+        throw model::BadInput(fmt::format("{}: speeds.from: expected a spin speed other than 0, "
+                                          "got a rotor at rest",
+                                          where(scene)));
+    const double turns = motion.fastest * s.time / (2 * pi);
+    if (turns > most_revolutions)
+        throw model::BadInput(fmt::format("{}: simulate.time: expected a time in s of at most "
+                                          "{:.0e} revolutions, got {} s, {:.3g} revolutions",
+                                          where(scene), most_revolutions, s.time, turns));
+}
+
+void add_notes(const model::Case &scene, MotionScene &motion) {
+    for (const model::Balancer &b : scene.rotor.balancers) {
+        const std::string name =
+            b.name.empty() ? fmt::format("the balancer at z = {} m", b.z) : b.name;
+        const bool ball = b.kind == model::BalancerKind::ball;
+        if (ball && balancers::capacity(b) < 1)
+            motion.notes.push_back(
+                fmt::format("{} cannot balance its imbalance: capacity E = {:.4g} is below 1", name,
+                            balancers::capacity(b)));
+        if (b.damping == 0)
+            motion.notes.push_back(
+                fmt::format("{} has no damping: its {} cannot come to rest in the rotor", name,
+                            ball ? "balls" : "pendulums"));
+    }
+    if (!scene.rotor.damped())
+        motion.notes.emplace_back("no damping in the bearings: whirl does not die out");
+    if (scene.simulate.ball_angles.empty())
+        motion.notes.emplace_back(
+            "start chosen here (simulate.ball_angles is not given): balls spread evenly, the first "
+            "of each balancer out of place by 0.01 rad; other starts may end otherwise");
+    if (std::any_of(scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
+                    [](const model::Balancer &b) { return !b.tilt_inertia; }))
+        motion.notes.emplace_back("the balls' inertia against tilting is left out");
+}
+
+int element_order(const model::Case &scene) {
+    model::Case bare = scene;
+    bare.rotor.balancers.clear();
+    bare.rotor.anisotropies.clear();
+    bare.formulation = model::FormChoice::automatic;
+    return mesh_error::resolve_order(bare, modes::choose_formulation(bare));
+}
+
+} // namespace
+
+bool has_imbalance(const model::Rotor &rotor) {
+    return std::any_of(rotor.balancers.begin(), rotor.balancers.end(),
+                       [](const model::Balancer &b) { return b.imbalance > 0; }) ||
+           std::any_of(rotor.imbalances.begin(), rotor.imbalances.end(),
+                       [](const model::Imbalance &i) { return i.mr != 0; });
+}
+
+MotionScene motion_scene(const model::Case &scene) {
+    refuse_what_is_missing(scene);
+    MotionScene motion;
+    motion.order = element_order(scene);
+    const assembly::Discretization d(rotor_with_masses(scene.rotor), motion.order);
+    motion.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    motion.parts.polar_inertia = scene.simulate.inertia + polar_inertia(d, scene);
+    set_drive(scene, motion);
+    reduction::ReductionGoal goal;
+    goal.speed = motion.fastest;
+    goal.tolerance = scene.simulate.reduction_tolerance;
+    goal.modes = scene.simulate.modes;
+    for (const model::Balancer &b : scene.rotor.balancers)
+        goal.places.push_back(b.z);
+    for (const model::Imbalance &imbalance : scene.rotor.imbalances)
+        goal.places.push_back(imbalance.z);
+    for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
+        goal.tilted.push_back(anisotropy.z);
+    std::sort(goal.places.begin(), goal.places.end());
+    goal.places.erase(std::unique(goal.places.begin(), goal.places.end()), goal.places.end());
+    motion.parts.rotor = reduction::reduce(d, goal);
+    add_all_masses(scene, d, motion);
+    add_notes(scene, motion);
+    return motion;
+}
+
+std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, double speed) {
+    const assembly::Discretization d(rotor_without_balls(scene.rotor), order);
+    const bool asymmetric = !d.rotor().anisotropies.empty();
+    if (asymmetric && !scene.rotor.bearings_isotropic())
+        throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
+                                     "has no single amplitude without balls to compare with");
+    synchronous::ForcedMotion forced(d,
+                                     asymmetric ? results::Form::rotating : results::Form::general);
+    std::vector<double> amplitudes;
+    try {
+        forced.solve(speed);
+        if (forced.rounding() > 1e-3)
+            throw linalg::SolverError("a resonance without damping");
+        for (const model::Balancer &b : scene.rotor.balancers) {
+            const synchronous::Phasor u = forced.motion(d.deflection_at(b.z));
+            amplitudes.push_back(modes::ellipse_of(u.x, u.y).major);
+        }
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(
+            fmt::format("no steady motion without balls at {:.6g} rad/s to compare with: the rotor "
+                        "is at a resonance without damping, or free to move",
+                        speed));
+    }
+    return amplitudes;
+}
+
+} // namespace whirl::simulation

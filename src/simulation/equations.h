@@ -1,0 +1,34 @@
+#pragma once
+
+#include "model/case.h"
+#include "simulation/motion.h"
+
+#include <string>
+#include <vector>
+
+namespace whirl::simulation {
+
+/// A case made ready to move: the parts, and where results come from.
+struct MotionScene {
+    MovingParts parts;
+    std::vector<int> plane_of;        ///< of each balancer, index into parts.planes
+    std::vector<double> start_angles; ///< of the free masses, rad
+    double fastest = 0;               ///< rad/s, |speed| (motor: a bound)
+    int order = 0;                    ///< of the shaft elements
+    int elements = 0;
+    std::vector<std::string> notes;
+};
+
+/// @throws model::BadInput where something is missing or absurd; model::AnalysisFailure.
+[[nodiscard]] MotionScene motion_scene(const model::Case &scene);
+
+/// Largest deflection of each place (z, m) in the steady motion of the rotor without balls and
+/// pendulums under all its imbalances, m; or, without any imbalance, under that which the balls of
+/// each balancer make side by side.
+[[nodiscard]] std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order,
+                                                        double speed);
+
+/// Some imbalance acts on the rotor.
+[[nodiscard]] bool has_imbalance(const model::Rotor &rotor);
+
+} // namespace whirl::simulation

@@ -1,0 +1,82 @@
+#include "simulation/linear_growth.h"
+
+#include "balancers/arrangement.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace whirl::simulation {
+
+namespace {
+
+bool balanced_position_exists(const model::Rotor &rotor) {
+    const bool others = std::any_of(rotor.imbalances.begin(), rotor.imbalances.end(),
+                                    [](const model::Imbalance &i) { return i.mr != 0; });
+    const bool pendulums =
+        std::any_of(rotor.balancers.begin(), rotor.balancers.end(), [](const model::Balancer &b) {
+            return b.kind == model::BalancerKind::pendulum4 && b.imbalance > 0;
+        });
+    return !others && !pendulums;
+}
+
+/// The balls cancel the imbalances of their balancers to a twentieth.
+bool balances(const model::Rotor &rotor, const std::vector<std::vector<double>> &angles) {
+    if (angles.size() != rotor.balancers.size())
+        return false;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+        const model::Balancer &b = rotor.balancers[i];
+        if (b.kind != model::BalancerKind::ball)
+            continue;
+        std::complex<double> moment = std::polar(b.imbalance, b.imbalance_phase);
+        for (const double angle : angles[i])
+            moment += std::polar(b.mass * b.radius, angle);
+        if (std::abs(moment) > 0.05 * b.n * b.mass * b.radius)
+            return false;
+    }
+    return true;
+}
+
+/// Angles of the balls; none of pendulums.
+balancers::Arrangement of_balls(const model::Rotor &rotor, balancers::Arrangement angles) {
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        if (rotor.balancers[i].kind != model::BalancerKind::ball)
+            angles[i].clear();
+    return angles;
+}
+
+} // namespace
+
+std::optional<double> linear_growth(const model::Case &scene, double speed,
+                                    const std::vector<std::vector<double>> &angles) {
+    if (!balanced_position_exists(scene.rotor))
+        return std::nullopt;
+    model::Case at = scene;
+    at.formulation = model::FormChoice::automatic;
+    at.speeds = model::SpeedRange{speed, speed, 1};
+    try {
+        const stability::StabilityModel model = stability::stability_model(at, {speed});
+        if (std::abs(speed) < model.from)
+            return std::nullopt;
+        if (model.conservative)
+            return 0.0;
+        const balancers::Arrangement arrangement =
+            balances(scene.rotor, angles) ? of_balls(scene.rotor, angles)
+                                          : balancers::arrangement_at_balance(scene.rotor);
+        const stability::MotionSolver solver(scene.rotor, model.form, model.order, arrangement,
+                                             model.harmonics);
+        return stability::growth_of(solver.at(speed));
+    } catch (const model::BadInput &) { // no balanced position
+        return std::nullopt;
+    } catch (const model::AnalysisFailure &) {
+        return std::nullopt;
+    } catch (const linalg::SolverError &) {
+        return std::nullopt;
+    }
+}
+
+} // namespace whirl::simulation

@@ -1,0 +1,297 @@
+#include "simulation/motion.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace whirl::simulation {
+
+namespace {
+
+using Eigen::Index;
+using ConstMap = Eigen::Map<const Eigen::VectorXd>;
+using ConstPair = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2>>;
+using Pair = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 2>>;
+using Planar = Eigen::Map<Eigen::Matrix<double, 2, Eigen::Dynamic>>;
+using ConstPlanar = Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>>;
+
+/// Im(a^H b) of two complex vectors.
+template <class A, class B> double turning(const A &a, const B &b) {
+    return a.col(0).dot(b.col(1)) - a.col(1).dot(b.col(0));
+}
+
+/// b = A^-1 b for the first columns.
+template <int size> void solve_of_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
+    const Eigen::Map<const Eigen::Matrix<double, size, size>> left(A.data(), A.rows(), A.cols());
+    const Eigen::PartialPivLU<Eigen::Matrix<double, size, size>> factors(left);
+    for (Index column = 0; column < columns; ++column) {
+        Eigen::Map<Eigen::Matrix<double, size, 1>> y(b.col(column).data(), A.rows());
+        y = factors.solve(y);
+    }
+}
+
+} // namespace
+
+RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const auto planes = static_cast<Index>(_parts.planes.size());
+    _rows.resize(r, 2 * planes);
+    for (Index i = 0; i < planes; ++i) {
+        _rows.col(2 * i) = _parts.planes[static_cast<std::size_t>(i)].w;
+        _rows.col(2 * i + 1) = _parts.planes[static_cast<std::size_t>(i)].phi;
+    }
+    _products = _rows.transpose() * _rows;
+    _tables = rotor.supports.size() > 1;
+    _internal = !rotor.internal.isZero(0);
+    for (const reduction::ReducedRotor::Supports &at : rotor.supports) {
+        const double size = at.stiffness.cwiseAbs().maxCoeff();
+        const Eigen::MatrixXd skew = at.stiffness - at.stiffness.transpose();
+        _circulating = _circulating || skew.cwiseAbs().maxCoeff() > 1e-13 * size;
+    }
+    _stiffness = rotor.supports.front().stiffness;
+    _stiffness.topLeftCorner(r, r) += rotor.elastic;
+    _stiffness.bottomRightCorner(r, r) += rotor.elastic;
+    _damping = rotor.supports.front().damping;
+    _places.resize(_parts.planes.size());
+    _velocities.resize(_parts.planes.size());
+    _free_equations.resize(_parts.free.size());
+    _fixed_equations.resize(_parts.fixed.size());
+    _forces.setZero(2 * r, 2);
+    _planes.setZero(4 * planes, 2);
+    _loads.resize(4 * planes, 2);
+    _coupling.resize(4 * planes, 4 * planes);
+    _system.resize(4 * planes, 4 * planes);
+    _turned.resize(r, 2);
+    _push.resize(2 * r);
+}
+
+int RotorMotion::coordinates() const {
+    return first_angle() + static_cast<int>(_parts.free.size());
+}
+
+int RotorMotion::size() const { return 2 * coordinates() + (_parts.motor ? 2 : 0) + 3; }
+
+Spin::At RotorMotion::spin(double t, const double *state) const {
+    if (!_parts.motor)
+        return _parts.spin.at(t, _piece);
+    const double *own = state + 2 * coordinates();
+    return {own[0], own[1], 0};
+}
+
+balancers::PlaneVector RotorMotion::at_plane(int plane, const double *p) const {
+    const ConstPair motion(p, _rows.rows(), 2);
+    const Eigen::Matrix2d values = _rows.middleCols<2>(2 * plane).transpose().lazyProduct(motion);
+    return {values(0, 0), values(0, 1), values(1, 0), values(1, 1)};
+}
+
+balancers::PlaneVector RotorMotion::fixed_motion(const FixedMass &mass, const double *p) const {
+    if (mass.plane >= 0)
+        return at_plane(mass.plane, p);
+    const Eigen::Vector2d w = deflection(mass.row, p);
+    return {w(0), w(1), 0, 0};
+}
+
+Eigen::Vector2d RotorMotion::deflection(const reduction::Row &row, const double *state) const {
+    const ConstPair motion(state, _rows.rows(), 2);
+    return {motion.col(0).dot(row), motion.col(1).dot(row)};
+}
+
+void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const double *v) const {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const ConstPair x(p, r, 2);
+    const ConstPair u(v, r, 2);
+    Pair f(_forces.col(0).data(), r, 2);
+    Pair per_spin(_forces.col(1).data(), r, 2);
+    _push.noalias() = _stiffness * ConstMap(p, 2 * r);
+    _push.noalias() += _damping * ConstMap(v, 2 * r);
+    if (_tables) {
+        const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
+        const reduction::ReducedRotor::Supports &first = rotor.supports.front();
+        _push.noalias() += (at.stiffness - first.stiffness) * ConstMap(p, 2 * r) +
+                           (at.damping - first.damping) * ConstMap(v, 2 * r);
+    }
+    _forces.col(0) = -_push;
+    f.col(0).noalias() -= spin.speed * rotor.gyroscopic.lazyProduct(u.col(1));
+    f.col(1).noalias() += spin.speed * rotor.gyroscopic.lazyProduct(u.col(0));
+    _turned.noalias() = rotor.gyroscopic.lazyProduct(x);
+    per_spin.col(0) = -0.5 * _turned.col(1);
+    per_spin.col(1) = 0.5 * _turned.col(0);
+    if (_internal) {
+        f.col(0).noalias() -= rotor.internal * (u.col(0) + spin.speed * x.col(1));
+        f.col(1).noalias() -= rotor.internal * (u.col(1) - spin.speed * x.col(0));
+    }
+}
+
+void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
+    const Index r = _rows.rows();
+    const int n = coordinates();
+    _loads.setZero();
+    _coupling.setZero();
+    for (std::size_t i = 0; i < _places.size(); ++i) {
+        _places[i] = at_plane(static_cast<int>(i), state);
+        _velocities[i] = at_plane(static_cast<int>(i), state + n);
+    }
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const double angle = state[first_angle() + static_cast<int>(i)];
+        const double rate = state[n + first_angle() + static_cast<int>(i)];
+        balancers::MassEquation &e = _free_equations[i];
+        if (mass.pendulums) {
+            e = mass.pair.equation({spin.angle, spin.speed}, angle, rate);
+        } else {
+            const auto plane = static_cast<std::size_t>(mass.plane);
+            e = mass.ball.equation(_places[plane], _velocities[plane], spin.angle + angle,
+                                   spin.speed + rate);
+            e.b += mass.drag * rate;
+        }
+        const Index at = 4 * mass.plane;
+        _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
+        _loads.col(1).segment<4>(at) += e.per_spin;
+        _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
+        _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
+    }
+    for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
+        const FixedMass &mass = _parts.fixed[i];
+        balancers::MassEquation &e = _fixed_equations[i];
+        const auto plane = static_cast<std::size_t>(std::max(mass.plane, 0));
+        const bool own = mass.plane < 0; // a mere eccentricity: where it is makes no difference
+        e = mass.mass.equation(own ? balancers::PlaneVector::Zero() : _places[plane],
+                               own ? balancers::PlaneVector::Zero() : _velocities[plane],
+                               spin.angle + mass.phase, spin.speed);
+        if (!own) {
+            const Index at = 4 * mass.plane;
+            _loads.col(0).segment<4>(at) += e.force;
+            _loads.col(1).segment<4>(at) -= e.u;
+            _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
+            continue;
+        }
+        for (Index axis = 0; axis < 2; ++axis) {
+            _forces.col(0).segment(axis * r, r) += e.force(axis) * mass.row;
+            _forces.col(1).segment(axis * r, r) -= e.u(axis) * mass.row;
+        }
+    }
+}
+
+/// rows^T f + B P of a column, into _planes.
+void RotorMotion::gather(Index column) const {
+    const Index entries = _rows.cols();
+    const ConstPair f(_forces.col(column).data(), _rows.rows(), 2);
+    Planar y(_planes.col(column).data(), 2, entries);
+    const ConstPlanar P(_loads.col(column).data(), 2, entries);
+    y.noalias() = f.transpose().lazyProduct(_rows);
+    y.noalias() += P.lazyProduct(_products);
+}
+
+/// (1 + B Q) y = rows^T f + B P, then p'' = f + rows (P - Q y). Two columns: without the spin's
+/// acceleration and for one unit of it, which not every caller needs. Leaves p'' in _forces and y
+/// in _planes.
+void RotorMotion::solve_accelerations(int columns) const {
+    const Index entries = _rows.cols();
+    if (entries == 0)
+        return;
+    _system.setIdentity();
+    for (Index i = 0; i < entries; ++i)
+        for (Index k = 0; k < entries; ++k) {
+            const Index block = 4 * (k / 2);
+            _system.block<2, 4>(2 * i, block) +=
+                _products(i, k) * _coupling.block<2, 4>(2 * k, block);
+        }
+    const auto planes = entries / 2;
+    for (Index column = 0; column < columns; ++column)
+        gather(column);
+    switch (planes) { // sizes known to the compiler are much faster
+    case 1:
+        solve_of_size<4>(_system, _planes, columns);
+        break;
+    case 2:
+        solve_of_size<8>(_system, _planes, columns);
+        break;
+    default:
+        solve_of_size<Eigen::Dynamic>(_system, _planes, columns);
+    }
+    for (Index column = 0; column < columns; ++column) {
+        for (Index plane = 0; plane < planes; ++plane)
+            _loads.col(column).segment<4>(4 * plane).noalias() -=
+                _coupling.block<4, 4>(4 * plane, 4 * plane) *
+                _planes.col(column).segment<4>(4 * plane);
+        const ConstPlanar load(_loads.col(column).data(), 2, entries);
+        Pair(_forces.col(column).data(), _rows.rows(), 2).noalias() +=
+            _rows.lazyProduct(load.transpose());
+    }
+}
+
+/// Torque of the drive for no acceleration of the spin, and per unit of it.
+Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, int columns) const {
+    const reduction::ReducedRotor &rotor = _parts.rotor;
+    const Index r = rotor.size();
+    const int n = coordinates();
+    const ConstPair x(state, r, 2);
+    Eigen::Vector2d torque(0, _parts.polar_inertia);
+    for (Index column = 0; column < columns; ++column)
+        torque(column) -= turning(_turned, ConstPair(_forces.col(column).data(), r, 2)) / 2;
+    if (_internal) {
+        Eigen::Matrix<double, Eigen::Dynamic, 2> slip = ConstPair(state + n, r, 2);
+        slip.col(0) += spin.speed * x.col(1);
+        slip.col(1) -= spin.speed * x.col(0);
+        torque(0) -= turning(x, rotor.internal * slip);
+    }
+    for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
+        const FixedMass &mass = _parts.fixed[i];
+        const balancers::MassEquation &e = _fixed_equations[i];
+        for (Index column = 0; column < columns; ++column) {
+            torque(column) += mass.plane >= 0
+                                  ? e.u.dot(_planes.col(column).segment<4>(4 * mass.plane))
+                                  : e.u.dot(fixed_motion(mass, _forces.col(column).data()));
+        }
+        torque += Eigen::Vector2d(e.b, e.a);
+    }
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const double angle = state[first_angle() + static_cast<int>(i)];
+        const double rate = state[n + first_angle() + static_cast<int>(i)];
+        if (!mass.pendulums) {
+            torque(0) -= mass.drag * rate;
+            continue;
+        }
+        const balancers::SpinState now{spin.angle, spin.speed};
+        const Eigen::Vector2d S = mass.pair.offset(now, angle);
+        torque += mass.pair.torque(now, angle, rate);
+        const Eigen::Matrix2d w = _planes.middleRows<2>(4 * mass.plane);
+        torque.head(columns) += (w.row(1) * S(0) - w.row(0) * S(1)).transpose().head(columns);
+    }
+    return torque;
+}
+
+void RotorMotion::rates(double t, const double *state, double *rates) const {
+    const int n = coordinates();
+    const int r2 = first_angle();
+    Spin::At now = spin(t, state);
+    rotor_forces(now, state, state + n);
+    mass_loads(now, state);
+    const int columns = _parts.motor || now.acceleration != 0 ? 2 : 1;
+    solve_accelerations(columns);
+    const Eigen::Vector2d needed = torque(now, state, columns);
+    if (_parts.motor) {
+        const double given = _parts.motor->torque - _parts.motor->slope * now.speed;
+        now.acceleration = (given - needed(0)) / needed(1);
+        rates[2 * n] = now.speed;
+        rates[2 * n + 1] = now.acceleration;
+    }
+    const double torque = needed(0) + now.acceleration * needed(1);
+    if (columns == 2) {
+        _forces.col(0) += now.acceleration * _forces.col(1);
+        _planes.col(0) += now.acceleration * _planes.col(1);
+    }
+    std::copy(state + n, state + 2 * n, rates);
+    std::copy(_forces.data(), _forces.data() + r2, rates + n);
+    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
+        const FreeMass &mass = _parts.free[i];
+        const balancers::MassEquation &e = _free_equations[i];
+        const double own = -(e.u.dot(_planes.col(0).segment<4>(4 * mass.plane)) + e.b) / e.a;
+        rates[n + r2 + static_cast<int>(i)] = mass.pendulums ? own : own - now.acceleration;
+    }
+    keep_books(now, torque, state, rates + books());
+}
+
+} // namespace whirl::simulation

@@ -1,0 +1,118 @@
+#pragma once
+
+#include "balancers/rotating_masses.h"
+#include "reduction/reduced_rotor.h"
+#include "simulation/spin.h"
+
+#include <Eigen/Dense>
+
+#include <optional>
+#include <vector>
+
+namespace whirl::simulation {
+
+/// A plane with balls, pendulums or a point mass: rows of its deflection and slope.
+struct MassPlane {
+    reduction::Row w;
+    reduction::Row phi;
+};
+
+/// An angle that moves by itself: a ball or a tied pair of pendulums.
+struct FreeMass {
+    int plane = 0;
+    bool pendulums = false;
+    balancers::CircleMass ball;
+    double drag = 0; ///< ball: h_A R^2, N m s/rad
+    balancers::PendulumPair pair;
+};
+
+/// A mass that turns with the rotor. Without inertia: an eccentricity, on a row of its own.
+struct FixedMass {
+    int plane = -1; ///< -1: `row`
+    reduction::Row row;
+    balancers::CircleMass mass;
+    double phase = 0; ///< rad
+};
+
+/// Constant torque minus slope times speed.
+struct Motor {
+    double torque = 0; ///< N m
+    double slope = 0;  ///< N m s
+};
+
+/// Everything that moves.
+struct MovingParts {
+    reduction::ReducedRotor rotor;
+    std::vector<MassPlane> planes;
+    std::vector<FreeMass> free;
+    std::vector<FixedMass> fixed;
+    double polar_inertia = 0; ///< kg m2, of all that turns with the rotor but masses listed above
+    Spin spin{0.0};
+    std::optional<Motor> motor; ///< then the speed is an unknown and spin is not read
+};
+
+/// Right-hand side of the motion in time; docs/theory.md, "Motion in time".
+///
+/// State: p (2r: real, then imaginary part), the free angles (balls relative to the rotor), their
+/// velocities in the same order; with a motor the rotor's angle and speed; the work done by the
+/// drive, the energy lost, the angular impulse from outside. All accelerations are exact: the
+/// angles are eliminated one by one, and the planes' accelerations follow from one small system
+/// (four unknowns a plane).
+class RotorMotion {
+  public:
+    explicit RotorMotion(MovingParts parts);
+
+    [[nodiscard]] const MovingParts &parts() const { return _parts; }
+    [[nodiscard]] int size() const;        ///< of the state
+    [[nodiscard]] int coordinates() const; ///< 2r + free angles
+    [[nodiscard]] int first_angle() const { return 2 * _parts.rotor.size(); }
+    [[nodiscard]] int books() const { return size() - 3; } ///< index of work, loss, impulse
+
+    /// Acceleration of the prescribed spin is that of the piece around this time.
+    void enter_piece(double time) { _piece = time; }
+    [[nodiscard]] Spin::At spin(double t, const double *state) const;
+
+    /// dy/dt.
+    void rates(double t, const double *state, double *rates) const;
+    /// Kinetic and potential energy with that of the spin, J.
+    [[nodiscard]] double energy(double t, const double *state) const;
+    /// Angular momentum about z, kg m2/s.
+    [[nodiscard]] double momentum(double t, const double *state) const;
+    /// Deflection of a row, (x, y) in m.
+    [[nodiscard]] Eigen::Vector2d deflection(const reduction::Row &row, const double *state) const;
+
+  private:
+    MovingParts _parts;
+    Eigen::MatrixXd _rows;      ///< r x 2P: w, phi of each plane
+    Eigen::MatrixXd _products;  ///< _rows^T _rows
+    Eigen::MatrixXd _stiffness; ///< 2r x 2r with constant supports
+    Eigen::MatrixXd _damping;   ///< of the supports
+    bool _tables = false;       ///< supports depend on speed
+    bool _circulating = false;  ///< the supports' stiffness is not symmetric
+    bool _internal = false;
+    double _piece = 0;
+    // Room for one evaluation of the rates, kept between them.
+    mutable std::vector<balancers::PlaneVector> _places, _velocities; ///< of the planes
+    mutable std::vector<balancers::MassEquation> _free_equations;
+    mutable std::vector<balancers::MassEquation> _fixed_equations;
+    mutable Eigen::MatrixXd _forces;   ///< 2r x 2: alone, per unit of spin acceleration
+    mutable Eigen::MatrixXd _planes;   ///< 4P x 2: accelerations of the planes
+    mutable Eigen::MatrixXd _loads;    ///< 4P x 2
+    mutable Eigen::MatrixXd _coupling; ///< 4P x 4P: Q, block diagonal
+    mutable Eigen::MatrixXd _system;   ///< 4P x 4P
+    mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
+    mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
+
+    void rotor_forces(const Spin::At &spin, const double *p, const double *v) const;
+    void mass_loads(const Spin::At &spin, const double *state) const;
+    void solve_accelerations(int columns) const;
+    void gather(Eigen::Index column) const;
+    [[nodiscard]] Eigen::Vector2d torque(const Spin::At &spin, const double *state,
+                                         int columns) const;
+    void keep_books(const Spin::At &spin, double torque, const double *state, double *books) const;
+    [[nodiscard]] balancers::PlaneVector at_plane(int plane, const double *p) const;
+    [[nodiscard]] balancers::PlaneVector fixed_motion(const FixedMass &mass, const double *p) const;
+    void support_matrices(double speed) const;
+};
+
+} // namespace whirl::simulation

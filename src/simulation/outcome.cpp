@@ -1,0 +1,236 @@
+#include "simulation/outcome.h"
+
+#include "balancers/balanced_position.h"
+#include "criterion/rigid_form.h"
+#include "simulation/trend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::simulation {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double still_swing = 0.05;   ///< rad, of a ball that counts as standing still
+constexpr double drifting = pi;        ///< rad over the last tenth, of a ball that lags
+constexpr double balanced_ratio = 0.1; ///< of the unbalanced amplitude
+constexpr double creeping = 0.1;       ///< rad over the last quarter, of balls on their way
+/// Errors of the integrator gather over its steps: sizes below so many tolerances say nothing.
+constexpr double noise = 1e3;
+
+/// First index of the series at or after the time.
+std::size_t index_from(const results::MotionSeries &series, double time) {
+    const auto at = std::lower_bound(series.time.begin(), series.time.end(), time);
+    const auto index = static_cast<std::size_t>(at - series.time.begin());
+    return std::min(index, series.time.size() - 2);
+}
+
+double swing_from(const std::vector<double> &angles, std::size_t first) {
+    const auto [low, high] =
+        std::minmax_element(angles.begin() + static_cast<std::ptrdiff_t>(first), angles.end());
+    return *high - *low;
+}
+
+/// Largest over the balancers.
+double worst(const results::SimulateResult &result, std::vector<double> results::BalancerMotion::*list) {
+    double largest = 0;
+    for (const results::BalancerMotion &b : result.balancers)
+        for (const double value : b.*list)
+            if (std::abs(value) > std::abs(largest))
+                largest = value;
+    return largest;
+}
+
+/// Of the imbalances, or without any of the balls side by side, on a rotor without supports, m.
+double free_amplitude(const model::Rotor &rotor) {
+    double moment = 0;
+    for (const model::Balancer &b : rotor.balancers)
+        moment += b.imbalance;
+    for (const model::Imbalance &imbalance : rotor.imbalances)
+        moment += std::abs(imbalance.mr);
+    if (moment == 0)
+        for (const model::Balancer &b : rotor.balancers)
+            moment += b.n * b.mass * (b.radius + b.arm);
+    return moment / criterion::rotor_mass(rotor);
+}
+
+void fill_balancers(const model::Case &scene, results::SimulateResult &result) {
+    const results::MotionSeries &series = result.series;
+    const std::size_t tenth = index_from(series, 0.9 * series.time.back());
+    const double window = series.time.back() - series.time[tenth];
+    std::size_t angle = 0;
+    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
+        const model::Balancer &b = scene.rotor.balancers[i];
+        results::BalancerMotion &out = result.balancers[i];
+        out.z = b.z;
+        out.name = b.name;
+        const bool ball = b.kind == model::BalancerKind::ball;
+        out.kind = ball ? "ball" : "pendulum4";
+        if (ball && b.imbalance > 0)
+            out.capacity = balancers::capacity(b);
+        for (int j = 0; j < (ball ? b.n : 2); ++j, ++angle) {
+            const std::vector<double> &own = series.angles[angle];
+            out.angles.push_back(std::remainder(own.back(), 2 * pi));
+            out.rates.push_back((own.back() - own[tenth]) / window);
+            out.swing.push_back(swing_from(own, tenth));
+        }
+    }
+}
+
+/// What the motion looks like over its last stretch, whether or not that lasts.
+struct Look {
+    results::Outcome outcome = results::Outcome::whirling;
+    double ratio = 0; ///< of the amplitude to the unbalanced one
+    double swing = 0; ///< of the angles over the last fortieth, rad
+};
+
+Look look_of(const results::MotionSeries &series, double ratio) {
+    const std::size_t tenth = index_from(series, 0.9 * series.time.back());
+    const std::size_t fortieth = index_from(series, 0.975 * series.time.back());
+    double drift = 0;
+    Look look;
+    look.ratio = ratio;
+    for (const std::vector<double> &angles : series.angles) {
+        drift = std::max(drift, std::abs(angles.back() - angles[tenth]));
+        look.swing = std::max(look.swing, swing_from(angles, fortieth));
+    }
+    if (drift > drifting)
+        look.outcome = results::Outcome::lagging;
+    else if (look.swing > still_swing)
+        look.outcome = results::Outcome::whirling;
+    else
+        look.outcome =
+            ratio < balanced_ratio ? results::Outcome::balanced : results::Outcome::offset;
+    return look;
+}
+
+/// Largest of the lists at each time.
+std::vector<double> largest_of(const std::vector<std::vector<double>> &lists, std::size_t size) {
+    std::vector<double> largest(size, 0.0);
+    for (const std::vector<double> &list : lists)
+        for (std::size_t i = 0; i < std::min(size, list.size()); ++i)
+            largest[i] = std::max(largest[i], list[i]);
+    return largest;
+}
+
+/// The trends of a motion at constant speed over its last half.
+struct Trends {
+    Trend amplitude;
+    Trend wobble;     ///< of the swing of the amplitude
+    Trend balls;      ///< of the swing of the angles
+    double creep = 0; ///< of the angles over the last quarter of the time, rad
+};
+
+/// @param amplitude_noise  m; what the integrator's tolerance leaves
+/// @param angle_noise      rad
+Trends trends_of(const results::MotionSeries &series, double amplitude_noise, double angle_noise) {
+    const double end = series.time.back();
+    const double width = end / 40;
+    const std::size_t size = series.time.size();
+    std::vector<std::vector<double>> wobbles;
+    std::vector<std::vector<double>> swings;
+    for (const std::vector<double> &amplitude : series.amplitude)
+        wobbles.push_back(swings_of(series.time, amplitude, width));
+    for (const std::vector<double> &angles : series.angles)
+        swings.push_back(swings_of(series.time, angles, width));
+    Trends trends;
+    const auto trend = [&](const std::vector<double> &values, double below) {
+        return trend_of(series.time, values, end / 2, below);
+    };
+    trends.amplitude = trend(largest_of(series.amplitude, size), amplitude_noise);
+    trends.wobble = trend(largest_of(wobbles, size), amplitude_noise);
+    trends.balls = trend(largest_of(swings, size), angle_noise);
+    const std::size_t quarter = index_from(series, 0.75 * end);
+    for (const std::vector<double> &angles : series.angles)
+        trends.creep = std::max(trends.creep, std::abs(angles.back() - angles[quarter]));
+    return trends;
+}
+
+bool speed_is_constant(const results::MotionSeries &series) {
+    const std::size_t half = index_from(series, 0.5 * series.time.back());
+    const auto [low, high] = std::minmax_element(
+        series.speed.begin() + static_cast<std::ptrdiff_t>(half), series.speed.end());
+    return *high - *low <= 1e-3 * std::max(std::abs(*high), std::abs(*low));
+}
+
+/// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
+std::string judge(const Look &look, const Trends &trends, double tolerance,
+                  results::SimulateResult &result) {
+    const double end = result.series.time.back();
+    result.outcome = look.outcome;
+    result.trend = trends.amplitude.end_rate;
+    const bool lagging = look.outcome == results::Outcome::lagging;
+    for (const auto &[trend, what] : {std::pair(&trends.amplitude, "the amplitude"),
+                                      std::pair(&trends.wobble, "the swing of the amplitude"),
+                                      std::pair(&trends.balls, "the swing of the balls")}) {
+        if (!trend->growing || (lagging && trend != &trends.amplitude))
+            continue;
+        result.outcome = results::Outcome::growing;
+        return fmt::format("{} grows steadily, by {:.3g} 1/s over the last half", what,
+                           trend->end_rate);
+    }
+    const auto undecided = [&](double time, std::string why) {
+        result.outcome = results::Outcome::undecided;
+        result.decision_time = time;
+        return why;
+    };
+    if (look.outcome == results::Outcome::whirling && trends.balls.decaying)
+        return undecided(
+            end + std::log(look.swing / still_swing) / -trends.balls.end_rate,
+            fmt::format("the swing of the balls dies out, by {:.3g} 1/s", trends.balls.end_rate));
+    if (look.outcome == results::Outcome::balanced && result.linear_growth.value_or(0) > 0)
+        return undecided(end + std::log(1 / tolerance) / *result.linear_growth,
+                         fmt::format("it looks balanced, but by its eigenvalues that position is "
+                                     "unstable: small motions grow by {:.3g} 1/s",
+                                     *result.linear_growth));
+    if (look.outcome == results::Outcome::offset && trends.amplitude.decaying)
+        return undecided(
+            end + std::log(look.ratio / balanced_ratio) / -trends.amplitude.end_rate,
+            fmt::format("the amplitude still falls, by {:.3g} 1/s", trends.amplitude.end_rate));
+    if (look.outcome == results::Outcome::offset &&
+        (trends.amplitude.changing || trends.creep > creeping))
+        return undecided(2 * end, fmt::format("the motion still changes: angles by {:.3g} rad over "
+                                              "the last quarter, the amplitude by {:.3g} 1/s",
+                                              trends.creep, trends.amplitude.end_rate));
+    return "";
+}
+
+} // namespace
+
+bool ends_at_constant_speed(const results::SimulateResult &result) {
+    return speed_is_constant(result.series);
+}
+
+void classify(const model::Case &scene, results::SimulateResult &result) {
+    fill_balancers(scene, result);
+    double amplitude = 0;
+    double reference = 0;
+    for (const results::BalancerMotion &b : result.balancers) {
+        amplitude = std::max(amplitude, b.amplitude);
+        reference = std::max(reference, b.reference);
+    }
+    const double scale = reference > 0 ? reference : free_amplitude(scene.rotor);
+    const double ratio = scale > 0 ? amplitude / scale : HUGE_VAL;
+    if (has_imbalance(scene.rotor) && reference > 0)
+        result.residual_ratio = ratio;
+    const Look look = look_of(result.series, ratio);
+    const double tolerance = scene.simulate.tolerance;
+    std::string why;
+    if (speed_is_constant(result.series))
+        why = judge(look, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
+                    tolerance, result);
+    else
+        result.outcome = look.outcome;
+    result.evidence = fmt::format(
+        "largest amplitude at a balancer {:.4g} m at the end, {:.4g} m without balls; fastest ball "
+        "in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the angles over the "
+        "last fortieth {:.3g} rad{}{}",
+        amplitude, reference, worst(result, &results::BalancerMotion::rates), look.swing,
+        why.empty() ? "" : "; ", why);
+}
+
+} // namespace whirl::simulation

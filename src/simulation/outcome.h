@@ -1,0 +1,25 @@
+#pragma once
+
+#include "results/simulate.h"
+#include "simulation/equations.h"
+
+namespace whirl::simulation {
+
+/// Reads from the series of a result how its motion ended: fills balancers (their amplitudes and
+/// references must be there), outcome, evidence, residual_ratio, trend and decision_time;
+/// linear_growth must be there where it is known.
+///
+/// What it looks like, over the last tenth of the time: a ball that drifts by more than half a turn
+/// lags; one that swings by more than 0.05 rad over the last fortieth whirls; else all stands
+/// still, balanced where less than a tenth of the unbalanced amplitude is left.
+///
+/// Whether that lasts, by the trend over the last half (motion_trend.h), at constant speed: growing
+/// where the amplitude or its swing, or the swing of the balls grows steadily. Undecided where a
+/// swing dies out that is still large, or balls still creep or the amplitude still falls towards
+/// balance; and where all looks balanced while the eigenvalues promise growth.
+void classify(const model::Case &scene, results::SimulateResult &result);
+
+/// The speed changed by less than a thousandth over the last half of the time.
+[[nodiscard]] bool ends_at_constant_speed(const results::SimulateResult &result);
+
+} // namespace whirl::simulation

@@ -1,0 +1,134 @@
+#include "simulation/restart.h"
+
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::simulation {
+
+namespace {
+
+using Eigen::Index;
+
+std::vector<double> whole_rotor(const reduction::ReducedRotor &rotor, const double *p) {
+    const Eigen::Map<const Eigen::MatrixXd> values(p, rotor.size(), 2);
+    const Eigen::MatrixXd q = rotor.shapes * values;
+    return {q.data(), q.data() + q.size()};
+}
+
+void on_shapes(const reduction::ReducedRotor &rotor, const std::vector<double> &whole, double *p) {
+    const Eigen::Map<const Eigen::MatrixXd> q(whole.data(), rotor.shapes.rows(), 2);
+    Eigen::Map<Eigen::MatrixXd>(p, rotor.size(), 2) = rotor.mass_times.transpose() * q;
+}
+
+void add(std::vector<double> &sizes, const Eigen::Matrix2d &m) {
+    sizes.insert(sizes.end(), m.data(), m.data() + m.size());
+}
+
+void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
+    for (const model::Bearing &b : rotor.bearings) {
+        sizes.push_back(b.z);
+        sizes.insert(sizes.end(), b.speeds.begin(), b.speeds.end());
+        for (const model::BearingCoefficients &at : b.rows)
+            for (const Eigen::Matrix2d *m : {&at.k, &at.c, &at.kt, &at.ct})
+                add(sizes, *m);
+        const model::Pedestal pedestal = b.pedestal.value_or(model::Pedestal{});
+        sizes.insert(sizes.end(), {pedestal.mass, pedestal.k, pedestal.c});
+    }
+}
+
+/// All that makes this rotor another one.
+std::vector<double> signature_of(const model::Rotor &rotor) {
+    std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
+                              rotor.shaft.rigid ? 1.0 : 0.0};
+    for (const model::Segment &s : rotor.shaft.segments)
+        sizes.insert(sizes.end(),
+                     {s.length, s.outer_start, s.outer_end, s.inner_start, s.inner_end,
+                      s.material.E, s.material.G, s.material.rho, s.asymmetry, s.asymmetry_angle});
+    for (const model::Disc &d : rotor.discs)
+        sizes.insert(sizes.end(), {d.z, d.mass, d.Id, d.Ip});
+    add_supports(sizes, rotor);
+    for (const model::Anisotropy &a : rotor.anisotropies)
+        sizes.insert(sizes.end(), {a.z, a.dI, a.angle});
+    for (const model::Balancer &b : rotor.balancers)
+        sizes.insert(sizes.end(),
+                     {b.z, b.mass, b.radius, b.arm, b.pivot, b.damping, b.imbalance,
+                      b.imbalance_phase, b.imbalance_radius.value_or(0), b.tilt_inertia ? 1.0 : 0});
+    for (const model::Imbalance &i : rotor.imbalances)
+        sizes.insert(sizes.end(), {i.z, i.mr, i.phase});
+    return sizes;
+}
+
+} // namespace
+
+model::Restart restart_of(const model::Rotor &rotor_of_case, const RotorMotion &motion,
+                          const double *state, const results::MotionSeries &series) {
+    const reduction::ReducedRotor &rotor = motion.parts().rotor;
+    const int n = motion.coordinates();
+    model::Restart restart;
+    restart.signature = signature_of(rotor_of_case);
+    restart.displacements = whole_rotor(rotor, state);
+    restart.velocities = whole_rotor(rotor, state + n);
+    restart.angles.assign(state + motion.first_angle(), state + n);
+    restart.rates.assign(state + n + motion.first_angle(), state + 2 * n);
+    restart.spin.assign(state + 2 * n, state + motion.books());
+    restart.books.assign(state + motion.books(), state + motion.size());
+    restart.series = {series.time, series.speed};
+    for (const auto *lists : {&series.amplitude, &series.x, &series.y, &series.angles})
+        restart.series.insert(restart.series.end(), lists->begin(), lists->end());
+    return restart;
+}
+
+Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene,
+                         const RotorMotion &motion) {
+    const reduction::ReducedRotor &rotor = motion.parts().rotor;
+    const int n = motion.coordinates();
+    const auto whole = static_cast<std::size_t>(2 * rotor.shapes.rows());
+    const std::size_t angles = motion.parts().free.size();
+    const std::size_t planes = scene.rotor.balancers.size();
+    const bool fits = restart.displacements.size() == whole && restart.velocities.size() == whole &&
+                      restart.angles.size() == angles && restart.rates.size() == angles &&
+                      restart.largest.size() == planes && restart.last.size() == planes &&
+                      restart.books.size() == 3 &&
+                      restart.spin.size() == (motion.parts().motor ? 2U : 0U) &&
+                      restart.series.size() == 2 + 3 * planes + angles &&
+                      std::all_of(restart.series.begin(), restart.series.end(),
+                                  [&](const std::vector<double> &column) {
+                                      return column.size() == restart.series.front().size();
+                                  });
+    if (!fits || restart.signature != signature_of(scene.rotor))
+        throw model::BadInput(
+            fmt::format("simulate.restart: expected the state of an interrupted run of this case, "
+                        "got that of \"{}\", another rotor",
+                        restart.case_name));
+    if (!(restart.time < scene.simulate.time))
+        throw model::BadInput(fmt::format("simulate.time: expected more than {} s, where the "
+                                          "interrupted run stopped, got {} s",
+                                          restart.time, scene.simulate.time));
+    Eigen::VectorXd state(motion.size());
+    on_shapes(rotor, restart.displacements, state.data());
+    on_shapes(rotor, restart.velocities, state.data() + n);
+    std::copy(restart.angles.begin(), restart.angles.end(), state.data() + motion.first_angle());
+    std::copy(restart.rates.begin(), restart.rates.end(), state.data() + n + motion.first_angle());
+    std::copy(restart.spin.begin(), restart.spin.end(), state.data() + 2 * n);
+    std::copy(restart.books.begin(), restart.books.end(), state.data() + motion.books());
+    return state;
+}
+
+results::MotionSeries series_of(const model::Restart &restart, std::size_t planes,
+                                std::size_t angles) {
+    results::MotionSeries series;
+    series.time = restart.series[0];
+    series.speed = restart.series[1];
+    auto next = restart.series.begin() + 2;
+    for (auto *lists : {&series.amplitude, &series.x, &series.y})
+        for (std::size_t i = 0; i < planes; ++i)
+            lists->push_back(*next++);
+    for (std::size_t i = 0; i < angles; ++i)
+        series.angles.push_back(*next++);
+    return series;
+}
+
+} // namespace whirl::simulation

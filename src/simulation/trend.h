@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+namespace whirl::simulation {
+
+/// How the size of a motion changes towards the end: lines fitted to the logarithm of the largest
+/// sizes in equal windows (so that a beat, which is shorter than the windows, does not count), over
+/// the whole time looked at and over its last half.
+struct Trend {
+    double rate = 0;     ///< of growth over the whole time looked at, 1/s
+    double end_rate = 0; ///< over its last half, 1/s
+    /// Both rates are beyond three of their standard errors, the change is beyond a tenth, and it
+    /// goes on: the rate at the end is at least half of that over the whole.
+    bool growing = false;
+    bool decaying = false;
+    /// The size changed by more than a tenth over the last half, beyond three standard errors,
+    /// whether or not it goes on.
+    bool changing = false;
+};
+
+/// @param time    of the samples, s, ascending
+/// @param size    at each, >= 0
+/// @param from    only samples from this time on are looked at
+/// @param noise   sizes below this are none
+[[nodiscard]] Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
+                             double from, double noise);
+
+/// Greatest less least value around each sample: over the samples of a window of `width` s that
+/// begins at it (the last samples take the last whole window).
+[[nodiscard]] std::vector<double> swings_of(const std::vector<double> &time,
+                                            const std::vector<double> &values, double width);
+
+} // namespace whirl::simulation

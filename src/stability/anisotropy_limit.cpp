@@ -1,0 +1,57 @@
+#include "stability/anisotropy_limit.h"
+
+#include "assembly/system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace whirl::stability {
+
+namespace {
+
+/// Polar inertia of shaft, discs, balls and point masses: twice the energy of unit slope times the
+/// gyroscopic matrix.
+double polar_inertia(const assembly::Discretization &d) {
+    const std::vector<double> tilt = d.rigid_motion(true);
+    const Eigen::Map<const Eigen::VectorXd> r(tilt.data(), d.planar_size());
+    double Ip = r.dot(assembly::assemble_planar(d, 0).G.view() * r);
+    for (const model::Balancer &balancer : d.rotor().balancers) {
+        if (balancer.kind == model::BalancerKind::ball)
+            Ip += balancer.n * balancer.mass * balancer.radius * balancer.radius;
+        Ip += balancer.imbalance * balancer.imbalance_radius.value_or(0);
+    }
+    return Ip;
+}
+
+} // namespace
+
+AnisotropyLimit anisotropy_limit(const assembly::Discretization &discretization,
+                                 std::size_t index) {
+    const model::Rotor &rotor = discretization.rotor();
+    const model::Anisotropy &element = rotor.anisotropies[index];
+    const auto here = [&](double z) {
+        return std::abs(z - element.z) <= 1e-9 * rotor.shaft.length();
+    };
+    AnisotropyLimit out{0, false};
+    double Id = 0;
+    double Ip = 0;
+    for (const model::Disc &disc : rotor.discs)
+        if (here(disc.z)) {
+            out.of_disc = true;
+            Id += disc.Id;
+            Ip += disc.Ip;
+        }
+    const double most = out.of_disc ? std::min(Id, Ip / 2) : polar_inertia(discretization) / 2;
+    // |others + dI| <= most, as complex numbers in the direction of the element.
+    std::complex<double> others = 0;
+    for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i)
+        if (i != index && here(rotor.anisotropies[i].z))
+            others += std::polar(rotor.anisotropies[i].dI,
+                                 2 * (rotor.anisotropies[i].angle - element.angle));
+    const double along = std::sqrt(std::max(0.0, most * most - others.imag() * others.imag()));
+    out.dI = std::max(0.0, along - others.real());
+    return out;
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,91 @@
+#include "stability/band_errors.h"
+
+#include "mesh_error/safety.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace whirl::stability {
+
+namespace {
+
+/// One end of a band: where it is, which way the band lies, and how far it and what lies beyond
+/// reach.
+struct End {
+    double speed = 0;
+    double inward = 1; ///< sign
+    double width = 0;  ///< of the band, rad/s
+    double beyond = 0; ///< distance to the next band or to the border of the range, rad/s
+};
+
+const Motion &fastest_growing(const std::vector<Motion> &motions) {
+    return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
+        return a.value.real() < b.value.real();
+    });
+}
+
+/// How far the end can lie from where the growth rises out of its noise.
+double blurred(const MotionsAt &at, const End &end, double &slope) {
+    const double step = std::min(0.25 * end.width, 1e-4 * std::abs(end.speed));
+    const Motion inside = fastest_growing(at(end.speed + end.inward * step));
+    slope = std::max(inside.value.real(), 0.0) / step;
+    return slope > 0 ? std::min(step, inside.noise / slope) : step;
+}
+
+/// Distance to the end in the finer model; the width where it has no band there.
+double distance(const MotionsAt &finer, const End &end, double slope) {
+    const auto unstable = [&](double speed) { return growth_of(finer(speed)) > 0; };
+    const bool here = unstable(end.speed);
+    const double sign = here ? -end.inward : end.inward;
+    const double most = here ? end.beyond : 0.999 * end.width;
+    const double least = 1e-11 * std::abs(end.speed);
+    const double growth = std::abs(fastest_growing(finer(end.speed)).value.real());
+    double inner = 0; // known to be as here
+    double step =
+        std::clamp(slope > 0 ? 1.5 * growth / slope : least, least, std::max(most, least));
+    while (true) {
+        const double speed = end.speed + sign * step;
+        if (unstable(speed) != here) {
+            const double as_here = end.speed + sign * inner;
+            const double found = here ? band_end(finer, speed, as_here, 0.03 * step)
+                                      : band_end(finer, as_here, speed, 0.03 * step);
+            return std::abs(found - end.speed) + 0.03 * step;
+        }
+        if (step >= most)
+            return here ? end.beyond : end.width;
+        inner = step;
+        step = std::min(most, 8 * step);
+    }
+}
+
+} // namespace
+
+std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &rotor,
+                                       const StabilityModel &model,
+                                       const balancers::Arrangement &arrangement,
+                                       const std::vector<SpeedInterval> &bands,
+                                       const SpeedInterval &range) {
+    std::optional<MotionSolver> finer;
+    if (!rotor.shaft.rigid && !bands.empty())
+        finer.emplace(rotor, model.form, mesh_error::finer_order(model.order), arrangement,
+                      model.harmonics);
+    const MotionsAt finer_at = [&finer](double speed) { return finer->at(speed); };
+    const auto error_of = [&](const End &end) {
+        double slope = 0;
+        const double rounding = blurred(at, end, slope);
+        return rounding + 1e-12 * std::abs(end.speed) +
+               (finer ? mesh_error::estimate_safety * distance(finer_at, end, slope) : 0.0);
+    };
+    std::vector<SpeedInterval> out;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto &[from, to] = bands[i];
+        const double below = i > 0 ? bands[i - 1].second : range.first;
+        const double above = i + 1 < bands.size() ? bands[i + 1].first : range.second;
+        out.emplace_back(from > range.first ? error_of({from, 1, to - from, from - below}) : 0.0,
+                         to < range.second ? error_of({to, -1, to - from, above - to}) : 0.0);
+    }
+    return out;
+}
+
+} // namespace whirl::stability

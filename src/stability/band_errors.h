@@ -1,0 +1,23 @@
+#pragma once
+
+#include "stability/rotor_at_speeds.h"
+#include "stability/unstable_bands.h"
+
+#include <vector>
+
+namespace whirl::stability {
+
+/// Error of both ends of each band, rad/s: the distance to the end that a finer model has there
+/// (order p + 4 on the same mesh), and what rounding leaves open of the place where the growth
+/// passes through zero. An end at the border of the range has none; a band that the finer model
+/// does not have is off by its width.
+///
+/// @param at     the model that the bands belong to
+/// @param range  in which they were looked for
+[[nodiscard]] std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &rotor,
+                                                     const StabilityModel &model,
+                                                     const balancers::Arrangement &arrangement,
+                                                     const std::vector<SpeedInterval> &bands,
+                                                     const SpeedInterval &range);
+
+} // namespace whirl::stability

@@ -1,0 +1,221 @@
+#include "stability/band_finder.h"
+
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "reduction/planar_shapes.h"
+#include "results/formulation.h"
+#include "stability/hill_motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace whirl::stability {
+
+namespace {
+
+using Pairs = std::vector<linalg::ComplexPair>;
+
+/// With so few planar unknowns nothing is gained, nor with so large a part of them.
+constexpr int small = 16;
+constexpr double large_part = 0.7;
+/// Eigenvalues of the reduced rotor as far as the search needs them, over the spin speed.
+constexpr double same = 1e-7;
+/// Part of a shape that the others must lack for it to be taken in.
+constexpr double newness = 1e-5;
+
+/// Those of `some` that none of the others is.
+std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,
+                                                 double speed, double repeats) {
+    std::vector<const linalg::ComplexPair *> out;
+    for (const linalg::ComplexPair &pair : some) {
+        const double allowed = same * std::max(std::abs(pair.value), std::abs(speed)) +
+                               100 * (pair.rounding + pair.residual) * std::abs(pair.value);
+        if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
+                return apart(pair.value, other.value, repeats) <= allowed;
+            }))
+            out.push_back(&pair);
+    }
+    return out;
+}
+
+/// Planar shapes of a motion over N planar unknowns: of x and y, real and imaginary, of all terms.
+Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {
+    const Eigen::Index terms = vector.size() / term;
+    Eigen::MatrixXd out(N, 4 * terms);
+    for (Eigen::Index k = 0; k < terms; ++k) {
+        const Eigen::VectorXcd block = vector.segment(k * term, 2 * N);
+        const Eigen::VectorXcd x = block(Eigen::seqN(0, N, 2));
+        const Eigen::VectorXcd y = block(Eigen::seqN(1, N, 2));
+        out.middleCols(4 * k, 4) << x.real(), x.imag(), y.real(), y.imag();
+    }
+    // What is small beside the rest of the motion is rounding, or does not matter.
+    const double largest = out.colwise().norm().maxCoeff();
+    for (Eigen::Index j = 0; j < out.cols(); ++j)
+        if (out.col(j).norm() < 1e-6 * largest)
+            out.col(j).setZero();
+    return out;
+}
+
+double growth(const MotionsAt &at, double speed) { return growth_of(at(speed)); }
+
+/// The end that lies near `end` for the whole rotor, `inward` (sign) the way into the band.
+std::optional<double> end_near(const MotionsAt &at, double end, double inward, double width,
+                               double beyond) {
+    for (const double share : {1e-7, 1e-5, 1e-3}) {
+        const double step = share * std::abs(end);
+        const double inside = end + inward * std::min(step, width / 4);
+        const double outside = end - inward * std::min(step, beyond / 4);
+        if (growth(at, inside) > 0 && growth(at, outside) <= 0)
+            return band_end(at, outside, inside, 1e-12 * std::abs(end));
+    }
+    return std::nullopt;
+}
+
+/// What the whole rotor makes of bands of the reduced one; nothing where it does not agree.
+class Confirmation {
+  public:
+    Confirmation(const MotionsAt &at, const std::vector<SpeedInterval> &bands, double front,
+                 double back)
+        : _at(at), _bands(bands), _front(front), _back(back) {}
+
+    [[nodiscard]] std::optional<std::vector<SpeedInterval>> bands() const {
+        std::vector<SpeedInterval> out;
+        double last = _front; // the end of the band before
+        for (std::size_t i = 0; i < _bands.size(); ++i) {
+            const double next = i + 1 < _bands.size() ? _bands[i + 1].first : _back;
+            const std::vector<SpeedInterval> found = of(_bands[i], last, next);
+            if (found.empty() || grows_between(last, found.front().first))
+                return std::nullopt;
+            out.insert(out.end(), found.begin(), found.end());
+            last = out.back().second;
+        }
+        if (grows_between(last, _back))
+            return std::nullopt;
+        return without_slits(joined(out));
+    }
+
+  private:
+    const MotionsAt &_at;
+    const std::vector<SpeedInterval> &_bands;
+    double _front, _back;
+
+    /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
+    /// the growth of an undamped rotor comes and goes with the rounding.
+    [[nodiscard]] std::vector<SpeedInterval>
+    without_slits(const std::vector<SpeedInterval> &bands) const {
+        constexpr double slit = 1e-7;
+        std::vector<SpeedInterval> out;
+        for (const SpeedInterval &band : bands) {
+            const bool close =
+                !out.empty() && band.first - out.back().second <= slit * std::abs(band.first);
+            if (close && growth(_at, (band.first + out.back().second) / 2) >= 0)
+                out.back().second = band.second;
+            else
+                out.push_back(band);
+        }
+        return out;
+    }
+
+    [[nodiscard]] bool grows_between(double from, double to) const {
+        return to > from && growth(_at, (from + to) / 2) > 0;
+    }
+
+    /// @param last, next  where other bands end and begin
+    [[nodiscard]] std::vector<SpeedInterval> of(const SpeedInterval &band, double last,
+                                                double next) const {
+        const auto [from, to] = band;
+        const double width = to - from;
+        constexpr double narrow = 1e-3;
+        if (width < narrow * std::max(std::abs(from), std::abs(to)))
+            return of_narrow(band, last, next);
+        std::optional<double> low = from;
+        std::optional<double> high = to;
+        if (from > _front)
+            low = end_near(_at, from, 1, width, from - last);
+        if (to < _back)
+            high = end_near(_at, to, -1, width, next - to);
+        if (!low || !high || growth(_at, (*low + *high) / 2) <= 0)
+            return {};
+        return {{*low, *high}};
+    }
+
+    /// By a search of its own around it.
+    [[nodiscard]] std::vector<SpeedInterval> of_narrow(const SpeedInterval &band, double last,
+                                                       double next) const {
+        const double middle = (band.first + band.second) / 2;
+        const double around =
+            std::max(4 * (band.second - band.first), 10 * same * std::abs(middle));
+        const double low = std::max({_front, middle - around, (band.first + last) / 2});
+        const double high = std::min({_back, middle + around, (band.second + next) / 2});
+        return unstable_bands(_at, {low, band.first, middle, band.second, high});
+    }
+};
+
+} // namespace
+
+BandFinder::BandFinder(const model::Rotor &rotor, const StabilityModel &model,
+                       const balancers::Arrangement &arrangement,
+                       std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : _rotor(rotor), _model(model), _arrangement(arrangement),
+      _whole(rotor, model.form, model.order, arrangement, model.harmonics),
+      _shapes(std::move(shapes)) {}
+
+std::unique_ptr<MotionSolver> BandFinder::reduced() const {
+    return std::make_unique<MotionSolver>(_rotor, _model.form, _model.order, _arrangement,
+                                          _model.harmonics, _shapes);
+}
+
+/// With shapes enough, or none where there is no such rotor.
+std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> &speeds) {
+    const assembly::Discretization &d = _whole.discretization();
+    if (d.rigid() || d.planar_size() <= small)
+        return nullptr;
+    const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    reduction::PlanarShapes planar(d, top);
+    if (_shapes)
+        planar.add(*_shapes, newness);
+    std::unique_ptr<MotionSolver> out;
+    const auto take = [&] {
+        _shapes = std::make_shared<Eigen::MatrixXd>(planar.matrix());
+        out = reduced();
+    };
+    take();
+    const std::size_t last = speeds.size() - 1;
+    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4}) {
+        const double speed = speeds[place];
+        if (speed == 0)
+            continue;
+        const double repeats = _model.form == results::Form::hill ? 2 * std::abs(speed) : 0;
+        const Pairs whole = _whole.pairs(speed);
+        const Eigen::Index term = 2 * (d.planar_size() + std::ssize(_rotor.balancers));
+        for (const auto *pair : missing(whole, out->pairs(speed), speed, repeats))
+            planar.add(planar_parts(pair->vector, d.planar_size(), term), newness);
+        if (planar.matrix().cols() > _shapes->cols())
+            take();
+        if (static_cast<double>(planar.matrix().cols()) > large_part * d.planar_size() ||
+            !missing(whole, out->pairs(speed), speed, repeats).empty())
+            return nullptr;
+    }
+    return out;
+}
+
+BandsFound BandFinder::find(const std::vector<double> &speeds) {
+    return find([this](double speed) { return _whole.at(speed); }, speeds);
+}
+
+BandsFound BandFinder::find(const MotionsAt &at, const std::vector<double> &speeds) {
+    try {
+        if (const std::unique_ptr<MotionSolver> few = reduced_for(speeds)) {
+            BandsFound found = find_bands([&few](double speed) { return few->at(speed); }, speeds);
+            const Confirmation whole(at, found.bands, speeds.front(), speeds.back());
+            if (auto bands = whole.bands())
+                return {std::move(*bands), std::move(found.doubtful)};
+        }
+    } catch (const linalg::SolverError &) {    // no such shapes
+    } catch (const model::AnalysisFailure &) { // a speed at which the reduced one fails
+    }
+    return find_bands(at, speeds);
+}
+
+} // namespace whirl::stability

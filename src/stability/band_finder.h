@@ -1,0 +1,46 @@
+#pragma once
+
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
+#include "stability/unstable_bands.h"
+
+#include <memory>
+#include <vector>
+
+namespace whirl::stability {
+
+/// Unstable bands of one rotor. The search (band_search.h) asks for the motions at hundreds of
+/// speeds: it is made with a rotor reduced to few planar shapes, which are chosen so that its
+/// eigenvalues are those of the whole rotor at speeds all over the range (1e-7 of the spin speed).
+/// Every end that it finds is then found again, as a root, with the whole rotor, and so is that the
+/// rotor grows inside each band and nowhere between them. Where the whole rotor does not agree, or
+/// is as small itself, the search is made with the whole rotor.
+class BandFinder {
+  public:
+    /// @param shapes  planar shapes of a rotor that differs from this one in its balls or in an
+    ///                anisotropy alone, to begin with; none: they are found when they are needed
+    BandFinder(const model::Rotor &rotor, const StabilityModel &model,
+               const balancers::Arrangement &arrangement,
+               std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
+
+    /// The whole rotor.
+    [[nodiscard]] const MotionSolver &solver() const { return _whole; }
+    [[nodiscard]] const std::shared_ptr<const Eigen::MatrixXd> &shapes() const { return _shapes; }
+
+    /// @param at      motions of the whole rotor, as solver() gives them
+    /// @param speeds  ascending, at least two
+    [[nodiscard]] BandsFound find(const MotionsAt &at, const std::vector<double> &speeds);
+    [[nodiscard]] BandsFound find(const std::vector<double> &speeds);
+
+  private:
+    model::Rotor _rotor;
+    StabilityModel _model;
+    balancers::Arrangement _arrangement;
+    MotionSolver _whole;
+    std::shared_ptr<const Eigen::MatrixXd> _shapes;
+
+    [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
+    [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);
+};
+
+} // namespace whirl::stability

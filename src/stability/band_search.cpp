@@ -1,0 +1,206 @@
+#include "stability/band_search.h"
+
+#include "linalg/golden_section.h"
+#include "stability/pair_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::stability {
+
+namespace {
+
+/// Halvings of one step of the grid, one inside the other: to a millionth of it.
+constexpr int deepest = 20;
+/// Doubt within so small a part of the speed hides no band that counts.
+constexpr double minute = 1e-7;
+
+bool grows(const Motion &motion) { return motion.value.real() > motion.noise; }
+
+/// Vertex of the parabola through three points, the middle one the highest: how high it is.
+double vertex(double x0, double y0, double x1, double y1, double x2, double y2) {
+    const double left = (y1 - y0) / (x1 - x0);
+    const double right = (y2 - y1) / (x2 - x1);
+    const double curvature = (right - left) / (x2 - x0);
+    if (curvature == 0)
+        return y1;
+    const double slope = left + curvature * (x1 - x0);
+    return y1 - slope * slope / (4 * curvature);
+}
+
+constexpr int golden_steps = 24;
+
+} // namespace
+
+BandSearch::BandSearch(const MotionsAt &at, const std::vector<double> &speeds)
+    : _at(at), _grid_step(speeds[1] - speeds[0]),
+      _most_halvings(2 * static_cast<int>(speeds.size()) + 200) {
+    Look before = look(speeds[0], _grid_step);
+    for (std::size_t k = 1; k < speeds.size(); ++k) {
+        Look now = look(speeds[k], speeds[k] - speeds[k - 1]);
+        through(before, now, 0);
+        before = std::move(now);
+    }
+    for (std::size_t k = 1; k < _steps.size(); ++k) {
+        peaks(_steps[k - 1], _steps[k]);
+        dips(_steps[k - 1], _steps[k]);
+    }
+}
+
+BandSearch::Look BandSearch::look(double speed, double step) {
+    Look out{speed, _at(speed), 0};
+    out.growth = growth_of(out.motions);
+    _known[speed] = out.growth;
+    if (out.growth > 0)
+        _seeds.emplace_back(speed, step);
+    return out;
+}
+
+void BandSearch::halve(const Look &a, const Look &b, int depth) {
+    ++_halvings;
+    const double half = (b.speed - a.speed) / 2;
+    const Look middle = look(a.speed + half, half);
+    through(a, middle, depth + 1);
+    through(middle, b, depth + 1);
+}
+
+void BandSearch::through(const Look &a, const Look &b, int depth) {
+    const Continuation next = continued(a.speed, a.motions, b.speed, b.motions);
+    const bool unstable = a.growth > 0 && b.growth > 0;
+    // Where one motion grows all the way it does not matter what becomes of the others.
+    const bool carried = unstable && one_grows_through(next, a, b);
+    const bool resolved =
+        carried || (!next.doubtful && (unstable || meetings_resolved(next, a, b)));
+    if (!resolved) {
+        const bool small =
+            b.speed - a.speed <= minute * std::max(std::abs(a.speed), std::abs(b.speed));
+        if (!small && depth < deepest && _halvings < _most_halvings) {
+            halve(a, b, depth);
+            return;
+        }
+        if (!small)
+            _doubtful.emplace_back(a.speed, b.speed);
+    }
+    if (unstable && !carried)
+        window_between(a, b);
+    Step step{a.speed, b.speed, a.growth, b.growth, {}};
+    for (int i = 0; i < std::ssize(a.motions); ++i) {
+        const int j = next.to[static_cast<std::size_t>(i)];
+        if (j == Continuation::nowhere)
+            continue;
+        const Motion &from = a.motions[static_cast<std::size_t>(i)];
+        const Motion &to = b.motions[static_cast<std::size_t>(j)];
+        const bool decays = from.value.real() < -from.noise && to.value.real() < -to.noise;
+        if (from.value.imag() >= 0 || to.value.imag() >= 0) // of conjugates one
+            step.strands.push_back({i, j, from.value, to.value, decays});
+    }
+    _steps.push_back(std::move(step));
+}
+
+/// @returns whether all of them could be judged.
+bool BandSearch::meetings_resolved(const Continuation &next, const Look &a, const Look &b) {
+    for (const Meeting &meeting : next.meetings) {
+        const auto unstable_at = [](const Look &look, std::complex<double> value) {
+            return look.growth > 0 && value.real() > 0;
+        };
+        // Of a motion that grows at one end it is known that a band ends in between.
+        if (unstable_at(a, meeting.first_from) || unstable_at(a, meeting.second_from) ||
+            unstable_at(b, meeting.first_to) || unstable_at(b, meeting.second_to))
+            continue;
+        const MeetingVerdict verdict = examine(_at, meeting);
+        if (verdict.kind == MeetingVerdict::Kind::unsure)
+            return false;
+        if (verdict.kind == MeetingVerdict::Kind::grows)
+            _seeds.emplace_back(verdict.speed, 1e-3 * (b.speed - a.speed));
+    }
+    return true;
+}
+
+bool BandSearch::one_grows_through(const Continuation &next, const Look &a, const Look &b) {
+    for (int i = 0; i < std::ssize(a.motions); ++i) {
+        const int j = next.to[static_cast<std::size_t>(i)];
+        if (j != Continuation::nowhere && grows(a.motions[static_cast<std::size_t>(i)]) &&
+            grows(b.motions[static_cast<std::size_t>(j)]))
+            return true;
+    }
+    return false;
+}
+
+/// Between two unstable speeds at which different motions grow there can be a stable window: the
+/// speed of least growth, where that is none.
+void BandSearch::window_between(const Look &a, const Look &b) {
+    // Growth falls from one side and rises to the other.
+    int steps = 0;
+    const auto [speed, growth] = linalg::least_by_golden_section(
+        [this](double x) { return growth_of(_at(x)); }, a.speed, b.speed,
+        [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
+    if (growth <= 0)
+        _known[speed] = -1;
+}
+
+void BandSearch::peaks(const Step &before, const Step &after) {
+    if (before.to != after.from)
+        return;
+    for (const Strand &one : before.strands)
+        for (const Strand &other : after.strands)
+            if (one.index_to == other.index_from && one.decays && other.decays)
+                peak_of(one, other, before, after);
+}
+
+void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &a, const Step &b) {
+    const double y0 = before.from.real();
+    const double y1 = before.to.real();
+    const double y2 = after.to.real();
+    if (y1 < y0 || y1 < y2)
+        return;
+    const double top = vertex(a.from, y0, a.to, y1, b.to, y2);
+    // A peak sharper than a parabola: a reserve of what is seen of it.
+    if (top + 2 * (top - y1) + 0.25 * (y1 - std::min(y0, y2)) <= 0)
+        return;
+    const auto value_at = [&](double x) { // of the motion, by interpolation of the three
+        const double share = (x - a.from) / (a.to - a.from);
+        const double rest = (x - a.to) / (b.to - a.to);
+        return x <= a.to ? before.from * (1 - share) + before.to * share
+                         : after.from * (1 - rest) + after.to * rest;
+    };
+    bool unstable = false;
+    double found = 0;
+    int steps = 0;
+    (void)linalg::least_by_golden_section(
+        [&](double x) {
+            const std::vector<Motion> motions = _at(x);
+            const auto expected = value_at(x);
+            const auto nearest = std::min_element(
+                motions.begin(), motions.end(), [&](const Motion &m, const Motion &n) {
+                    return std::abs(m.value - expected) < std::abs(n.value - expected);
+                });
+            if (grows(*nearest) && !unstable) {
+                unstable = true;
+                found = x;
+            }
+            return -nearest->value.real();
+        },
+        a.from, b.to, [&](double, double, double) { return unstable || ++steps > golden_steps; });
+    if (unstable)
+        _seeds.emplace_back(found, 1e-3 * (b.to - a.from));
+}
+
+/// A stable window under a dip of the largest growth.
+void BandSearch::dips(const Step &before, const Step &after) {
+    const double y0 = before.growth_from;
+    const double y1 = before.growth_to;
+    const double y2 = after.growth_to;
+    if (before.to != after.from || std::min({y0, y1, y2}) <= 0 || y1 > y0 || y1 > y2)
+        return;
+    const double bottom = -vertex(before.from, -y0, before.to, -y1, after.to, -y2);
+    if (bottom - 2 * (y1 - bottom) - 0.25 * (std::max(y0, y2) - y1) >= 0)
+        return;
+    int steps = 0;
+    const auto [speed, growth] = linalg::least_by_golden_section(
+        [this](double x) { return growth_of(_at(x)); }, before.from, after.to,
+        [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
+    if (growth <= 0)
+        _known[speed] = -1;
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "stability/coalescence.h"
+#include "stability/unstable_bands.h"
+
+#include <utility>
+#include <vector>
+
+namespace whirl::stability {
+
+/// Looks through a range of spin speeds for instability, however narrow.
+///
+/// Every motion is followed from one speed to the next (meetings.h). A step in which that fails is
+/// halved until it does not, so that the answer does not depend on the grid; what is left when a
+/// step has become minute is doubtful. In a step that is understood instability can begin and end
+///  - where a motion grows at one end of it,
+///  - where two motions meet in frequency (pair_search.h),
+///  - at a peak of a motion's real part between speeds at which it decays,
+/// and a stable window lies in it where no motion grows at both ends of it or the largest growth
+/// has a dip.
+class BandSearch {
+  public:
+    /// @param speeds  ascending, at least two
+    BandSearch(const MotionsAt &at, const std::vector<double> &speeds);
+
+    /// All speeds looked at; stable windows found in between count as decay.
+    [[nodiscard]] const Known &known() const { return _known; }
+    /// Unstable speeds, each with a first step to look for the ends of its band.
+    [[nodiscard]] const std::vector<std::pair<double, double>> &seeds() const { return _seeds; }
+    [[nodiscard]] const std::vector<SpeedInterval> &doubtful() const { return _doubtful; }
+
+  private:
+    /// Motions at a speed.
+    struct Look {
+        double speed = 0;
+        std::vector<Motion> motions;
+        double growth = 0;
+    };
+    /// Real part and place of one motion at the ends of a step.
+    struct Strand {
+        int index_from = 0, index_to = 0;
+        std::complex<double> from, to;
+        bool decays = false; ///< at both ends, beyond its noise
+    };
+    struct Step {
+        double from = 0, to = 0;
+        double growth_from = 0, growth_to = 0;
+        std::vector<Strand> strands;
+    };
+
+    const MotionsAt &_at;
+    Known _known;
+    std::vector<std::pair<double, double>> _seeds;
+    std::vector<SpeedInterval> _doubtful;
+    std::vector<Step> _steps;
+    double _grid_step; ///< the first one
+    int _halvings = 0; ///< so far
+    int _most_halvings;
+
+    [[nodiscard]] Look look(double speed, double step);
+    void through(const Look &a, const Look &b, int depth);
+    void halve(const Look &a, const Look &b, int depth);
+    [[nodiscard]] bool meetings_resolved(const Continuation &next, const Look &a, const Look &b);
+    [[nodiscard]] static bool one_grows_through(const Continuation &next, const Look &a,
+                                                const Look &b);
+    void window_between(const Look &a, const Look &b);
+    void peaks(const Step &before, const Step &after);
+    void dips(const Step &before, const Step &after);
+    void peak_of(const Strand &before, const Strand &after, const Step &a, const Step &b);
+};
+
+} // namespace whirl::stability

@@ -1,0 +1,249 @@
+#include "stability/coalescence.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace whirl::stability {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Motions = std::vector<Motion>;
+
+constexpr int nowhere = Continuation::nowhere;
+
+/// Share of a state that makes it the continuation of another, and one that counts at all.
+constexpr double most_of_it = 0.6;
+constexpr double some_of_it = 0.1;
+
+Eigen::MatrixXcd states(const Motions &motions) {
+    Eigen::MatrixXcd out(motions.front().state.size(), std::ssize(motions));
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        out.col(static_cast<Eigen::Index>(i)) = motions[i].state;
+    return out;
+}
+
+/// Row i, column j: the share of motion i at `from` in motion j at `to`; what other motions, not
+/// listed, have in it is missing from the sum over a column.
+Eigen::MatrixXd shares(const Motions &from, const Motions &to) {
+    const Eigen::MatrixXcd basis = states(from);
+    const Eigen::MatrixXcd now = states(to);
+    const Eigen::MatrixXcd coefficients =
+        Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>(basis).solve(now);
+    Eigen::MatrixXd out = coefficients.cwiseAbs2();
+    const Eigen::VectorXd missing = (basis * coefficients - now).colwise().squaredNorm();
+    for (Eigen::Index j = 0; j < out.cols(); ++j)
+        out.col(j) *= std::max(0.0, 1 - missing(j)) / std::max(out.col(j).sum(), 1e-300);
+    return out;
+}
+
+double farthest(const Motions &motions) {
+    double out = 0;
+    for (const Motion &motion : motions)
+        out = std::max(out, std::abs(motion.value));
+    return out;
+}
+
+/// Motions of both speeds that are mixtures of each other.
+struct Group {
+    std::vector<int> from, to;
+};
+
+class Follower {
+  public:
+    Follower(double from, const Motions &motions_from, double to, const Motions &motions_to)
+        : _from(from), _to(to), _a(motions_from), _b(motions_to),
+          _share(shares(motions_from, motions_to)),
+          _border(std::min(farthest(motions_from), farthest(motions_to))) {}
+
+    Continuation follow() {
+        _out.to.assign(_a.size(), nowhere);
+        _origin.assign(_b.size(), nowhere);
+        match();
+        for (const Group &group : groups())
+            judge(group);
+        crossings();
+        return std::move(_out);
+    }
+
+  private:
+    double _from, _to;
+    const Motions &_a;
+    const Motions &_b;
+    Eigen::MatrixXd _share;
+    std::vector<int> _origin;
+    double _border; ///< 1/s, least of the largest moduli at both speeds
+    Continuation _out;
+
+    [[nodiscard]] const Motion &a(int i) const { return _a[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const Motion &b(int j) const { return _b[static_cast<std::size_t>(j)]; }
+    [[nodiscard]] int &target(int i) { return _out.to[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] int &origin(int j) { return _origin[static_cast<std::size_t>(j)]; }
+
+    void match() {
+        for (int j = 0; j < std::ssize(_b); ++j) {
+            Eigen::Index i = 0;
+            if (_share.col(j).maxCoeff(&i) < most_of_it)
+                continue;
+            const auto row = static_cast<int>(i);
+            if (target(row) != nowhere) { // two of one: neither is known
+                origin(target(row)) = nowhere;
+                _share(i, target(row)) = _share(i, j) = most_of_it / 2;
+                target(row) = nowhere;
+                continue;
+            }
+            target(row) = j;
+            origin(j) = row;
+        }
+    }
+
+    /// At the border of what was computed, and too fast to matter.
+    [[nodiscard]] bool comes_or_goes(const Motion &motion) const {
+        return !motion.may_meet && std::abs(motion.value) > 0.95 * _border;
+    }
+
+    /// Connected by shares that count, among those without a partner.
+    std::vector<Group> groups() {
+        std::vector<Group> out;
+        std::vector<bool> used_a(_a.size(), false);
+        std::vector<bool> used_b(_b.size(), false);
+        const auto grow = [&](Group &group, auto &&self, int index, bool at_from) -> void {
+            auto &used = at_from ? used_a : used_b;
+            if (used[static_cast<std::size_t>(index)] ||
+                comes_or_goes(at_from ? a(index) : b(index)))
+                return;
+            used[static_cast<std::size_t>(index)] = true;
+            (at_from ? group.from : group.to).push_back(index);
+            const auto others = static_cast<int>(at_from ? _b.size() : _a.size());
+            for (int k = 0; k < others; ++k) {
+                const bool free = at_from ? origin(k) == nowhere : target(k) == nowhere;
+                if (free && (at_from ? _share(index, k) : _share(k, index)) > some_of_it)
+                    self(group, self, k, !at_from);
+            }
+        };
+        for (int i = 0; i < std::ssize(_a); ++i)
+            if (target(i) == nowhere && !comes_or_goes(a(i)) &&
+                !used_a[static_cast<std::size_t>(i)])
+                grow(out.emplace_back(), grow, i, true);
+        for (int j = 0; j < std::ssize(_b); ++j)
+            if (origin(j) == nowhere && !comes_or_goes(b(j)) &&
+                !used_b[static_cast<std::size_t>(j)])
+                grow(out.emplace_back(), grow, j, false);
+        return out;
+    }
+
+    /// A pair that is known as a pair is a meeting; anything else that could grow is doubtful.
+    void judge(const Group &group) {
+        double growth = -HUGE_VAL;
+        double inner = HUGE_VAL; // least modulus
+        double noise = 0;
+        bool may_meet = false;
+        std::vector<Complex> values;
+        const auto look_at = [&](const Motion &motion) {
+            growth = std::max(growth, motion.value.real());
+            inner = std::min(inner, std::abs(motion.value));
+            noise += motion.noise;
+            may_meet = may_meet || motion.may_meet;
+            values.push_back(motion.value);
+        };
+        for (const int i : group.from)
+            look_at(a(i));
+        for (const int j : group.to)
+            look_at(b(j));
+        double spread = 0;
+        for (const Complex x : values)
+            for (const Complex y : values)
+                spread = std::max(spread, std::abs(x - y));
+        if (values.size() == 1) // how far it could go is not known
+            spread = std::abs(values.front()) / 2;
+        // At the border of what was computed motions come and go.
+        const bool border = inner > 0.9 * _border;
+        // Balls near rest: rounding cannot tell these motions from each other, nor what they do.
+        const bool blurred = spread <= noise;
+        if (!may_meet || growth < -spread || border || blurred) {
+            // One that can only have become the other; another motion can still meet it.
+            if (group.from.size() == 1 && group.to.size() == 1) {
+                target(group.from[0]) = group.to[0];
+                origin(group.to[0]) = group.from[0];
+            }
+            return;
+        }
+        if (group.from.size() == 2 && group.to.size() == 2)
+            add_pair(group.from[0], group.from[1], group.to[0], group.to[1], false);
+        else
+            _out.doubtful = true;
+    }
+
+    /// Each has become a mixture of both: which of them is which then depends on how states are
+    /// measured, and whether their frequencies cross with it.
+    [[nodiscard]] bool mixed(int i, int j) const {
+        constexpr double traces = 0.02;
+        return _share(i, _out.to[static_cast<std::size_t>(j)]) > traces ||
+               _share(j, _out.to[static_cast<std::size_t>(i)]) > traces;
+    }
+
+    void crossings() {
+        const auto count = static_cast<int>(_a.size());
+        for (int i = 0; i < count; ++i)
+            for (int j = i + 1; j < count; ++j)
+                if (target(i) != nowhere && target(j) != nowhere)
+                    add_pair(i, j, target(i), target(j), !mixed(i, j));
+    }
+
+    /// The copy of a value that continues another one.
+    [[nodiscard]] Complex continued_copy(const Motion &before, const Motion &after) const {
+        if (after.repeats == 0)
+            return after.value;
+        const double off = after.value.imag() - before.value.imag();
+        return {after.value.real(), before.value.imag() + std::remainder(off, after.repeats)};
+    }
+
+    void add_pair(int i, int j, int ti, int tj, bool ordered) {
+        if (!(a(i).may_meet && a(j).may_meet) && !(b(ti).may_meet && b(tj).may_meet))
+            return;
+        const Complex first_to = continued_copy(a(i), b(ti));
+        const Complex second_to = continued_copy(a(j), b(tj));
+        const double repeats_from = a(i).repeats;
+        const double repeats_to = b(ti).repeats;
+        const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;
+        for (int k = -reach; k <= reach; ++k) {
+            const Meeting m{_from,      _to,
+                            a(i).value, a(j).value + Complex(0, k * repeats_from),
+                            first_to,   second_to + Complex(0, k * repeats_to),
+                            ordered,    k};
+            if (may_open_a_band(m))
+                _out.meetings.push_back(m);
+        }
+    }
+
+    [[nodiscard]] static bool may_open_a_band(const Meeting &m) {
+        const double before = (m.first_from - m.second_from).imag();
+        const double after = (m.first_to - m.second_to).imag();
+        const bool crosses = (before > 0) != (after > 0) || before == 0 || after == 0;
+        const double distance =
+            std::abs(m.first_from - m.second_from) + std::abs(m.first_to - m.second_to);
+        const bool upper =
+            (m.first_from + m.second_from + m.first_to + m.second_to).imag() >= -1e-9 * distance;
+        // Otherwise both die out faster than they could be driven by meeting.
+        const double growth = std::max(
+            {m.first_from.real(), m.second_from.real(), m.first_to.real(), m.second_to.real()});
+        return upper && growth > -distance && (crosses || !m.ordered);
+    }
+};
+
+} // namespace
+
+Continuation continued(double from, const Motions &motions_from, double to,
+                       const Motions &motions_to) {
+    if (motions_from.empty() || motions_to.empty()) {
+        Continuation out;
+        out.to.assign(motions_from.size(), nowhere);
+        return out;
+    }
+    return Follower(from, motions_from, to, motions_to).follow();
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "stability/motions.h"
+
+#include <complex>
+#include <vector>
+
+namespace whirl::stability {
+
+/// Two motions that may meet between two spin speeds: their eigenvalues at both.
+struct Meeting {
+    double from = 0; ///< rad/s
+    double to = 0;
+    std::complex<double> first_from, second_from, first_to, second_to; ///< 1/s
+    bool ordered = true; ///< false: at `to` it is not known which is which
+    int copies = 0;      ///< the second one is that many of its copies away (Motion::repeats)
+};
+
+/// How motions go on from one spin speed to another.
+struct Continuation {
+    static constexpr int nowhere = -1;
+    std::vector<int> to;           ///< index of each motion at the other speed, or nowhere
+    std::vector<Meeting> meetings; ///< pairs that may open a band in between
+    bool doubtful = false;         ///< a motion that matters has no partner: the step is too long
+};
+
+/// Motions are followed by their states: those at `to` are written as combinations of those at
+/// `from` (least squares); where one coefficient outweighs the others, that is the motion.
+///
+/// Two motions that became mixtures of each other are known as a pair only. Pairs that cross in
+/// frequency, by themselves or a whole number of copies away, and pairs known as pairs may meet. Of
+/// a pair and its conjugate one is listed; pairs too damped to open a band are left out. Larger
+/// groups of mixtures, and motions without a partner well inside of what was computed, are
+/// doubtful.
+[[nodiscard]] Continuation continued(double from, const std::vector<Motion> &motions_from,
+                                     double to, const std::vector<Motion> &motions_to);
+
+} // namespace whirl::stability

@@ -1,0 +1,360 @@
+#include "stability/motions.h"
+
+#include "assembly/system.h"
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+#include "linalg/rayleigh.h"
+#include "model/errors.h"
+#include "modes/rotating_spectrum.h"
+#include "modes/zero_modes.h"
+#include "reduction/projection.h"
+#include "results/formulation.h"
+#include "stability/hill_motions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace whirl::stability {
+
+namespace {
+
+using linalg::ComplexPair;
+using linalg::Matrix;
+using linalg::RayleighFunctional;
+using Complex = std::complex<double>;
+
+/// Combination resonances up to a spin speed involve motions of at most that modulus in rotating
+/// axes, and internal damping drives those below it in fixed ones.
+constexpr double radius_over_speed = 1.05;
+
+/// How far a real part as the eigensolver gives it can be from the truth: rounding of the matrix
+/// entries as the eigenvalue feels it (much where two eigenvalues meet, known to the root of the
+/// rounding) with an allowance for what the solver adds, and a share of speed and modulus that is
+/// always there. A bound that grows with the mesh: what lies within it is looked at again.
+constexpr double allowance = 100;
+constexpr double always = 1e-11;
+
+/// Bearings can feed energy into any motion, not only slow ones: cross-coupled stiffness that is
+/// not symmetric, or damping that is negative in some direction.
+bool bearings_drive(const model::Rotor &rotor) {
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const model::BearingCoefficients &at : bearing.rows) {
+            const Eigen::Matrix2d c = at.c + at.c.transpose();
+            const double determinant = c(0, 0) * c(1, 1) - c(0, 1) * c(1, 0);
+            if (!model::symmetric(at.k) || c.trace() < 0 || determinant < 0)
+                return true;
+        }
+    return false;
+}
+
+Eigen::VectorXd root_of_diagonal(const Matrix &matrix) {
+    return Eigen::SparseMatrix<double>(matrix.view()).diagonal().cwiseAbs().cwiseSqrt();
+}
+
+/// What the residual of a pair leaves possible in its vector of those of its neighbours.
+std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexPair> &pairs,
+                                                      std::size_t index, double residual) {
+    const Complex own = pairs[index].value;
+    std::vector<RayleighFunctional::Admixture> out;
+    const auto add = [&](Complex value, const Eigen::VectorXcd &vector) {
+        const double distance = std::abs(own - value);
+        constexpr double near = 0.3; // of the modulus; farther ones are as the rest
+        if (distance < near * std::abs(own))
+            out.push_back({std::min(1.0, residual * std::abs(own) / distance), vector});
+    };
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+        if (j != index)
+            add(pairs[j].value, pairs[j].vector);
+        if (pairs[j].value.imag() != 0)
+            add(std::conj(pairs[j].value), pairs[j].vector.conjugate());
+    }
+    return out;
+}
+
+/// Of copies next to +-i speed, which are one motion, one is kept.
+void drop_copies(std::vector<Motion> &motions, double speed) {
+    const double width = 2 * std::abs(speed);
+    const auto same = [width](const Motion &a, const Motion &b) {
+        const Complex d = a.value - b.value;
+        return std::abs(Complex(d.real(), std::remainder(d.imag(), width))) < 1e-6 * width &&
+               std::abs(a.state.dot(b.state)) > 1 - 1e-6;
+    };
+    std::vector<Motion> kept;
+    for (Motion &motion : motions) {
+        const bool border = std::abs(motion.value.imag()) > 0.45 * width;
+        if (!border || std::none_of(kept.begin(), kept.end(),
+                                    [&](const Motion &other) { return same(motion, other); }))
+            kept.push_back(std::move(motion));
+    }
+    motions = std::move(kept);
+}
+
+/// What `find` finds; a failure of the eigensolver in words.
+template <class Find>
+auto found_or_said(double speed, int unknowns, results::Form form, const Find &find) {
+    try {
+        return find();
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(fmt::format(
+            "the eigenvalues at {:.6g} rad/s could not be found: the eigensolver did not converge "
+            "({} unknowns, {} form)",
+            speed, unknowns, results::form_name(form)));
+    }
+}
+
+} // namespace
+
+struct MotionSolver::Data {
+    assembly::Discretization d;
+    std::shared_ptr<const Eigen::MatrixXd> shapes; ///< none: the whole rotor
+    results::Form form;
+    bool tables;
+    std::vector<balancers::BalancerElement> balancers;
+    int fewest; ///< motions looked at, however fast they are
+    std::unique_ptr<modes::RotatingSpectrum> rotating;
+    std::unique_ptr<HillMotions> hill;
+    assembly::FixedSystem fixed;
+    Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
+
+    Data(const model::Rotor &rotor, results::Form which, int order,
+         const balancers::Arrangement &arrangement, int N,
+         std::shared_ptr<const Eigen::MatrixXd> reduced_to)
+        : d(rotor, order), shapes(std::move(reduced_to)), form(which),
+          tables(rotor.bearings_depend_on_speed()),
+          balancers(balancers::balancer_elements(rotor, arrangement)),
+          fewest(bearings_drive(rotor) ? least_driven : least) {
+        if (results::in_rotating_axes(form)) {
+            rotating = std::make_unique<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
+            root_K = root_of_diagonal(rotating->system().K);
+            root_M = root_of_diagonal(rotating->system().M);
+            if (form == results::Form::hill)
+                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
+                                                     shapes.get());
+        } else {
+            fixed = fixed_at(0);
+            root_K = root_of_diagonal(fixed.K);
+            root_M = root_of_diagonal(fixed.M);
+        }
+    }
+
+    [[nodiscard]] assembly::FixedSystem fixed_at(double speed) const {
+        assembly::FixedSystem system = assembly::assemble_fixed(d, speed);
+        return shapes ? reduction::Projection(*shapes).of(system) : std::move(system);
+    }
+
+    [[nodiscard]] int planar_size() const {
+        return shapes ? static_cast<int>(shapes->cols()) : d.planar_size();
+    }
+
+    /// Pairs, and the problem that they solve where one needs to look at it again.
+    struct Solved {
+        std::vector<ComplexPair> pairs;
+        std::function<RayleighFunctional()> functional;
+    };
+
+    using Sparse = RayleighFunctional::Sparse;
+
+    [[nodiscard]] RayleighFunctional::Structure structure(Eigen::Index unknowns) const {
+        return {static_cast<int>(unknowns), 2 * planar_size()};
+    }
+
+    [[nodiscard]] Solved turning(double speed) const {
+        if (hill)
+            return turning_hill(speed);
+        const auto spectrum =
+            tables ? std::make_shared<modes::RotatingSpectrum>(d, speed, balancers, 0, shapes.get())
+                   : std::shared_ptr<modes::RotatingSpectrum>(rotating.get(), [](auto *) {});
+        return {spectrum->eigenvalues(speed, radius(speed), fewest).pairs, [this, spectrum, speed] {
+                    const assembly::RotatingSystem &s = spectrum->system();
+                    return RayleighFunctional(Sparse(s.M.view()), Sparse(s.damping(speed).view()),
+                                              Sparse(s.stiffness(speed).view()),
+                                              structure(s.M.size()));
+                }};
+    }
+
+    [[nodiscard]] Solved turning_hill(double speed) const {
+        HillMotions::Found found = hill->at(speed);
+        if (speed == 0)
+            return {std::move(found.pairs), nullptr};
+        return {std::move(found.pairs), [this, speed, N = found.harmonics] {
+                    const assembly::RotatingSystem &s = hill->spectrum(speed, N).system();
+                    const assembly::SystemAtSpeed big = hill->spectrum(speed, N).hill_system(speed);
+                    // Half the rows of the harmonics: what couples them to the constant term, once
+                    // with 1 and once with 1/2, becomes symmetric.
+                    Eigen::VectorXd half = Eigen::VectorXd::Constant(big.M.size(), 0.5);
+                    half.head(s.M.size()).setOnes();
+                    const auto weighted = [&half](const Matrix &A) {
+                        return Sparse(half.asDiagonal() * Sparse(A.view()));
+                    };
+                    return RayleighFunctional(weighted(big.M), weighted(big.D), weighted(big.K),
+                                              structure(s.M.size()));
+                }};
+    }
+
+    [[nodiscard]] static double radius(double speed) { return radius_over_speed * std::abs(speed); }
+
+    /// Without the zeros of free rigid motions, which rounding blurs.
+    [[nodiscard]] Solved still(double speed) const {
+        const assembly::FixedSystem now = tables ? fixed_at(speed) : assembly::FixedSystem{};
+        const assembly::FixedSystem &s = tables ? now : fixed;
+        const Matrix D = Matrix::sum(1, s.C, speed, s.G);
+        const Matrix K = Matrix::sum(1, s.K, speed, s.Kc);
+        const RayleighFunctional::Structure known = structure(s.M.size());
+        const auto functional = [M = Sparse(s.M.view()), D = Sparse(D.view()), K = Sparse(K.view()),
+                                 known] { return RayleighFunctional(M, D, K, known); };
+        const int zeros = modes::zero_modes(d, results::Form::general, speed, speed).eigenvalues;
+        linalg::QuadraticOptions options;
+        options.zeros = zeros;
+        if (shapes)
+            options.method = linalg::QuadraticMethod::dense;
+        options.shift = zeros > 0 ? 0.3 * modes::elastic_scale(d) : 0;
+        const double reach = radius(speed) + options.shift;
+        for (int wanted = fewest + zeros;; wanted += wanted / 2) {
+            options.wanted = std::min(wanted, s.M.size());
+            const linalg::QuadraticResult found = linalg::solve_quadratic(s.M, D, K, options);
+            if (found.complete_radius < reach && options.wanted < s.M.size())
+                continue;
+            std::vector<ComplexPair> pairs = found.pairs;
+            std::sort(pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
+                return std::abs(a.value) < std::abs(b.value);
+            });
+            for (int skip = zeros; skip > 0 && !pairs.empty(); pairs.erase(pairs.begin()))
+                skip -= pairs.front().value.imag() != 0 ? 2 : 1;
+            return {std::move(pairs), functional};
+        }
+    }
+
+    /// Displacements and velocities at the time zero, the same for every copy in Hill's series.
+    [[nodiscard]] Eigen::VectorXcd state_of(const ComplexPair &pair, double speed) const {
+        const Eigen::Index n = root_K.size();
+        Eigen::VectorXcd place = pair.vector.head(n);
+        Eigen::VectorXcd rate = pair.value * place;
+        for (Eigen::Index k = 1; (2 * k + 1) * n <= pair.vector.size(); ++k) {
+            const auto cosine = pair.vector.segment((2 * k - 1) * n, n);
+            const auto sine = pair.vector.segment(2 * k * n, n);
+            place += cosine;
+            rate += pair.value * cosine + 2 * static_cast<double>(k) * speed * sine;
+        }
+        // Balls have no stiffness but that of the spin.
+        const Eigen::VectorXd weight = root_K.cwiseMax(std::abs(speed) * root_M);
+        Eigen::VectorXcd state(2 * n);
+        state << weight.cwiseProduct(place), root_M.cwiseProduct(rate);
+        return state.normalized();
+    }
+
+    [[nodiscard]] Motion motion_of(const ComplexPair &pair, double speed) const {
+        Motion motion;
+        motion.value = pair.value;
+        const double size = std::abs(pair.value);
+        motion.noise = (allowance * pair.rounding + 10 * pair.residual) * size +
+                       always * std::max(size, std::abs(speed));
+        motion.state = state_of(pair, speed);
+        motion.may_meet = !rotating || hill || size <= radius(speed);
+        motion.repeats = hill ? 2 * std::abs(speed) : 0;
+        return motion;
+    }
+
+    /// Real parts that the eigensolver cannot tell from zero, from the forms that they consist of.
+    void look_again(const Solved &solved, std::size_t index,
+                    std::optional<RayleighFunctional> &functional, Motion &motion) const {
+        const ComplexPair &pair = solved.pairs[index];
+        if (std::abs(pair.value.real()) > 3 * motion.noise || pair.value == 0.0 ||
+            !solved.functional)
+            return;
+        if (!functional)
+            functional.emplace(solved.functional());
+        const double residual = 10 * pair.residual + 1e-14;
+        const RayleighFunctional::Root root =
+            functional->root(pair, residual, admixtures(solved.pairs, index, residual));
+        if (root.noise < motion.noise && std::abs(root.value - pair.value) <= 10 * motion.noise) {
+            motion.value = root.value;
+            motion.noise = root.noise;
+        }
+    }
+
+    [[nodiscard]] Solved solved(double speed) const {
+        return rotating ? turning(speed) : still(speed);
+    }
+
+    /// Of all that were found those that are slow enough to matter at this speed, and the fast ones
+    /// that grow; as `fewest` wants it.
+    [[nodiscard]] bool matters(const Motion &motion, std::size_t rank, double speed) const {
+        constexpr double border = 1.2; // where motions come and go
+        return rank < static_cast<std::size_t>(fewest) ||
+               std::abs(motion.value) <= border * radius(speed) ||
+               motion.value.real() > motion.noise;
+    }
+
+    [[nodiscard]] Solved those_that_matter(double speed) const {
+        Solved all = solved(speed);
+        std::stable_sort(all.pairs.begin(), all.pairs.end(), [](const auto &a, const auto &b) {
+            return std::abs(a.value) < std::abs(b.value);
+        });
+        Solved kept{{}, all.functional};
+        for (std::size_t i = 0; i < all.pairs.size(); ++i)
+            if (matters(motion_of(all.pairs[i], speed), i, speed))
+                kept.pairs.push_back(std::move(all.pairs[i]));
+        return kept;
+    }
+
+    [[nodiscard]] std::vector<Motion> motions(double speed) const {
+        const Solved solved = those_that_matter(speed);
+        std::optional<RayleighFunctional> functional;
+        std::vector<Motion> motions;
+        for (std::size_t i = 0; i < solved.pairs.size(); ++i) {
+            Motion motion = motion_of(solved.pairs[i], speed);
+            look_again(solved, i, functional, motion);
+            motions.push_back(motion);
+            if (motion.value.imag() == 0)
+                continue;
+            motion.value = std::conj(motion.value);
+            motion.state = motion.state.conjugate().eval();
+            motions.push_back(std::move(motion));
+        }
+        if (hill && speed != 0)
+            drop_copies(motions, speed);
+        return motions;
+    }
+};
+
+MotionSolver::MotionSolver(const model::Rotor &rotor, results::Form form, int order,
+                           const balancers::Arrangement &arrangement, int harmonics,
+                           std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes))) {
+}
+
+MotionSolver::~MotionSolver() = default;
+
+std::vector<Motion> MotionSolver::at(double speed) const {
+    return found_or_said(speed, unknowns(), _data->form, [&] { return _data->motions(speed); });
+}
+
+std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
+    return found_or_said(speed, unknowns(), _data->form,
+                         [&] { return _data->those_that_matter(speed).pairs; });
+}
+
+int MotionSolver::unknowns() const {
+    return static_cast<int>(_data->root_M.size()) *
+           (_data->hill ? 2 * _data->hill->harmonics() + 1 : 1);
+}
+
+int MotionSolver::harmonics() const { return _data->hill ? _data->hill->harmonics() : 0; }
+
+const assembly::Discretization &MotionSolver::discretization() const { return _data->d; }
+
+double growth_of(const std::vector<Motion> &motions) {
+    double growth = -std::numeric_limits<double>::infinity();
+    for (const Motion &motion : motions) { // a blurred zero must not hide one that grows
+        const double real = motion.value.real();
+        growth = std::max(growth, std::abs(real) <= motion.noise ? 0 : real);
+    }
+    return growth;
+}
+
+} // namespace whirl::stability

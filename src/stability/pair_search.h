@@ -1,0 +1,25 @@
+#pragma once
+
+#include "stability/coalescence.h"
+#include "stability/unstable_bands.h"
+
+namespace whirl::stability {
+
+/// What became of two motions that may meet.
+struct MeetingVerdict {
+    enum class Kind {
+        grows,  ///< at `speed`
+        stable, ///< nowhere in between
+        unsure  ///< mean and difference of the two are not smooth between the speeds given
+    };
+    Kind kind = Kind::unsure;
+    double speed = 0; ///< rad/s
+};
+
+/// Looks for a speed at which two meeting motions grow. The mean s and the squared half difference
+/// q of their eigenvalues are smooth in the speed even where the eigenvalues s +- sqrt(q) are not;
+/// interpolated, they lead to the place where s + sqrt(q) grows most, and what is found there
+/// judges the interpolation.
+[[nodiscard]] MeetingVerdict examine(const MotionsAt &at, const Meeting &meeting);
+
+} // namespace whirl::stability

@@ -1,0 +1,199 @@
+#include "stability/permissible.h"
+
+#include "assembly/rotating_system.h"
+#include "linalg/check.h"
+#include "model/case.h"
+#include "results/formulation.h"
+#include "rigid/tilt_motion.h"
+#include "stability/anisotropy_limit.h"
+#include "stability/band_finder.h"
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::stability {
+
+namespace {
+
+model::Rotor with_anisotropy(model::Rotor rotor, std::size_t index, double dI) {
+    rotor.anisotropies[index].dI = dI;
+    return rotor;
+}
+
+/// The dI at which the mass matrix becomes singular: along the axis of smaller inertia the node
+/// has 1/(e^T M^-1 e) to lose.
+double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int order,
+                           const balancers::Arrangement &arrangement) {
+    const model::Rotor without = with_anisotropy(rotor, index, 0);
+    const assembly::Discretization d(without, order);
+    const assembly::RotatingSystem system =
+        assembly::assemble_rotating(d, 0, balancers::balancer_elements(without, arrangement));
+    const Eigen::SparseMatrix<double> M = system.M.view();
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(M);
+    const model::Anisotropy &anisotropy = rotor.anisotropies[index];
+    double least = std::numeric_limits<double>::infinity();
+    for (const double turn : {0.0, std::acos(0.0)}) {
+        Eigen::VectorXd e = Eigen::VectorXd::Zero(M.rows());
+        for (const auto &[unknown, value] : d.slope_at(anisotropy.z)) {
+            e(2 * unknown) += value * std::cos(anisotropy.angle + turn);
+            e(2 * unknown + 1) += value * std::sin(anisotropy.angle + turn);
+        }
+        const Eigen::VectorXd response = factors.solve(e);
+        least = std::min(least, 1 / std::max(e.dot(response), 1e-300));
+    }
+    return least;
+}
+
+/// One element of a rotor with its dI varied.
+class Varied {
+  public:
+    Varied(const model::Case &scene, const StabilityModel &model,
+           const balancers::Arrangement &arrangement, std::size_t index)
+        : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
+
+    [[nodiscard]] MotionSolver solver(double dI) const {
+        return {with_anisotropy(_scene.rotor, _index, dI), _model.form, _model.order, _arrangement,
+                _model.harmonics};
+    }
+
+    /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
+    [[nodiscard]] bool splits_critical_speeds(double dI, double top) const {
+        if (_model.form != results::Form::rotating)
+            return false;
+        const auto count = [&](double value) {
+            const assembly::Discretization d(with_anisotropy(_scene.rotor, _index, value),
+                                             _model.order);
+            return standing_speeds(d, _arrangement, true, top).size();
+        };
+        try {
+            return count(dI) > count(0);
+        } catch (const linalg::SolverError &) { // not to be told: the search below decides
+            return false;
+        }
+    }
+
+    /// The dI between 0 and an unstable one at which this speed is just stable.
+    [[nodiscard]] double just_stable(double speed, double unstable) const {
+        double low = 0;
+        double high = unstable;
+        while (high - low > 1e-12 * unstable) {
+            const double middle = (low + high) / 2;
+            (growth_of(solver(middle).at(speed)) > 0 ? high : low) = middle;
+        }
+        return low;
+    }
+
+    [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
+                                                   const std::vector<double> &speeds) const {
+        BandFinder finder(with_anisotropy(_scene.rotor, _index, dI), _model, _arrangement, _shapes);
+        std::vector<SpeedInterval> found = finder.find(speeds).bands;
+        _shapes = finder.shapes();
+        return found;
+    }
+
+    [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
+        return bands(dI, speeds).empty();
+    }
+
+  private:
+    const model::Case &_scene;
+    const StabilityModel &_model;
+    const balancers::Arrangement &_arrangement;
+    std::size_t _index;
+    mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+};
+
+/// The search by descent, and what became of it.
+struct Descent {
+    std::optional<double> dI; ///< none: stable up to the largest
+    double unstable = 0;      ///< least dI that was found to be unstable
+};
+
+Descent descend(const Varied &varied, double largest, const std::vector<double> &speeds) {
+    constexpr int most_steps = 40;
+    Descent out;
+    double dI = largest;
+    for (int step = 0; step < most_steps; ++step) {
+        const std::vector<SpeedInterval> bands = varied.bands(dI, speeds);
+        if (bands.empty())
+            break;
+        const MotionSolver solver = varied.solver(dI);
+        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
+        out.unstable = dI;
+        double next = dI;
+        for (const SpeedInterval &band : bands)
+            next = std::min(next, varied.just_stable(strongest_speed(at, band), next));
+        const bool settled = dI - next < 1e-11 * dI;
+        dI = next;
+        out.dI = dI;
+        if (settled || dI < 1e-9 * largest)
+            break;
+    }
+    if (dI < 1e-7 * largest)
+        out.dI = 0; // the smallest anisotropy is too much
+    return out;
+}
+
+/// The band search has the last word: no band at what was found, one just above. Where it does not
+/// agree, halving by the band search itself.
+double verified(const Varied &varied, const Descent &found, const std::vector<double> &speeds) {
+    constexpr double margin = 1e-9; // of dI: bands that are just closed are still seen by rounding
+    constexpr double above = 1e-6;  // far enough that a band is seen
+    double stable = *found.dI * (1 - margin);
+    double unstable = found.unstable;
+    if (!varied.stable(stable, speeds)) {
+        unstable = stable;
+        for (stable *= 1 - above; stable > 0 && !varied.stable(stable, speeds); stable *= 0.5)
+            unstable = stable;
+    } else if (const double next = *found.dI * (1 + above);
+               next >= unstable || !varied.stable(next, speeds)) {
+        return *found.dI;
+    } else {
+        stable = next;
+    }
+    while (unstable - stable > above * unstable) {
+        const double middle = (stable + unstable) / 2;
+        (varied.stable(middle, speeds) ? stable : unstable) = middle;
+    }
+    return stable;
+}
+
+std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
+                                  const std::vector<double> &speeds) {
+    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
+        return 0;
+    const Descent found = descend(varied, largest, speeds);
+    if (!found.dI || *found.dI == 0)
+        return found.dI;
+    return verified(varied, found, speeds);
+}
+
+} // namespace
+
+std::vector<results::PermissibleAnisotropy>
+permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
+                         const balancers::Arrangement &arrangement,
+                         const std::vector<double> &speeds) {
+    std::vector<results::PermissibleAnisotropy> out;
+    for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
+        const model::Anisotropy &element = scene.rotor.anisotropies[i];
+        const double singular = singular_anisotropy(scene.rotor, i, model.order, arrangement);
+        const AnisotropyLimit limit =
+            anisotropy_limit(assembly::Discretization(scene.rotor, model.order), i);
+        const double largest = std::min(0.999 * singular, limit.dI);
+        const Varied varied(scene, model, arrangement, i);
+        results::PermissibleAnisotropy entry{element.z, element.name, 0.0,
+                                             {},        largest,      limit.of_disc};
+        if (largest > 0)
+            entry.dI = permissible(varied, largest, !scene.rotor.damped(), speeds);
+        entry.closed_form =
+            rigid::rigid_permissible_anisotropy(scene.rotor, speeds.front(), speeds.back());
+        out.push_back(entry);
+    }
+    return out;
+}
+
+} // namespace whirl::stability

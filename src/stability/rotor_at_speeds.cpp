@@ -1,0 +1,129 @@
+#include "stability/rotor_at_speeds.h"
+
+#include "assembly/rotating_system.h"
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+#include "mesh_error/estimate.h"
+#include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/stiffness_sign.h"
+#include "modes/zero_modes.h"
+#include "results/formulation.h"
+#include "stability/hill_harmonics.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::stability {
+
+namespace {
+
+/// det[K + W Ks + W^2 Kss] = 0.
+struct StandingSystem {
+    Eigen::SparseMatrix<double> K, Ks, Kss;
+};
+
+/// Rows of balls have speed^2 as a factor: without it they have no root at zero.
+StandingSystem standing_system(const assembly::Discretization &discretization,
+                               const balancers::Arrangement &arrangement, bool frozen) {
+    const assembly::RotatingSystem system = assembly::assemble_rotating(
+        discretization, 0, balancers::balancer_elements(discretization.rotor(), arrangement),
+        frozen);
+    StandingSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
+    Eigen::VectorXd ball_rows = Eigen::VectorXd::Zero(out.K.rows());
+    ball_rows.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
+    out.K += Eigen::SparseMatrix<double>(ball_rows.asDiagonal() * out.Kss);
+    out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - ball_rows).asDiagonal() * out.Kss;
+    return out;
+}
+
+/// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
+std::vector<StandingSpeed> standing_roots(const std::vector<linalg::ComplexPair> &pairs,
+                                          double top) {
+    std::vector<StandingSpeed> out;
+    for (const linalg::ComplexPair &pair : pairs) {
+        const double speed = pair.value.real();
+        const double across = std::abs(pair.value.imag());
+        // A root at zero of several balls comes blurred: of nothing it has a digit right.
+        const bool known = 100 * pair.rounding + pair.residual < 0.1;
+        if (known && speed > 1e-6 * top && speed <= top && across < speed)
+            out.push_back({speed, across <= 1e-7 * speed});
+    }
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    const auto same = [](const auto &a, const auto &b) {
+        return b.speed - a.speed <= 1e-7 * b.speed;
+    };
+    out.erase(std::unique(out.begin(), out.end(), same), out.end());
+    return out;
+}
+
+} // namespace
+
+StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
+    StabilityModel out;
+    out.formulation = modes::choose_formulation(scene);
+    out.order = mesh_error::resolve_order(scene, out.formulation);
+    const results::Form form = out.formulation.form;
+    if (results::in_rotating_axes(form)) {
+        out.form = form;
+        if (form == results::Form::hill) {
+            const HillSeries series = settled_series(
+                scene.rotor, out.order, balancers::arrangement_at_balance(scene.rotor), speeds);
+            out.harmonics = series.harmonics;
+            out.from = series.from;
+        }
+    } else if (form != results::Form::general) {
+        out.conservative = modes::stiffness_positive(scene.rotor, out.order);
+        if (!out.conservative)
+            out.formulation = {results::Form::general,
+                               "the stiffness is not positive definite: all eigenvalues are looked "
+                               "at, whether or not they are frequencies"};
+    }
+    return out;
+}
+
+std::vector<double> search_speeds(const model::SpeedRange &range) {
+    constexpr int fewest = 101;
+    model::SpeedRange finer = range;
+    if (range.count > 1)
+        while (finer.count < fewest)
+            finer.count = 2 * finer.count - 1; // halves every step: the given speeds stay
+    return finer.values();
+}
+
+std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discretization,
+                                           const balancers::Arrangement &arrangement, bool frozen,
+                                           double top) {
+    if (top <= 0)
+        return {};
+    const StandingSystem system = standing_system(discretization, arrangement, frozen);
+    linalg::QuadraticOptions options;
+    options.shift = 0.41 * top;
+    options.fewest = 1;
+    const auto all = static_cast<int>(system.K.rows());
+    constexpr int small = 150;
+    if (all <= small) // with all finite roots, of which there may be few
+        options.method = linalg::QuadraticMethod::dense;
+    int tries = 0;
+    for (int wanted = all <= small ? 1 : 8;; wanted *= 2) {
+        options.wanted = std::min(wanted, all);
+        linalg::QuadraticResult found;
+        try {
+            found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+            if (found.complete_radius < top && all > small && options.wanted < all)
+                continue;
+            if (found.complete_radius < top - options.shift)
+                throw linalg::SolverError("roots in the range are not resolved beside the others");
+            return standing_roots(found.pairs, top);
+        } catch (const linalg::SolverError &) {
+            if (++tries == 4)
+                throw;
+            options.shift *= 0.63; // an unlucky neighbour of a root, or not resolved from there
+        }
+    }
+}
+
+} // namespace whirl::stability

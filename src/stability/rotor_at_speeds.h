@@ -1,0 +1,44 @@
+#pragma once
+
+#include "model/case.h"
+#include "results/formulation.h"
+#include "stability/motions.h"
+#include "stability/unstable_bands.h"
+
+#include <vector>
+
+namespace whirl::stability {
+
+/// How `stability` treats a case: the form, and what it needs beside it.
+struct StabilityModel {
+    results::Formulation formulation;
+    results::Form form = results::Form::general; ///< general, rotating or hill
+    bool conservative = false;                   ///< undamped, fixed frame, K > 0: nothing can grow
+    int order = 1;
+    int harmonics = 0; ///< of the Hill series
+    double from = 0;   ///< rad/s, least |speed| that the series describes
+};
+
+/// @param speeds  at which motions will be looked at, rad/s
+/// @throws model::AnalysisFailure where the Hill series does not settle.
+[[nodiscard]] StabilityModel stability_model(const model::Case &scene,
+                                             const std::vector<double> &speeds);
+
+/// The speeds at which a search for bands looks: those of the case, and more where they are few.
+[[nodiscard]] std::vector<double> search_speeds(const model::SpeedRange &range);
+
+/// A speed at which something can stand still in rotating axes.
+struct StandingSpeed {
+    double speed = 0;   ///< rad/s
+    bool exact = false; ///< the root is real: an eigenvalue passes zero there
+};
+
+/// Roots W of det[K + W Ks + W^2 Kss] = 0 of the rotor in rotating axes with 0 < Re W <= top and
+/// |Im W| < Re W, ascending by Re W, equal ones once. With the balls frozen the forward critical
+/// speeds, with the balls free the additional speeds: critical speeds of the rotor pinned at the
+/// balancers. Bearings as at zero speed.
+[[nodiscard]] std::vector<StandingSpeed>
+standing_speeds(const assembly::Discretization &discretization,
+                const balancers::Arrangement &arrangement, bool frozen, double top);
+
+} // namespace whirl::stability

@@ -1,0 +1,220 @@
+#include "stability/unstable_bands.h"
+
+#include "linalg/golden_section.h"
+#include "stability/band_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::stability {
+
+namespace {
+
+/// Real part along the motion that is unstable at one end of a bracket.
+class GrowthAlong {
+  public:
+    GrowthAlong(const MotionsAt &at, double unstable) : _at(at) {
+        const std::vector<Motion> motions = at(unstable);
+        _reference = *std::max_element(motions.begin(), motions.end(), by_growth);
+    }
+
+    /// Of the motions most like the one followed, the one that grows most.
+    Motion operator()(double speed) const {
+        const std::vector<Motion> motions = _at(speed);
+        std::vector<double> likeness;
+        for (const Motion &motion : motions)
+            likeness.push_back(std::abs(_reference.state.dot(motion.state)));
+        const double most = *std::max_element(likeness.begin(), likeness.end());
+        const Motion *best = nullptr;
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            if (likeness[i] > 0.7 * most && (best == nullptr || by_growth(*best, motions[i])))
+                best = &motions[i];
+        return *best;
+    }
+    void move_to(const Motion &motion) { _reference = motion; }
+
+    static bool by_growth(const Motion &a, const Motion &b) {
+        return a.value.real() < b.value.real();
+    }
+
+  private:
+    const MotionsAt &_at;
+    Motion _reference;
+};
+
+/// Walks from an unstable speed towards one border, with steps that grow, until it is stable.
+double end_towards(const MotionsAt &at, const Known &known, double unstable, double step,
+                   double border) {
+    const double sign = border > unstable ? 1 : -1;
+    while (true) {
+        double probe = unstable + sign * step;
+        if (sign * (probe - border) >= 0)
+            probe = border;
+        // Do not step over a grid speed: it is known.
+        const auto above = known.upper_bound(unstable);
+        if (sign > 0 && above != known.end() && above->first <= probe)
+            probe = above->first;
+        const auto below = known.lower_bound(unstable);
+        if (sign < 0 && below != known.begin() && std::prev(below)->first >= probe)
+            probe = std::prev(below)->first;
+        const auto grid = known.find(probe);
+        const bool grows = (grid != known.end() ? grid->second : growth_of(at(probe))) > 0;
+        if (!grows)
+            return band_end(at, probe, unstable,
+                            1e-12 * std::max(std::abs(probe), std::abs(unstable)));
+        if (probe == border)
+            return border;
+        unstable = probe;
+        step *= 2;
+    }
+}
+
+/// Growth can sink below the noise like a power of the speed (balls at a heavy spot near rest): the
+/// place where that happens is no end. Beyond an end the largest real part is negative, or zero but
+/// for rounding; there it goes on with the same order of magnitude.
+///
+/// @param end     of a band
+/// @param inside  the band's other end
+/// @param beyond  the next band, or the border of the range
+bool lost_in_noise(const MotionsAt &at, double end, double inside, double beyond) {
+    const auto largest = [&at](double speed) { // whether or not rounding could make it of zero
+        double real = -std::numeric_limits<double>::infinity();
+        for (const Motion &motion : at(speed))
+            real = std::max(real, motion.value.real());
+        return real;
+    };
+    const double near = std::min(std::abs(inside - end) / 2, 1e-3 * std::abs(end));
+    const double growth = largest(end + std::copysign(near, inside - end));
+    const double away = std::min(std::abs(beyond - end) / 2, 0.3 * std::abs(end));
+    constexpr double same_order = 0.02; // a sixth power leaves 0.1
+    return largest(end + std::copysign(away, beyond - end)) > same_order * growth;
+}
+
+bool stable_speed_between(const Known &known, double low, double high) {
+    return std::any_of(known.upper_bound(low), known.lower_bound(high),
+                       [](const auto &speed) { return speed.second < 0; });
+}
+
+/// Carries instability on where it was lost in the noise: up to the next band, or the border of the
+/// range, unless a speed on the way is known to be stable.
+std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &known,
+                                             std::vector<SpeedInterval> bands) {
+    if (bands.empty())
+        return bands;
+    const double front = known.begin()->first;
+    const double back = known.rbegin()->first;
+    double &first = bands.front().first;
+    if (first > front && !stable_speed_between(known, front, first) && known.begin()->second >= 0 &&
+        lost_in_noise(at, first, bands.front().second, front))
+        first = front;
+    double &last = bands.back().second;
+    if (last < back && !stable_speed_between(known, last, back) && known.rbegin()->second >= 0 &&
+        lost_in_noise(at, last, bands.back().first, back))
+        last = back;
+    for (std::size_t i = 0; i + 1 < bands.size(); ++i)
+        if (!stable_speed_between(known, bands[i].second, bands[i + 1].first) &&
+            (lost_in_noise(at, bands[i].second, bands[i].first, bands[i + 1].first) ||
+             lost_in_noise(at, bands[i + 1].first, bands[i + 1].second, bands[i].second)))
+            bands[i].second = bands[i + 1].first;
+    return joined(std::move(bands));
+}
+
+} // namespace
+
+double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
+    GrowthAlong along(at, unstable);
+    double f_stable = 0; // 0: not known
+    double f_unstable = 0;
+    for (int step = 0; step < 200 && std::abs(unstable - stable) > tolerance; ++step) {
+        double next = (stable + unstable) / 2;
+        // A secant between two signs, kept off the ends; every third step halves the bracket.
+        if (f_stable < 0 && f_unstable > 0 && step % 3 != 0)
+            next = std::clamp((stable * f_unstable - unstable * f_stable) / (f_unstable - f_stable),
+                              std::min(stable, unstable) + 1e-3 * std::abs(unstable - stable),
+                              std::max(stable, unstable) - 1e-3 * std::abs(unstable - stable));
+        const Motion motion = along(next);
+        const double growth = motion.value.real();
+        const bool decays = growth < -motion.noise;
+        // Within the noise: unstable where the other side decays (a root), else not.
+        const bool grows = f_stable < 0 ? growth > 0 : growth > motion.noise;
+        if (grows) {
+            unstable = next;
+            f_unstable = growth;
+            along.move_to(motion);
+        } else {
+            stable = next;
+            f_stable = decays || f_stable < 0 ? std::min(growth, -1e-300) : 0;
+        }
+    }
+    return (stable + unstable) / 2;
+}
+
+std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
+    std::sort(bands.begin(), bands.end());
+    std::vector<SpeedInterval> out;
+    for (const SpeedInterval &band : bands) {
+        const double tolerance = 1e-9 * std::abs(band.first);
+        if (!out.empty() && band.first <= out.back().second + tolerance)
+            out.back().second = std::max(out.back().second, band.second);
+        else
+            out.push_back(band);
+    }
+    return out;
+}
+
+std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
+                                  const std::vector<SpeedInterval> &b) {
+    std::vector<SpeedInterval> out;
+    for (const SpeedInterval &x : a)
+        for (const SpeedInterval &y : b)
+            if (std::max(x.first, y.first) < std::min(x.second, y.second))
+                out.emplace_back(std::max(x.first, y.first), std::min(x.second, y.second));
+    return out;
+}
+
+BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds) {
+    BandSearch search(at, speeds);
+    const Known &known = search.known();
+    BandsFound out;
+    for (const auto &[speed, step] : search.seeds()) {
+        const bool covered =
+            std::any_of(out.bands.begin(), out.bands.end(), [s = speed](const auto &band) {
+                return s >= band.first && s <= band.second;
+            });
+        if (covered)
+            continue;
+        const double low = end_towards(at, known, speed, step, speeds.front());
+        out.bands.emplace_back(low, end_towards(at, known, speed, step, speeds.back()));
+    }
+    out.bands = through_the_noise(at, known, joined(std::move(out.bands)));
+    out.doubtful = joined(search.doubtful());
+    return out;
+}
+
+std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector<double> &speeds) {
+    return find_bands(at, speeds).bands;
+}
+
+double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
+    // Golden section after a coarse look, since a band may have several humps.
+    constexpr int looks = 16;
+    double best = (band.first + band.second) / 2;
+    double most = -1;
+    const double width = (band.second - band.first) / looks;
+    for (int i = 0; i <= looks; ++i) {
+        const double speed = band.first + i * width;
+        const double growth = growth_of(at(speed));
+        if (growth > most) {
+            most = growth;
+            best = speed;
+        }
+    }
+    return linalg::least_by_golden_section(
+               [&at](double speed) { return -growth_of(at(speed)); },
+               std::max(band.first, best - width), std::min(band.second, best + width),
+               [](double a, double b, double) { return b - a <= 1e-7 * std::abs(b); })
+        .first;
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,131 @@
+#include "synchronous/branch.h"
+
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::synchronous {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Sparse = ComplexQuadratic::Sparse;
+
+/// Steps below this part that shrink no more are rounding, which very stiff meshes have.
+constexpr double no_better = 1e-7;
+
+void normalise(Eigen::VectorXcd &x) {
+    Eigen::Index largest = 0;
+    x.cwiseAbs2().maxCoeff(&largest);
+    x /= x(largest);
+}
+
+/// Rounding of the entries of Q(l) against the derivative.
+double rounding_of(const ComplexQuadratic &Q, Complex l, const Eigen::VectorXcd &x,
+                   const Eigen::VectorXcd &y, Complex derivative) {
+    const Eigen::VectorXd a = x.cwiseAbs();
+    const Eigen::VectorXd b = y.cwiseAbs();
+    const double size = std::abs(l);
+    const Eigen::SparseMatrix<double> M = Q.M.cwiseAbs();
+    const Eigen::SparseMatrix<double> D = Q.D.cwiseAbs();
+    const Eigen::SparseMatrix<double> K = Q.K.cwiseAbs();
+    const double entries = b.dot(K * a) + size * b.dot(D * a) + size * size * b.dot(M * a);
+    return std::numeric_limits<double>::epsilon() * entries / (std::abs(derivative) * size);
+}
+
+} // namespace
+
+LinearSynchronous::LinearSynchronous(ComplexQuadratic from, ComplexQuadratic to, double s_from,
+                                     double s_to)
+    : _from(std::move(from)), _to(std::move(to)), _s_from(s_from), _s_to(s_to) {
+    // Unit diagonals: pivots are then not chosen by the units of deflections and slopes.
+    const Eigen::VectorXd size = _from.K.diagonal().cwiseAbs() +
+                                 s_to * s_to * Eigen::VectorXd(_from.M.diagonal().cwiseAbs());
+    _scale = size.unaryExpr(
+        [](double d) { return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0; });
+    const Eigen::VectorXcd scale = _scale.cast<Complex>();
+    for (ComplexQuadratic *Q : {&_from, &_to})
+        for (Sparse *A : {&Q->M, &Q->D, &Q->K})
+            *A = scale.asDiagonal() * Sparse(*A * scale.asDiagonal());
+    _D_slope = (_to.D - _from.D) / (s_to - s_from);
+    _K_slope = (_to.K - _from.K) / (s_to - s_from);
+}
+
+std::optional<BranchPoint> LinearSynchronous::point(double s, Complex l,
+                                                    const Eigen::VectorXcd &start,
+                                                    double tolerance) const {
+    const double t = s - _s_from;
+    const ComplexQuadratic Q{_from.M, _from.D + t * _D_slope, _from.K + t * _K_slope};
+    BranchPoint out;
+    Eigen::VectorXcd x = _scale.cwiseInverse().cwiseProduct(start);
+    Eigen::VectorXcd y = x;
+    Eigen::SparseLU<Sparse> lu;
+    double last_step = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 12; ++iteration) {
+        const Sparse slope = Q.slope(l);
+        for (const double nudge : {0.0, 1e-13, -3e-13}) { // exactly singular is too much
+            lu.compute(Q.at(l * (1 + nudge)));
+            if (lu.info() == Eigen::Success)
+                break;
+        }
+        if (lu.info() != Eigen::Success)
+            return std::nullopt;
+        for (int repeat = 0; repeat < (iteration == 0 ? 3 : 1); ++repeat) {
+            x = lu.solve(Eigen::VectorXcd(slope * x));
+            y = lu.adjoint().solve(Eigen::VectorXcd(slope.adjoint() * y));
+            normalise(x);
+            normalise(y);
+        }
+        if (!x.allFinite() || !y.allFinite())
+            return std::nullopt;
+        const Complex derivative = y.dot(slope * x);
+        const Complex step = y.dot(Q.at(l) * x) / derivative;
+        l -= step;
+        const double size = std::abs(step) / std::abs(l);
+        if (size < tolerance || (size < no_better && size >= last_step / 4)) {
+            out.eigenvalue = l;
+            out.shape = _scale.cwiseProduct(x);
+            normalise(out.shape);
+            out.slope = -y.dot(l * (_D_slope * x) + _K_slope * x) / derivative;
+            out.residual = size < tolerance ? 0 : size;
+            out.rounding = rounding_of(Q, l, x, y, derivative);
+            return out;
+        }
+        last_step = size;
+    }
+    return std::nullopt;
+}
+
+std::optional<BranchPoint> LinearSynchronous::standing(double s, Complex l,
+                                                       const Eigen::VectorXcd &x) const {
+    Eigen::VectorXcd shape = x;
+    const double slack = 1e-9 * _s_to;
+    double last_step = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < 20; ++iteration) {
+        std::optional<BranchPoint> here = point(s, l, shape);
+        if (!here)
+            return std::nullopt;
+        const double slope = here->slope.imag() - 1;
+        const double step = (here->eigenvalue.imag() - s) / -slope;
+        const double size = std::abs(step) / s;
+        if (size <= 4e-14 || (size < no_better && size >= last_step / 4)) {
+            // The speed answers to an error of l by 1 / |Im dl/ds - 1|.
+            const double gain = std::max(1.0, 1 / std::abs(slope));
+            here->eigenvalue.imag(s);
+            here->residual = gain * here->residual + (size <= 4e-14 ? 0 : size);
+            here->rounding *= gain;
+            return here;
+        }
+        last_step = size;
+        s += step;
+        l = here->eigenvalue + step * here->slope;
+        shape = here->shape;
+        if (!(s >= _s_from - slack && s <= _s_to + slack))
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::synchronous

@@ -1,0 +1,234 @@
+#include "synchronous/condensed_motion.h"
+
+#include "results/formulation.h"
+#include "synchronous/forced_motion.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace whirl::synchronous {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex imaginary_unit(0, 1);
+constexpr int at_nodes = 4; ///< unknowns of a beam element at its nodes
+
+/// A with its internal unknowns eliminated.
+template <class Dense> Dense condensed(const Dense &A) {
+    const Eigen::Index inner = A.rows() - at_nodes;
+    if (inner == 0)
+        return A;
+    return A.topLeftCorner(at_nodes, at_nodes) -
+           A.topRightCorner(at_nodes, inner) * A.bottomRightCorner(inner, inner)
+                                                   .partialPivLu()
+                                                   .solve(A.bottomLeftCorner(inner, at_nodes));
+}
+
+/// Equal but for their place and rounding.
+bool equal(const mesh::Span &a, const mesh::Span &b) {
+    const bool uniform = a.outer_start == a.outer_end && a.inner_start == a.inner_end;
+    return uniform && a.segment == b.segment && b.outer_start == b.outer_end &&
+           a.outer_start == b.outer_start && b.inner_start == b.inner_end &&
+           a.inner_start == b.inner_start && std::abs(a.length - b.length) <= 1e-13 * a.length;
+}
+
+int part_count(results::Form form) { return form == results::Form::planar ? 1 : 2; }
+
+/// From (a, d) to (x, y) of the fixed frame.
+Eigen::Matrix2cd to_directions() {
+    Eigen::Matrix2cd T;
+    T << 1, 1, -imaginary_unit, imaginary_unit;
+    return T;
+}
+
+} // namespace
+
+CondensedMotion::CondensedMotion(const assembly::Discretization &discretization, results::Form form)
+    : _discretization(discretization), _rotating(form == results::Form::rotating),
+      _parts(part_count(form)),
+      _matrix(2 * _parts * static_cast<int>(discretization.shaft_mesh().nodes.size()),
+              4 * _parts - 1) {
+    const auto &spans = discretization.shaft_mesh().spans;
+    for (int span = 0; span < static_cast<int>(spans.size()); ++span) {
+        const auto first = static_cast<std::size_t>(_groups.empty() ? 0 : _groups.back().first);
+        if (!_groups.empty() && equal(spans[first], spans[static_cast<std::size_t>(span)]))
+            _groups.back().last = span;
+        else
+            _groups.push_back({span, span});
+    }
+}
+
+int CondensedMotion::unknown(int node, int part, bool slope) const {
+    return 2 * _parts * node + 2 * part + (slope ? 1 : 0);
+}
+
+/// Dynamic stiffness of an element over (w0, phi0, w1, phi1) of the first part, of the second.
+Eigen::MatrixXcd CondensedMotion::element(int span) const {
+    const elements::PlanarMatrices &beam = _discretization.beam(span);
+    const double square = _speed * _speed;
+    const Eigen::MatrixXd K = beam.K + beam.K_axial;
+    const Eigen::MatrixXd forward = K - square * (beam.M - beam.G);
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(at_nodes * _parts, at_nodes * _parts);
+    auto first = out.topLeftCorner(at_nodes, at_nodes);
+    auto second = out.bottomRightCorner(at_nodes, at_nodes);
+    const model::Shaft &shaft = _discretization.rotor().shaft;
+    if (_parts == 1) {
+        first = condensed(forward).cast<Complex>();
+        return out;
+    }
+    if (!_rotating) {
+        const Eigen::MatrixXd backward = K - square * (beam.M + beam.G);
+        first = condensed(forward).cast<Complex>();
+        if (shaft.internal_damping == 0)
+            second = condensed(backward).cast<Complex>();
+        else
+            second = condensed(Eigen::MatrixXcd(backward + 2.0 * imaginary_unit * _speed *
+                                                               shaft.internal_damping * beam.K));
+        return out;
+    }
+    const int segment = _discretization.shaft_mesh().spans[static_cast<std::size_t>(span)].segment;
+    const model::Segment &of = shaft.segments[static_cast<std::size_t>(segment)];
+    const Eigen::MatrixXd difference =
+        of.asymmetry * (beam.K_bending + square / 2 * beam.G); // on conj(u)
+    const Eigen::MatrixXd along = condensed(Eigen::MatrixXd(forward + difference));
+    const Eigen::MatrixXd across = condensed(Eigen::MatrixXd(forward - difference));
+    const Complex turn = std::polar(1.0, 2 * of.asymmetry_angle);
+    first = second = ((along + across) / 2).cast<Complex>();
+    out.topRightCorner(at_nodes, at_nodes) = turn * (along - across) / 2;
+    out.bottomLeftCorner(at_nodes, at_nodes) = std::conj(turn) * (along - across) / 2;
+    return out;
+}
+
+/// Slopes count in lengths of the shaft: all unknowns of one kind, so that the choice of pivots
+/// does not depend on the unit of length.
+void CondensedMotion::add_shaft() {
+    const double length = _discretization.rotor().shaft.length();
+    for (const Group &group : _groups) {
+        Eigen::MatrixXcd A = element(group.first);
+        for (Eigen::Index i = 1; i < A.rows(); i += 2) {
+            A.row(i) /= length;
+            A.col(i) /= length;
+        }
+        const auto place = [this](int span, Eigen::Index i) {
+            const auto index = static_cast<int>(i) % at_nodes;
+            return unknown(span + index / 2, static_cast<int>(i) / at_nodes, index % 2 == 1);
+        };
+        for (int span = group.first; span <= group.last; ++span)
+            for (Eigen::Index i = 0; i < A.rows(); ++i)
+                for (Eigen::Index j = 0; j < A.cols(); ++j)
+                    _matrix(place(span, i), place(span, j)) += A(i, j);
+    }
+}
+
+void CondensedMotion::add_block(int node, bool slope, const Eigen::Matrix2cd &block) {
+    const double length = _discretization.rotor().shaft.length();
+    const double scale = slope ? length * length : 1;
+    for (int i = 0; i < _parts; ++i)
+        for (int j = 0; j < _parts; ++j)
+            _matrix(unknown(node, i, slope), unknown(node, j, slope)) += block(i, j) / scale;
+}
+
+void CondensedMotion::add_discs() {
+    const double square = _speed * _speed;
+    for (const model::Disc &disc : _discretization.rotor().discs) {
+        const int node = _discretization.shaft_mesh().node_at(disc.z);
+        const double other = _rotating ? disc.Id - disc.Ip : disc.Id + disc.Ip;
+        add_block(node, false, -square * disc.mass * Eigen::Matrix2cd::Identity());
+        Eigen::Matrix2cd tilt = Eigen::Matrix2cd::Zero();
+        tilt(0, 0) = -square * (disc.Id - disc.Ip);
+        tilt(1, 1) = -square * other;
+        add_block(node, true, tilt);
+    }
+}
+
+/// a Omega^2 conj(u) in the rotating frame, a = dI exp(2 i angle).
+void CondensedMotion::add_anisotropies() {
+    for (const model::Anisotropy &anisotropy : _discretization.rotor().anisotropies) {
+        Eigen::Matrix2cd tilt = Eigen::Matrix2cd::Zero();
+        tilt(0, 1) = _speed * _speed * anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
+        tilt(1, 0) = std::conj(tilt(0, 1));
+        add_block(_discretization.shaft_mesh().node_at(anisotropy.z), true, tilt);
+    }
+}
+
+Eigen::Matrix2cd CondensedMotion::on_parts(const Eigen::Matrix2d &k,
+                                           const Eigen::Matrix2d &c) const {
+    const Eigen::Matrix2cd Z = k + imaginary_unit * _speed * c;
+    const Eigen::Matrix2cd T = to_directions();
+    Eigen::Matrix2cd out = T.inverse() * Z * T;
+    if (_rotating) { // the same from every direction; the second part is the conjugate
+        out(0, 1) = out(1, 0) = 0;
+        out(1, 1) = std::conj(out(0, 0));
+    }
+    return out;
+}
+
+void CondensedMotion::add_bearings() {
+    for (const model::Bearing &bearing : _discretization.rotor().bearings) {
+        const int node = _discretization.shaft_mesh().node_at(bearing.z);
+        const model::BearingCoefficients at = bearing.at(_speed);
+        add_block(node, true, on_parts(at.kt, at.ct));
+        const Eigen::Matrix2cd film = on_parts(at.k, at.c);
+        if (!bearing.pedestal) {
+            add_block(node, false, film);
+            continue;
+        }
+        const Eigen::Matrix2cd below =
+            on_parts((bearing.pedestal->k - _speed * _speed * bearing.pedestal->mass) *
+                         Eigen::Matrix2d::Identity(),
+                     bearing.pedestal->c * Eigen::Matrix2d::Identity());
+        add_block(node, false, film - film * (film + below).inverse() * film); // in series
+    }
+}
+
+Eigen::VectorXcd CondensedMotion::forces() const {
+    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(
+        2 * _parts * static_cast<Eigen::Index>(_discretization.shaft_mesh().nodes.size()));
+    for (const model::Imbalance &imbalance : _discretization.rotor().imbalances) {
+        const Complex force = imbalance.mr * _speed * _speed * std::polar(1.0, imbalance.phase);
+        const int node = _discretization.shaft_mesh().node_at(imbalance.z);
+        f(unknown(node, 0, false)) += force;
+        if (_rotating)
+            f(unknown(node, 1, false)) += std::conj(force);
+    }
+    return f;
+}
+
+void CondensedMotion::solve(double speed) {
+    _speed = speed;
+    if (speed == 0) { // no force; a free rotor's matrix would be singular
+        _motion = forces();
+        return;
+    }
+    _matrix.clear();
+    add_shaft();
+    add_discs();
+    add_anisotropies();
+    add_bearings();
+    _motion = _matrix.solve(forces());
+}
+
+Phasor CondensedMotion::at_node(int node) const {
+    const Complex a = _motion(unknown(node, 0, false));
+    const Complex d = _rotating || _parts == 1 ? 0.0 : _motion(unknown(node, 1, false));
+    return {a + d, -imaginary_unit * (a - d)};
+}
+
+Phasor CondensedMotion::bearing_force(int index) const {
+    const model::Bearing &bearing =
+        _discretization.rotor().bearings[static_cast<std::size_t>(index)];
+    const model::BearingCoefficients at = bearing.at(_speed);
+    const Phasor u = at_node(_discretization.shaft_mesh().node_at(bearing.z));
+    const Eigen::Matrix2cd film = at.k + imaginary_unit * _speed * at.c;
+    Eigen::Vector2cd force = film * Eigen::Vector2cd(u.x, u.y);
+    if (bearing.pedestal) {
+        const Complex below = bearing.pedestal->k - _speed * _speed * bearing.pedestal->mass +
+                              imaginary_unit * _speed * bearing.pedestal->c;
+        force -= film * (film + below * Eigen::Matrix2cd::Identity()).inverse() * force;
+    }
+    return {force(0), force(1)};
+}
+
+} // namespace whirl::synchronous

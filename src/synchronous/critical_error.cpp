@@ -1,0 +1,114 @@
+#include "synchronous/critical_error.h"
+
+#include "modes/orbits.h"
+#include "results/formulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace whirl::synchronous {
+
+namespace {
+
+using Partners = std::vector<std::optional<std::size_t>>;
+
+/// Which root it is: whirl (planar form), eigenvalue of K - W^2 A, and which of its passages.
+std::vector<std::tuple<int, int, int>> names_of(const SynchronousModes &list, results::Form form) {
+    std::vector<std::tuple<int, int, int>> names;
+    std::map<std::pair<int, int>, int> passages;
+    for (std::size_t i = 0; i < list.modes.size(); ++i) {
+        const int whirl = form == results::Form::planar ? static_cast<int>(list.modes[i].whirl) : 0;
+        const std::pair<int, int> branch{whirl, list.branches[i]};
+        names.emplace_back(whirl, list.branches[i], passages[branch]++);
+    }
+    return names;
+}
+
+Partners by_branch(const SynchronousModes &modes, const SynchronousModes &finer,
+                   results::Form form) {
+    std::map<std::tuple<int, int, int>, std::size_t> places;
+    const auto finer_names = names_of(finer, form);
+    for (std::size_t j = 0; j < finer_names.size(); ++j)
+        places[finer_names[j]] = j;
+    Partners partners;
+    for (const auto &name : names_of(modes, form)) {
+        const auto found = places.find(name);
+        partners.push_back(found == places.end() ? std::nullopt : std::optional(found->second));
+    }
+    return partners;
+}
+
+/// Deflections in x and y at the stations of the shaft, length 1.
+Eigen::VectorXcd deflections(const modes::Stations &stations, const modes::WhirlMode &mode) {
+    const Eigen::Index n = mode.shape.size() / 2;
+    const Eigen::VectorXcd x = stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
+    const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
+    Eigen::VectorXcd both(2 * x.size());
+    both << x, y;
+    const double length = both.norm();
+    return length > 0 ? Eigen::VectorXcd(both / length) : both;
+}
+
+std::vector<Eigen::VectorXcd> all_deflections(const assembly::Discretization &d,
+                                              const SynchronousModes &list) {
+    const modes::Stations stations = modes::Stations::for_orbits(d);
+    std::vector<Eigen::VectorXcd> out;
+    for (const modes::WhirlMode &mode : list.modes)
+        out.push_back(deflections(stations, mode));
+    return out;
+}
+
+/// The likest pairs first; each mode has one partner.
+Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes &modes,
+                  const assembly::Discretization &finer, const SynchronousModes &finer_modes) {
+    // Of two vectors of a double eigenvalue one is at least 1/2; the same mode is near 1.
+    constexpr double alike = 0.25;
+    const auto shapes = all_deflections(coarse, modes);
+    const auto finer_shapes = all_deflections(finer, finer_modes);
+    std::vector<std::tuple<double, std::size_t, std::size_t>> likeness;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        for (std::size_t j = 0; j < finer_shapes.size(); ++j) {
+            const std::complex<double> a = modes.modes[i].eigenvalue;
+            const std::complex<double> b = finer_modes.modes[j].eigenvalue;
+            const double cosine = std::norm(shapes[i].dot(finer_shapes[j]));
+            likeness.emplace_back(cosine / (1 + std::abs(a - b) / std::abs(b)), i, j);
+        }
+    std::sort(likeness.rbegin(), likeness.rend());
+    Partners partners(shapes.size());
+    std::vector<bool> taken(finer_shapes.size(), false);
+    for (const auto &[value, i, j] : likeness)
+        if (!partners[i] && !taken[j] && value > alike) {
+            partners[i] = j;
+            taken[j] = true;
+        }
+    return partners;
+}
+
+} // namespace
+
+std::vector<std::optional<double>> critical_errors(const assembly::Discretization &coarse,
+                                                   results::Form form,
+                                                   const SynchronousModes &modes,
+                                                   const assembly::Discretization &finer,
+                                                   const SynchronousModes &finer_modes) {
+    const bool counted = modes.branches.size() == modes.modes.size() &&
+                         finer_modes.branches.size() == finer_modes.modes.size();
+    const Partners partners =
+        counted ? by_branch(modes, finer_modes, form) : by_shape(coarse, modes, finer, finer_modes);
+    std::vector<std::optional<double>> errors;
+    for (std::size_t i = 0; i < partners.size(); ++i) {
+        errors.emplace_back();
+        if (!partners[i])
+            continue;
+        const modes::WhirlMode &mode = modes.modes[i];
+        const modes::WhirlMode &other = finer_modes.modes[*partners[i]];
+        errors.back() = mesh_error::estimate_safety * std::abs(mode.eigenvalue - other.eigenvalue) /
+                            other.eigenvalue.imag() +
+                        mode.residual + mode.rounding + other.residual + other.rounding;
+    }
+    return errors;
+}
+
+} // namespace whirl::synchronous

@@ -1,0 +1,313 @@
+#include "synchronous/followed.h"
+
+#include "synchronous/branch.h"
+#include "synchronous/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace whirl::synchronous {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Motions are followed a little beyond those that count, Im l > |Re l|.
+constexpr double looked_at = 0.5;
+constexpr double followed = 0.75;
+
+/// All eigenvalues with the bearings as they are at one speed.
+struct Sample {
+    double speed = 0;
+    std::vector<BranchPoint> points;
+    bool complete = true; ///< none that could matter in the piece is missing
+};
+
+/// Speeds that agree to this are one: roots at rows of a table are found from both sides.
+constexpr double one_speed = 2e-10;
+
+bool same(const modes::WhirlMode &a, const modes::WhirlMode &b) {
+    const double size = std::abs(a.eigenvalue);
+    return std::abs(a.eigenvalue.imag() - b.eigenvalue.imag()) < 2 * one_speed * size &&
+           std::abs(a.eigenvalue - b.eigenvalue) < 1e-8 * size &&
+           std::abs(a.shape.dot(b.shape)) > 0.99 * a.shape.norm() * b.shape.norm();
+}
+
+/// Ascending, each once.
+void tidy(std::vector<modes::WhirlMode> &modes) {
+    std::stable_sort(modes.begin(), modes.end(), [](const auto &a, const auto &b) {
+        return a.eigenvalue.imag() < b.eigenvalue.imag();
+    });
+    std::vector<modes::WhirlMode> out;
+    for (const modes::WhirlMode &mode : modes)
+        if (std::none_of(out.begin(), out.end(), [&](const auto &o) { return same(o, mode); }))
+            out.push_back(mode);
+    modes = std::move(out);
+}
+
+/// Where Im l - s is going between two samples: the cubic in u = 0 .. 1.
+struct Cubic {
+    Cubic(const Sample &a, const BranchPoint &at_a, const Sample &b, const BranchPoint &at_b)
+        : h(b.speed - a.speed), l0(at_a.eigenvalue), l1(at_b.eigenvalue), d0(h * at_a.slope),
+          d1(h * at_b.slope), from(a.speed) {}
+    double h;
+    Complex l0, l1, d0, d1;
+    double from;
+
+    [[nodiscard]] Complex eigenvalue(double u) const {
+        const double v = 1 - u;
+        return v * v * ((1 + 2 * u) * l0 + u * d0) + u * u * ((3 - 2 * u) * l1 - v * d1);
+    }
+    [[nodiscard]] double above(double u) const { return eigenvalue(u).imag() - (from + u * h); }
+    /// By how much values and derivatives disagree with a parabola, 1/s.
+    [[nodiscard]] double misfit() const { return std::abs(l1 - l0 - (d0 + d1) / 2.0); }
+};
+
+/// Zeros of the cubic as u; none where their number is doubtful.
+std::optional<std::vector<double>> zeros_of(const Cubic &cubic) {
+    constexpr int parts = 32;
+    const double doubt = 2 * cubic.misfit() + 1e-11 * (cubic.from + cubic.h);
+    std::vector<double> values;
+    for (int i = 0; i <= parts; ++i)
+        values.push_back(cubic.above(i / static_cast<double>(parts)));
+    std::vector<double> zeros;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const bool turns = i > 0 && (values[i] - values[i - 1]) * (values[i + 1] - values[i]) <= 0;
+        if (turns && std::abs(values[i]) < doubt)
+            return std::nullopt;
+        if ((values[i] < 0) == (values[i + 1] < 0))
+            continue;
+        double a = static_cast<double>(i) / parts;
+        double b = static_cast<double>(i + 1) / parts;
+        for (int step = 0; step < 50; ++step) {
+            const double middle = (a + b) / 2;
+            ((cubic.above(middle) < 0) == (values[i] < 0) ? a : b) = middle;
+        }
+        zeros.push_back((a + b) / 2);
+    }
+    return zeros;
+}
+
+/// One piece of the tables, from row to row.
+class Follower {
+  public:
+    Follower(const GeneralSynchronous &problem, double from, double to)
+        : _problem(problem), _piece(problem.problem(from), problem.problem(to), from, to),
+          _first(from), _last(to) {}
+
+    std::vector<modes::WhirlMode> found;
+    std::vector<std::pair<double, double>> doubtful;
+
+    /// @throws linalg::SolverError
+    [[nodiscard]] Sample sample(double speed) const {
+        const GeneralSynchronous::Modes all = _problem.lowest(speed, 0, 1.6 * _last, looked_at);
+        Sample out{speed, {}, all.complete_to > _last};
+        for (const modes::WhirlMode &mode : all.modes) {
+            if (mode.eigenvalue.imag() < 0.4 * _first || mode.eigenvalue.imag() > 1.6 * _last)
+                continue; // too far to matter, or to be the partner of one that does
+            std::optional<BranchPoint> point =
+                _piece.point(speed, mode.eigenvalue, mode.shape, 1e-7); // for the derivative
+            // Iteration that runs to another eigenvalue has nothing to say on this one.
+            if (point &&
+                std::abs(point->eigenvalue - mode.eigenvalue) < 1e-5 * std::abs(mode.eigenvalue))
+                out.points.push_back(std::move(*point));
+            else
+                out.points.push_back({mode.eigenvalue, 0, mode.shape, mode.residual, 1});
+        }
+        return out;
+    }
+
+    void follow(const Sample &a, const Sample &b, int depth) {
+        if (resolved(a, b))
+            return;
+        constexpr int deepest = 12;
+        constexpr int most_samples = 100;
+        if (depth == deepest || ++_samples > most_samples) {
+            doubtful.emplace_back(a.speed, b.speed);
+            return;
+        }
+        const Sample middle = sample((a.speed + b.speed) / 2);
+        follow(a, middle, depth + 1);
+        follow(middle, b, depth + 1);
+    }
+
+  private:
+    const GeneralSynchronous &_problem;
+    LinearSynchronous _piece;
+    double _first, _last;
+    int _samples = 0;
+
+    /// It could pass Im l = s in a step of this length.
+    static bool matters(const BranchPoint &point, double speed, double step) {
+        const Complex l = point.eigenvalue;
+        return l.imag() > followed * std::abs(l.real()) &&
+               std::abs(l.imag() - speed) <= 2 * step * (1 + std::abs(point.slope));
+    }
+
+    /// Index of the point of `b` that continues `point`; none where two would do.
+    static std::optional<std::size_t> partner(const Sample &a, const BranchPoint &point,
+                                              const Sample &b) {
+        std::size_t best = b.points.size();
+        double least = std::numeric_limits<double>::infinity();
+        double second = least;
+        for (std::size_t j = 0; j < b.points.size(); ++j) {
+            const double misfit = Cubic(a, point, b, b.points[j]).misfit();
+            const bool same = best < b.points.size() &&
+                              std::abs(b.points[j].eigenvalue - b.points[best].eigenvalue) <
+                                  1e-9 * std::abs(b.points[j].eigenvalue);
+            if (misfit < least) {
+                second = same ? second : least;
+                least = misfit;
+                best = j;
+            } else if (!same) {
+                second = std::min(second, misfit);
+            }
+        }
+        const double scale = std::abs(b.speed - a.speed) * (1 + std::abs(point.slope));
+        if (best == b.points.size() || 4 * least > second || least > 0.2 * scale)
+            return std::nullopt;
+        return best;
+    }
+
+    /// Every motion that matters has one partner each way; their zeros go to `found`.
+    bool resolved(const Sample &a, const Sample &b) {
+        const double step = b.speed - a.speed;
+        std::map<std::size_t, std::size_t> pairs;
+        for (std::size_t i = 0; i < a.points.size(); ++i)
+            if (matters(a.points[i], a.speed, step)) {
+                const auto j = partner(a, a.points[i], b);
+                if (!j)
+                    return false;
+                pairs[i] = *j;
+            }
+        for (std::size_t j = 0; j < b.points.size(); ++j)
+            if (matters(b.points[j], b.speed, step)) {
+                const auto i = partner(b, b.points[j], a);
+                if (!i)
+                    return false;
+                if (pairs.count(*i) == 0)
+                    pairs[*i] = j;
+            }
+        std::vector<modes::WhirlMode> modes;
+        if (!one_to_one(a, b, pairs))
+            return false;
+        for (std::size_t j = 0; j < b.points.size(); ++j)
+            if (matters(b.points[j], b.speed, step) &&
+                std::none_of(pairs.begin(), pairs.end(),
+                             [j](const auto &pair) { return pair.second == j; }))
+                return false;
+        for (const auto &[i, j] : pairs)
+            if (!add_zeros(a, i, b, j, modes))
+                return false;
+        found.insert(found.end(), modes.begin(), modes.end());
+        return true;
+    }
+
+    /// No point is the partner of two, unless those are one double eigenvalue.
+    static bool one_to_one(const Sample &a, const Sample &b,
+                           std::map<std::size_t, std::size_t> &pairs) {
+        std::map<std::size_t, std::size_t> taken; // j -> i
+        for (auto &[i, j] : pairs) {
+            const auto other = taken.find(j);
+            if (other == taken.end()) {
+                taken[j] = i;
+                continue;
+            }
+            // A double eigenvalue at both ends: its second one is the partner.
+            const Complex l = b.points[j].eigenvalue;
+            std::optional<std::size_t> twin;
+            for (std::size_t k = 0; k < b.points.size(); ++k)
+                if (taken.count(k) == 0 &&
+                    std::abs(b.points[k].eigenvalue - l) < 1e-9 * std::abs(l))
+                    twin = k;
+            const Complex here = a.points[i].eigenvalue;
+            const Complex there = a.points[other->second].eigenvalue;
+            if (!twin || std::abs(here - there) > 1e-9 * std::abs(here))
+                return false;
+            j = *twin;
+            taken[j] = i;
+        }
+        return true;
+    }
+
+    bool add_zeros(const Sample &a, std::size_t i, const Sample &b, std::size_t j,
+                   std::vector<modes::WhirlMode> &modes) const {
+        const Cubic cubic(a, a.points[i], b, b.points[j]);
+        auto zeros = zeros_of(cubic);
+        if (!zeros)
+            return false;
+        for (const double end : {0.0, 1.0})
+            if (std::abs(cubic.above(end)) < one_speed / 2 * a.speed)
+                zeros->push_back(end);
+        for (const double u : *zeros) {
+            const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
+            const double speed = a.speed + u * cubic.h;
+            const auto point = _piece.standing(speed, cubic.eigenvalue(u), shape);
+            const double slack = cubic.misfit() + 1e-9 * speed;
+            if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
+                return false;
+            modes::WhirlMode mode;
+            mode.eigenvalue = point->eigenvalue;
+            mode.shape = point->shape;
+            mode.residual = point->residual;
+            mode.rounding = point->rounding;
+            if (mode.eigenvalue.imag() > std::abs(mode.eigenvalue.real()))
+                modes.push_back(std::move(mode));
+        }
+        return true;
+    }
+};
+
+} // namespace
+
+FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) const {
+    const std::vector<double> rows = table_speeds(_d.rotor());
+    Modes out;
+    double row = std::max(rows.front(), 0.0);
+    const GeneralSynchronous::Modes first = _problem.lowest(row, 0, row);
+    for (const modes::WhirlMode &mode : first.modes)
+        if (mode.eigenvalue.imag() <= row * (1 + one_speed))
+            out.modes.push_back(mode);
+    if (first.complete_to < row)
+        out.doubtful.emplace_back(first.complete_to, row);
+    out.complete_to = row;
+    const auto enough = [&] { return static_cast<int>(out.modes.size()) >= wanted && row > top; };
+    for (const double next : rows) {
+        if (next <= row || enough())
+            continue;
+        Follower follower(_problem, row, next);
+        const Sample from = follower.sample(row);
+        const Sample to = follower.sample(next);
+        follower.follow(from, to, 0);
+        if (!from.complete || !to.complete)
+            out.doubtful.emplace_back(row, next);
+        out.modes.insert(out.modes.end(), follower.found.begin(), follower.found.end());
+        out.doubtful.insert(out.doubtful.end(), follower.doubtful.begin(), follower.doubtful.end());
+        out.complete_to = row = next;
+    }
+    if (!enough()) {
+        const int missing = wanted - static_cast<int>(out.modes.size());
+        for (int ask = std::max(missing, 1);; ask *= 2) {
+            const GeneralSynchronous::Modes all =
+                _problem.lowest(row, ask, std::max(top, 1.01 * row));
+            std::vector<modes::WhirlMode> above;
+            std::copy_if(all.modes.begin(), all.modes.end(), std::back_inserter(above),
+                         [&](const modes::WhirlMode &mode) {
+                             return mode.eigenvalue.imag() >= row * (1 - one_speed);
+                         });
+            const bool more = static_cast<int>(all.modes.size()) >= ask;
+            if (more && static_cast<int>(above.size()) < missing + 1)
+                continue;
+            out.modes.insert(out.modes.end(), above.begin(), above.end());
+            out.complete_to = std::max(row, all.complete_to);
+            break;
+        }
+    }
+    tidy(out.modes);
+    return out;
+}
+
+} // namespace whirl::synchronous

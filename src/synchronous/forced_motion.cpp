@@ -1,0 +1,180 @@
+#include "synchronous/forced_motion.h"
+
+#include "assembly/system.h"
+#include "linalg/check.h"
+#include "linalg/unit_scales.h"
+#include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/support_damping.h"
+#include "results/formulation.h"
+
+#include <Eigen/SparseLU>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace whirl::synchronous {
+
+namespace {
+
+constexpr std::complex<double> imaginary_unit(0, 1);
+
+} // namespace
+
+std::complex<double> reading(const Phasor &motion, double angle) {
+    return motion.x * std::cos(angle) + motion.y * std::sin(angle);
+}
+
+ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form)
+    : _discretization(discretization),
+      _planar(form == results::Form::planar || form == results::Form::rotating),
+      _rotating(form == results::Form::rotating) {
+    assemble(0);
+}
+
+void ForcedMotion::assemble(double bearing_speed) {
+    if (_rotating) {
+        _turning = std::make_unique<assembly::RotatingSystem>(
+            assembly::assemble_rotating(_discretization, bearing_speed, {}));
+    } else if (_planar) {
+        const assembly::PlanarSystem system =
+            assembly::assemble_planar(_discretization, bearing_speed);
+        const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
+        const linalg::Matrix C = linalg::Matrix::from_entries(
+            _discretization.planar_size(),
+            modes::planar_support_damping(_discretization, bearing_speed));
+        _solver = std::make_unique<linalg::HarmonicSolver>(
+            linalg::HarmonicTerms{&M_G, &C, nullptr, &system.K, nullptr});
+    } else {
+        const assembly::FixedSystem system =
+            assembly::assemble_fixed(_discretization, bearing_speed);
+        _solver = std::make_unique<linalg::HarmonicSolver>(
+            linalg::HarmonicTerms{&system.M, &system.C, &system.G, &system.K, &system.Kc});
+    }
+}
+
+int ForcedMotion::size() const {
+    return _rotating ? _discretization.planar_size() : _solver->size();
+}
+
+int ForcedMotion::unknowns() const { return 2 * size(); }
+
+Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
+    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(size());
+    for (const model::Imbalance &imbalance : _discretization.rotor().imbalances) {
+        const std::complex<double> force =
+            imbalance.mr * speed * speed * std::polar(1.0, imbalance.phase);
+        for (const auto &[unknown, value] : _discretization.deflection_at(imbalance.z)) {
+            if (_planar) {
+                f(unknown) += value * force;
+            } else {
+                f(2 * unknown) += value * force;
+                f(2 * unknown + 1) -= value * imaginary_unit * force; // sin = Re(-i exp)
+            }
+        }
+    }
+    return f;
+}
+
+void ForcedMotion::solve_in_rotating_axes(double speed) {
+    const Eigen::VectorXcd f = imbalance_forces(speed);
+    Eigen::VectorXd real(2 * f.size());
+    real(Eigen::seqN(0, f.size(), 2)) = f.real();
+    real(Eigen::seqN(1, f.size(), 2)) = f.imag();
+    const linalg::Matrix stiffness = _turning->stiffness(speed);
+    const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, &_turning->M);
+    const Eigen::SparseMatrix<double> K =
+        scales.asDiagonal() * Eigen::SparseMatrix<double>(stiffness.view()) * scales.asDiagonal();
+    real.array() *= scales.array();
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(K);
+    if (factors.info() != Eigen::Success)
+        throw linalg::SolverError("singular stiffness in rotating axes");
+    const Eigen::VectorXd u = factors.solve(real);
+    // A small change of the entries of K by rounding moves u by so much of itself.
+    const Eigen::VectorXd change = factors.solve(Eigen::VectorXd(K.cwiseAbs() * u.cwiseAbs()));
+    _rounding = std::numeric_limits<double>::epsilon() * change.norm() /
+                std::max(u.norm(), std::numeric_limits<double>::min());
+    const Eigen::VectorXd motion = scales.cwiseProduct(u);
+    _displacements.resize(f.size());
+    _displacements.real() = motion(Eigen::seqN(0, f.size(), 2));
+    _displacements.imag() = motion(Eigen::seqN(1, f.size(), 2));
+}
+
+void ForcedMotion::solve(double speed) {
+    _speed = speed;
+    if (speed == 0) { // no force; a free rotor's matrix would be singular
+        _displacements = Eigen::VectorXcd::Zero(size());
+        _rounding = 0;
+        return;
+    }
+    if (_discretization.rotor().bearings_depend_on_speed())
+        assemble(speed);
+    if (_rotating) {
+        solve_in_rotating_axes(speed);
+        return;
+    }
+    const linalg::HarmonicSolution solution = _solver->solve(speed, imbalance_forces(speed));
+    _displacements = solution.displacements.col(0);
+    _rounding = solution.rounding;
+}
+
+Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
+    Phasor out;
+    for (const auto &[unknown, value] : combination) {
+        if (_planar) {
+            out.x += value * _displacements(unknown);
+        } else {
+            out.x += value * _displacements(2 * unknown);
+            out.y += value * _displacements(2 * unknown + 1);
+        }
+    }
+    if (_planar)
+        out.y = -imaginary_unit * out.x;
+    return out;
+}
+
+Phasor ForcedMotion::bearing_force(int bearing) const {
+    const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
+    assembly::Combination stretch = _discretization.deflection_at(b.z);
+    if (b.pedestal)
+        stretch.emplace_back(_discretization.pedestal_unknown(bearing), -1.0);
+    const Phasor u = motion(stretch);
+    const model::BearingCoefficients at = b.at(_speed);
+    const Eigen::Vector2cd force =
+        (at.k + imaginary_unit * _speed * at.c) * Eigen::Vector2cd(u.x, u.y);
+    return {force(0), force(1)};
+}
+
+results::Formulation response_formulation(const model::Case &scene) {
+    model::Case without = scene; // the response leaves balancers out
+    without.rotor.balancers.clear();
+    if (without.rotor.rotating_anisotropy() || scene.formulation == model::FormChoice::rotating) {
+        const results::Formulation formulation = modes::choose_formulation(without);
+        if (formulation.form == results::Form::hill)
+            throw model::AnalysisFailure(
+                "the response of an asymmetric rotor on bearings that differ between "
+                "their "
+                "directions has many frequencies and is not computed; use bearings "
+                "that are the "
+                "same from every direction, or remove the asymmetry");
+        return formulation;
+    }
+    const bool isotropic = scene.rotor.bearings_isotropic();
+    if (scene.formulation == model::FormChoice::planar && !isotropic)
+        throw model::BadInput("formulation: expected one that can describe the scene, got "
+                              "\"planar\": a bearing differs between x and y or couples them");
+    if (scene.formulation == model::FormChoice::planar)
+        return {results::Form::planar, "asked for by the case"};
+    if (scene.formulation != model::FormChoice::automatic)
+        return {results::Form::general, "asked for by the case: forced motion in x and y"};
+    if (isotropic)
+        return {results::Form::planar,
+                "isotropic bearings, axisymmetric rotor: the motion is circular and "
+                "w = x + i y halves the unknowns"};
+    return {results::Form::general,
+            "a bearing differs between x and y or couples them: forced motion in "
+            "x and y"};
+}
+
+} // namespace whirl::synchronous

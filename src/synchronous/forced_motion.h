@@ -1,0 +1,68 @@
+#pragma once
+
+#include "assembly/rotating_system.h"
+#include "linalg/harmonic_solve.h"
+#include "model/case.h"
+#include "results/formulation.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <memory>
+
+namespace whirl::synchronous {
+
+/// Two components over time: Re(x exp(i Omega t)), Re(y exp(i Omega t)).
+struct Phasor {
+    std::complex<double> x;
+    std::complex<double> y;
+};
+
+/// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
+[[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
+
+/// Synchronous steady motion of a discretised rotor.
+///
+/// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;
+/// internal damping drops out, since nothing flexes in rotating axes. General, (x, y):
+/// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. Rotating (asymmetric rotor): the
+/// motion stands still in rotating axes, [K + Omega Ks + Omega^2 Kss] u = f. docs/theory.md, "The
+/// forms".
+class ForcedMotion {
+  public:
+    ForcedMotion(const assembly::Discretization &discretization, results::Form form);
+
+    /// Solves under the forward synchronous imbalances of the rotor.
+    /// @throws linalg::SolverError where the rotor is at an undamped resonance.
+    void solve(double speed);
+
+    /// Deflection of a combination of planar unknowns in the last solution, m.
+    [[nodiscard]] Phasor motion(const assembly::Combination &combination) const;
+    /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
+    [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Relative error of the last solution by rounding.
+    [[nodiscard]] double rounding() const { return _rounding; }
+    /// Unknowns of the real linear system.
+    [[nodiscard]] int unknowns() const;
+
+  private:
+    const assembly::Discretization &_discretization;
+    bool _planar;   ///< one complex deflection in each place
+    bool _rotating; ///< solved in rotating axes
+    std::unique_ptr<assembly::RotatingSystem> _turning;
+    std::unique_ptr<linalg::HarmonicSolver> _solver;
+    double _speed = 0;
+    Eigen::VectorXcd _displacements;
+    double _rounding = 0;
+
+    void assemble(double bearing_speed);
+    void solve_in_rotating_axes(double speed);
+    [[nodiscard]] int size() const; ///< of the displacements
+    [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;
+};
+
+/// The form the response uses: planar with isotropic bearings, damped or not, else general.
+/// @throws model::BadInput where the case forces the planar form and it cannot describe the scene.
+[[nodiscard]] results::Formulation response_formulation(const model::Case &scene);
+
+} // namespace whirl::synchronous

@@ -1,0 +1,60 @@
+#include "synchronous/response_error.h"
+
+#include "mesh_error/safety.h"
+#include "modes/orbits.h"
+#include "results/formulation.h"
+#include "synchronous/forced_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::synchronous {
+
+namespace {
+
+constexpr int highest_order = 30;
+
+double share(double difference, double size) {
+    return difference == 0 ? 0 : mesh_error::estimate_safety * difference / size;
+}
+
+double orbit_error(const Phasor &a, const Phasor &b) {
+    const double size =
+        std::max(modes::ellipse_of(a.x, a.y).major, modes::ellipse_of(b.x, b.y).major);
+    return share(modes::ellipse_of(a.x - b.x, a.y - b.y).major, size);
+}
+
+} // namespace
+
+ResponseError::ResponseError(const assembly::Discretization &coarse, results::Form form) {
+    if (coarse.rigid())
+        return;
+    const int order = mesh_error::finer_order(coarse.order());
+    _fine = std::make_unique<assembly::Discretization>(
+        coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
+    _motion = std::make_unique<CondensedMotion>(*_fine, form);
+}
+
+void ResponseError::solve(double speed) {
+    if (_motion)
+        _motion->solve(speed);
+}
+
+double ResponseError::at(double z, const Phasor &coarse) const {
+    return _motion ? orbit_error(coarse, _motion->at_node(_fine->shaft_mesh().node_at(z))) : 0;
+}
+
+double ResponseError::of_force(int bearing, const Phasor &coarse) const {
+    return _motion ? orbit_error(coarse, _motion->bearing_force(bearing)) : 0;
+}
+
+double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
+    if (!_motion)
+        return 0;
+    const std::complex<double> mine = reading(coarse, angle);
+    const std::complex<double> finer =
+        reading(_motion->at_node(_fine->shaft_mesh().node_at(z)), angle);
+    return share(std::abs(mine - finer), std::max(std::abs(mine), std::abs(finer)));
+}
+
+} // namespace whirl::synchronous

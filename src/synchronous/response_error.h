@@ -1,0 +1,35 @@
+#pragma once
+
+#include "results/formulation.h"
+#include "synchronous/condensed_motion.h"
+#include "synchronous/forced_motion.h"
+
+#include <memory>
+
+namespace whirl::synchronous {
+
+/// How far the synchronous motion of a discretised rotor is from that of a finer one, solved at
+/// the same speed: elements of order p + 4 on the same mesh (order 5 for classical ones), above
+/// order 30, which is the highest, elements of half the length. A rigid shaft has no such error.
+class ResponseError {
+  public:
+    ResponseError(const assembly::Discretization &coarse, results::Form form);
+
+    /// @throws linalg::SolverError where the finer rotor is at an undamped resonance.
+    void solve(double speed);
+
+    /// Estimated relative error: the semi-major axis of the difference of the orbits over the
+    /// larger of theirs, so that no point of the orbit, no |x| and no reading of a probe is off by
+    /// more than this share of the amplitude; times a safety factor.
+    [[nodiscard]] double at(double z, const Phasor &coarse) const;
+    /// The same of the force in a bearing.
+    [[nodiscard]] double of_force(int bearing, const Phasor &coarse) const;
+    /// The same of the reading x cos(angle) + y sin(angle) alone, relative to that.
+    [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
+
+  private:
+    std::unique_ptr<assembly::Discretization> _fine;
+    std::unique_ptr<CondensedMotion> _motion;
+};
+
+} // namespace whirl::synchronous

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+namespace whirl::tracking {
+
+/// Distance of a whirl frequency from a multiple of the spin speed at one end of a step, with its
+/// slope there (not a number where unknown).
+struct StepEnd {
+    double speed = 0;
+    double distance = 0;
+    double slope = 0;
+    double tolerance = 0; ///< a distance below this is zero
+};
+
+/// Speed inside the step at which the distance must be looked at: near a root, where the ends or
+/// their slopes show that there is one, or where the cubic through both ends and slopes comes close
+/// to zero between (two roots in one step). None where nothing can cross.
+/// @param depth  steps that this one is part of: one that bends is halved a few times to make sure
+[[nodiscard]] std::optional<double> where_to_look(const StepEnd &a, const StepEnd &b, int depth);
+
+} // namespace whirl::tracking

@@ -1,0 +1,94 @@
+#include "tracking/line_errors.h"
+
+#include "assembly/discretization.h"
+#include "mesh_error/finer_model.h"
+#include "mesh_error/shape_residual.h"
+#include "results/formulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace whirl::tracking {
+
+namespace {
+
+/// Fills the gaps of a list known at some places, linearly in the logarithm, constant outside.
+void interpolate(std::vector<std::optional<double>> &values) {
+    const double floor = std::numeric_limits<double>::min();
+    std::vector<std::size_t> known;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (values[k])
+            known.push_back(k);
+    if (known.empty())
+        return;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (values[k])
+            continue;
+        const auto after = std::lower_bound(known.begin(), known.end(), k);
+        if (after == known.begin() || after == known.end()) {
+            values[k] = values[after == known.end() ? known.back() : known.front()];
+            continue;
+        }
+        const std::size_t a = *(after - 1);
+        const std::size_t b = *after;
+        const double t = static_cast<double>(k - a) / static_cast<double>(b - a);
+        values[k] = std::exp((1 - t) * std::log(std::max(*values[a], floor)) +
+                             t * std::log(std::max(*values[b], floor)));
+    }
+}
+
+/// Fills the gaps of a list known at some places by something that follows it everywhere: the ratio
+/// of the two linearly in the logarithm, constant outside.
+void carry(std::vector<std::optional<double>> &values, const std::vector<double> &follows) {
+    const auto divide = [&](bool back) {
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (values[k] && follows[k] > 0)
+                *values[k] *= back ? follows[k] : 1 / follows[k];
+    };
+    divide(false);
+    interpolate(values);
+    divide(true);
+}
+
+} // namespace
+
+LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &solver,
+                       const std::vector<Line> &lines,
+                       const std::vector<modes::Spectrum> &spectra) {
+    LineErrors errors(lines.size());
+    for (auto &list : errors)
+        list.resize(spectra.size());
+    const bool series = solver.form() == results::Form::hill; // cut off: an error of its own
+    if (rotor.shaft.rigid && !series) {
+        for (auto &list : errors)
+            std::fill(list.begin(), list.end(), 0.0);
+        return errors;
+    }
+    const mesh_error::FinerModel finer(rotor, solver);
+    std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
+    if (series && spectra.size() > 1)
+        probes.insert(1); // slow, but not at rest: needs most harmonics
+    for (const std::size_t k : probes) {
+        const std::vector<double> all = finer.errors(spectra[k]);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (lines[i].place[k] != Line::absent)
+                errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];
+    }
+    const mesh_error::ShapeResidual residual(solver.discretization(), solver.form());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (probes.size() == spectra.size())
+            continue;
+        std::vector<double> follows(spectra.size(), 1);
+        for (std::size_t k = 0; k < spectra.size() && !series; ++k)
+            if (lines[i].place[k] != Line::absent)
+                follows[k] =
+                    residual.of(spectra[k].modes[static_cast<std::size_t>(lines[i].place[k])],
+                                spectra[k].speed);
+        carry(errors[i], follows);
+    }
+    return errors;
+}
+
+} // namespace whirl::tracking

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "modes/spectrum.h"
+
+#include <vector>
+
+namespace whirl::tracking {
+
+/// The whirl of an asymmetric rotor that turns exactly with it, as over the band of speeds between
+/// two of its critical speeds.
+[[nodiscard]] bool locked(const modes::WhirlMode &mode, double speed);
+
+/// An end of a band of speeds over which a motion is locked.
+struct LockEnd {
+    double speed = 0;   ///< rad/s, relative 1e-11
+    double outside = 0; ///< a speed close by at which the motion has left the band
+};
+
+/// Ends of such bands between two speeds of one sign, neither of them 0: where the number of locked
+/// motions among the `wanted` lowest modes changes between one and the next of as many equal parts,
+/// and two real eigenvalues in rotating axes meet and part as a branch point does. (A number may
+/// also change where a motion is too heavily damped to count as whirl, and by rounding where
+/// motions of the balls hardly differ.)
+[[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from,
+                                             double to, int parts, int wanted);
+
+/// The same over a whole range, which may hold 0, in 200 parts: bands narrower than one of them are
+/// left to whoever follows a motion into them.
+[[nodiscard]] std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from,
+                                                  double to, int wanted);
+
+} // namespace whirl::tracking

@@ -1,0 +1,190 @@
+#include "tracking/mode_matching.h"
+
+#include "tracking/locked_whirl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace whirl::tracking {
+
+namespace {
+
+/// An overlap above this cannot belong to two modes: overlaps of one mode with the modes of
+/// another speed sum to 1.
+constexpr double sure = 0.7;
+/// Nor where another mode has more than this share of it: vectors of damped modes are not
+/// orthogonal, and large overlaps may cancel.
+constexpr double rival = 0.6;
+/// Below this it is no continuation at all.
+constexpr double possible = 0.25;
+/// A mode that has this share of itself in a group of modes belongs to it.
+constexpr double belongs = 0.6;
+
+bool is_zero(const modes::Spectrum &spectrum, Eigen::Index i) {
+    return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue == 0.0;
+}
+
+Eigen::MatrixXd overlaps_of(const Snapshot &a, const Snapshot &b) {
+    const auto rows = std::ssize(a.spectrum.modes);
+    const auto columns = std::ssize(b.spectrum.modes);
+    if (rows == 0 || columns == 0)
+        return Eigen::MatrixXd::Zero(rows, columns);
+    Eigen::MatrixXd overlap = modes::overlaps(a.basis, b.basis);
+    // Zero modes of a free rotor differ in nothing but their order, which is always the same.
+    for (Eigen::Index i = 0; i < std::min(rows, columns); ++i) {
+        if (!is_zero(a.spectrum, i) || !is_zero(b.spectrum, i))
+            break;
+        overlap.row(i).setZero();
+        overlap.col(i).setZero();
+        overlap(i, i) = 1;
+    }
+    return overlap;
+}
+
+void join(Matching &matching, Eigen::Index i, Eigen::Index j) {
+    matching.to[static_cast<std::size_t>(i)] = static_cast<int>(j);
+    matching.from[static_cast<std::size_t>(j)] = static_cast<int>(i);
+}
+
+Matching nothing_matched(const Eigen::MatrixXd &overlap) {
+    return {std::vector<int>(static_cast<std::size_t>(overlap.rows()), Matching::none),
+            std::vector<int>(static_cast<std::size_t>(overlap.cols()), Matching::none), false};
+}
+
+bool is_sure(const Eigen::MatrixXd &overlap, Eigen::Index i, Eigen::Index j) {
+    const double own = overlap(i, j);
+    if (own < sure)
+        return false;
+    for (Eigen::Index k = 0; k < overlap.cols(); ++k)
+        if (k != j && overlap(i, k) > rival * own)
+            return false;
+    for (Eigen::Index k = 0; k < overlap.rows(); ++k)
+        if (k != i && overlap(k, j) > rival * own)
+            return false;
+    return true;
+}
+
+/// Pairs (cost, i, j) taken in ascending order of cost, each row and column once.
+using Candidates = std::vector<std::tuple<double, Eigen::Index, Eigen::Index>>;
+void take_best(Candidates candidates, Matching &matching) {
+    std::sort(candidates.begin(), candidates.end());
+    for (const auto &[cost, i, j] : candidates)
+        if (matching.to[static_cast<std::size_t>(i)] == Matching::none &&
+            matching.from[static_cast<std::size_t>(j)] == Matching::none)
+            join(matching, i, j);
+}
+
+std::complex<double> value(const modes::Spectrum &spectrum, Eigen::Index i) {
+    return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue;
+}
+
+/// Two modes of different speeds, one of which stands still in the rotor (its eigenvalue in
+/// rotating axes is real) while the other does nearly so: how far apart their eigenvalues in
+/// rotating axes are, where one can become the other. Such a pair has met on the real axis between
+/// the two speeds, where both vectors become one: overlaps say nothing there.
+std::optional<double> distance_at_lock(const modes::Spectrum &a, const modes::Spectrum &b,
+                                       Eigen::Index i, Eigen::Index j) {
+    const modes::WhirlMode &one = a.modes[static_cast<std::size_t>(i)];
+    const modes::WhirlMode &other = b.modes[static_cast<std::size_t>(j)];
+    const bool locks = locked(one, a.speed) != locked(other, b.speed);
+    const double slow = std::max(one.frequency_rotating, other.frequency_rotating);
+    const double distance = std::abs(one.rotating_value - other.rotating_value);
+    const bool known = one.rotating_vector.size() > 0 && other.rotating_vector.size() > 0;
+    if (!known || !locks || slow > 0.5 * std::abs(b.speed) || distance > 3 * slow)
+        return std::nullopt;
+    return distance;
+}
+
+/// Distance of the eigenvalue at b from where that at a goes with the mean of both slopes.
+double discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen::Index j) {
+    const double step = b.spectrum.speed - a.spectrum.speed;
+    const std::complex<double> before = step > 0 ? a.basis.rate_above(i) : a.basis.rate_below(i);
+    const std::complex<double> after = step > 0 ? b.basis.rate_below(j) : b.basis.rate_above(j);
+    const std::complex<double> change = (before + after) / 2.0 * step;
+    const std::complex<double> difference = value(b.spectrum, j) - value(a.spectrum, i);
+    const bool known = std::isfinite(change.real()) && std::isfinite(change.imag());
+    return std::abs(known ? difference - change : difference);
+}
+
+} // namespace
+
+Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
+    const Eigen::MatrixXd overlap = overlaps_of(a, b);
+    Matching out = nothing_matched(overlap);
+    Candidates candidates;
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (overlap(i, j) >= possible)
+                candidates.emplace_back(-overlap(i, j), i, j);
+    take_best(std::move(candidates), out);
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i) {
+        const int j = out.to[static_cast<std::size_t>(i)];
+        if ((i < important || (j != Matching::none && j < important)) &&
+            (j == Matching::none || !is_sure(overlap, i, j)))
+            out.ambiguous = true;
+    }
+    for (std::size_t j = 0; j < out.from.size() && static_cast<int>(j) < important; ++j)
+        out.ambiguous = out.ambiguous || out.from[j] == Matching::none;
+    return out;
+}
+
+Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
+    const Eigen::MatrixXd overlap = overlaps_of(a, b);
+    Matching out = nothing_matched(overlap);
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (is_sure(overlap, i, j))
+                join(out, i, j);
+    // Of the rest each mode must lie in the space of the modes it may become.
+    Eigen::VectorXd row = Eigen::VectorXd::Zero(overlap.rows());
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(overlap.cols());
+    const auto open = [&out](Eigen::Index i, Eigen::Index j) {
+        return out.to[static_cast<std::size_t>(i)] == Matching::none &&
+               out.from[static_cast<std::size_t>(j)] == Matching::none;
+    };
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (open(i, j)) {
+                row(i) += overlap(i, j);
+                column(j) += overlap(i, j);
+            }
+    Candidates candidates;
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (open(i, j) && row(i) >= belongs && column(j) >= belongs &&
+                overlap(i, j) > 0.05 * row(i)) // else of another group
+                candidates.emplace_back(discontinuity(a, b, i, j), i, j);
+    take_best(std::move(candidates), out);
+    Candidates locks;
+    for (Eigen::Index i = 0; i < overlap.rows(); ++i)
+        for (Eigen::Index j = 0; j < overlap.cols(); ++j)
+            if (open(i, j))
+                if (const auto distance = distance_at_lock(a.spectrum, b.spectrum, i, j))
+                    locks.emplace_back(*distance, i, j);
+    take_best(std::move(locks), out);
+    return out;
+}
+
+Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there) {
+    const std::complex<double> l = here.modes[static_cast<std::size_t>(place)].eigenvalue;
+    const double size = std::abs(l);
+    // Two complex eigenvalues that meet on the real axis part along it as fast as they came.
+    const double window = std::max(3 * l.imag(), 0.1 * size);
+    const auto near = [&](double real) { return std::abs(real - l.real()) <= window; };
+    const auto count = [&](const std::vector<double> &reals) {
+        return std::count_if(reals.begin(), reals.end(), near);
+    };
+    if (l.imag() <= 0.5 * size && count(there.overdamped) > count(here.overdamped))
+        return count(there.growing) > count(here.growing) ? Absence::divergent
+                                                          : Absence::overdamped;
+    double highest = 0;
+    for (const modes::WhirlMode &mode : there.modes)
+        highest = std::max(highest, mode.eigenvalue.imag());
+    if (size >= 0.9 * there.complete_radius || l.imag() >= 0.9 * highest)
+        return Absence::beyond;
+    return Absence::lost;
+}
+
+} // namespace whirl::tracking

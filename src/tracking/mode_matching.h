@@ -1,0 +1,43 @@
+#pragma once
+
+#include "modes/spectrum.h"
+
+#include <vector>
+
+namespace whirl::tracking {
+
+/// A spectrum with the left and right vectors of its modes.
+struct Snapshot {
+    modes::Spectrum spectrum;
+    modes::ModeBasis basis;
+};
+
+/// Why a mode of one speed has no continuation at another.
+enum class Absence {
+    none,
+    overdamped, ///< its eigenvalue became real, negative
+    divergent,  ///< real, positive
+    beyond,     ///< it lies beyond the computed modes there
+    lost        ///< it could not be followed
+};
+
+/// Modes of one speed paired with those of another.
+struct Matching {
+    static constexpr int none = -1;
+    std::vector<int> to;   ///< place of the continuation, or `none`
+    std::vector<int> from; ///< the same seen from the other speed
+    bool ambiguous = false;
+};
+
+/// Pairs in descending order of overlap. It is ambiguous where one of the `important` lowest modes
+/// of either speed has no sure partner.
+[[nodiscard]] Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important);
+
+/// What is left unsure is settled within groups of modes that span one space at both speeds (modes
+/// that come close mix): by continuity of eigenvalues and their slopes.
+[[nodiscard]] Matching match_by_groups(const Snapshot &a, const Snapshot &b);
+
+/// What became of a mode that has no continuation in the other spectrum nearby.
+[[nodiscard]] Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there);
+
+} // namespace whirl::tracking

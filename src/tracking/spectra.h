@@ -1,0 +1,16 @@
+#pragma once
+
+#include "modes/spectrum.h"
+
+#include <vector>
+
+namespace whirl::tracking {
+
+/// Spectra at many speeds, shared among the processes started by mpirun. Collective; complete on
+/// process 0, empty on the others. Each speed is solved alone, so the numbers do not depend on
+/// how many processes there are.
+/// @throws model::AnalysisFailure on every process where one of them failed.
+[[nodiscard]] std::vector<modes::Spectrum>
+spectra_at(const modes::SpectrumSolver &solver, const std::vector<double> &speeds, int wanted);
+
+} // namespace whirl::tracking

@@ -1,0 +1,128 @@
+// The finite-element side of the comparison with the rigid rotor, against other routes to the same
+// numbers.
+
+#include "rigid/model.h"
+
+#include "analyses/stability.h"
+#include "stability/permissible.h"
+#include "support/rigid_rotors.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace whirl::rigid {
+
+namespace {
+
+using namespace whirl::tests;
+
+RigidTarget target_of(RigidQuantity kind, int index = 0) {
+    RigidTarget target;
+    target.kind = kind;
+    target.index = index;
+    return target;
+}
+
+} // namespace
+
+/// The two-support rotor as a disc on a massless Timoshenko beam: compliance at the disc by the
+/// rules of statics, W from det[1/W^2 - C diag(M, A - C)].
+TEST(RigidLimitModel, FlexibleSpeedsFollowFromTheComplianceOfTheShaft) {
+    model::Rotor rotor = two_support_case().rotor;
+    rotor.shaft.shear = model::ShearFormula::given;
+    rotor.shaft.shear_coefficient = 0.9;
+    const double a = 0.4, b = 0.5, L = 0.9, k1 = 2e6, k2 = 3e6;
+    const double EI = 2e11 * M_PI * std::pow(0.06, 4) / 64;
+    const double kGA = 0.9 * 7.7e10 * M_PI * 0.06 * 0.06 / 4;
+    Eigen::Matrix2d compliance; // (w, phi) per (force, moment)
+    compliance << a * a * b * b / (3 * EI * L) + a * b / (kGA * L), a * b * (b - a) / (3 * EI * L),
+        a * b * (b - a) / (3 * EI * L), (a * a - a * b + b * b) / (3 * EI * L) + 1 / (kGA * L);
+    Eigen::Matrix2d rigid;
+    rigid << k1 + k2, k2 * b - k1 * a, k2 * b - k1 * a, k1 * a * a + k2 * b * b;
+    compliance += rigid.inverse();
+    const Eigen::Vector2d inertia(60, 3 - 1);
+    const Eigen::Vector2d squares =
+        (compliance * inertia.asDiagonal()).eigenvalues().real().cwiseInverse();
+    for (const int order : {1, 4}) { // both elements are exact between nodes without mass
+        const auto found = model_values(
+            rotor, order,
+            {target_of(RigidQuantity::critical, 0), target_of(RigidQuantity::critical, 1)});
+        ASSERT_TRUE(found[0] && found[1]);
+        // The shaft's own 2e-15 kg and rounding of its stiffness.
+        EXPECT_NEAR(found[0]->value, std::sqrt(squares.minCoeff()), 1e-8 * found[0]->value);
+        EXPECT_NEAR(found[1]->value, std::sqrt(squares.maxCoeff()), 1e-8 * found[1]->value);
+    }
+}
+
+/// The ends of instability by following the free motions over speed.
+TEST(RigidLimitModel, EndsAreThoseOfTheUnstableBand) {
+    const model::Case scene = heavier_anisotropic_case();
+    RigidTarget from = target_of(RigidQuantity::unstable_from, 2); // translation comes first, twice
+    from.upper = 3;
+    RigidTarget to = from;
+    to.kind = RigidQuantity::unstable_to;
+    const auto found = model_values(scene.rotor, 2, {from, to});
+    const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
+    ASSERT_EQ(bands.size(), 1u);
+    ASSERT_TRUE(found[0] && found[1]);
+    EXPECT_NEAR(found[0]->value, bands[0].first, 1e-8 * bands[0].first); // of the bands' ends
+    EXPECT_NEAR(found[1]->value, bands[0].second, 1e-8 * bands[0].second);
+}
+
+/// The largest stable anisotropy by descent over unstable bands.
+TEST(RigidLimitModel, PermissibleAnisotropyIsThatOfTheStabilityAnalysis) {
+    const model::Case scene = heavier_anisotropic_case();
+    RigidTarget target = target_of(RigidQuantity::permissible);
+    target.from = 0;
+    target.to = 6;
+    const auto found = model_values(scene.rotor, 2, {target});
+    const auto entries = stability::permissible_anisotropies(
+        scene, stability::stability_model(scene, scene.speeds->values()), {},
+        stability::search_speeds(*scene.speeds));
+    ASSERT_TRUE(found[0] && entries.at(0).dI);
+    EXPECT_NEAR(found[0]->value, *entries[0].dI, 1e-7 * *entries[0].dI); // of the descent
+}
+
+/// Speeds at which a root is zero with the balls free to move.
+TEST(RigidLimitModel, PinnedRotorStandsWhereFreeBallsDo) {
+    const model::Rotor rotor = balancer_case().rotor;
+    model::Rotor undamped = rotor;
+    for (model::Bearing &bearing : undamped.bearings)
+        bearing.rows[0].c.setZero();
+    std::vector<RigidTarget> targets;
+    for (const int index : {0, 1}) {
+        targets.push_back(target_of(RigidQuantity::additional, index));
+        targets.back().z = 0.5;
+    }
+    const auto found = model_values(rotor, 4, targets);
+    const assembly::Discretization d(undamped, 4);
+    const auto standing =
+        stability::standing_speeds(d, balancers::arrangement_at_balance(undamped), false, 1500);
+    ASSERT_GE(standing.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        ASSERT_TRUE(found[i]);
+        EXPECT_NEAR(found[i]->value, standing[i].speed, 1e-7 * standing[i].speed); // of the latter
+    }
+}
+
+/// Sums over the parts, as in cases/composite_rotor: M_s and C by hand.
+TEST(RigidLimitModel, InertiaCountsBallsAndImbalance) {
+    model::Case scene = balancer_case();
+    scene.rotor.shaft.segments[0].material = weightless_steel();
+    const RigidInertia inertia = model_inertia(scene.rotor, 4);
+    const double m0 = 0.4 / 0.3, balls = 2 * 2 * 0.04, A_m0 = m0 * 0.09;
+    EXPECT_NEAR(inertia.mass, 57.83 + 4 + m0, 1e-10);
+    EXPECT_NEAR(inertia.C, 0.289 + balls + A_m0, 1e-12);
+    // E = 4 x 0.2 / 0.4 = 2: D = 2/E^2 - 1 = -1/2
+    EXPECT_NEAR(std::abs(inertia.a), (A_m0 - balls / 2) / 2, 1e-12);
+    const double center = (57.83 * 0.4 + (4 + m0) * 0.5) / (61.83 + m0);
+    EXPECT_NEAR(inertia.center, center, 1e-12);
+    EXPECT_NEAR(inertia.A,
+                0.413 + 57.83 * std::pow(0.4 - center, 2) + (4 + m0) * std::pow(0.5 - center, 2) +
+                    (balls + A_m0) / 2,
+                1e-11);
+}
+
+} // namespace whirl::rigid
