@@ -85,8 +85,8 @@ std::optional<results::BalancedPosition> balanced_position(const model::Case &sc
     real.formulation = model::FormChoice::automatic; // a form forced for the criterion
     try {
         return stable_speeds(real, notes);
-    } catch (const model::BadInput &none) {
-        notes.push_back(std::string("no balanced position to look at: ") + none.what());
+    } catch (const model::BadInput &error) {
+        notes.push_back(std::string("no balanced position to look at: ") + error.what());
     } catch (const model::AnalysisFailure &failure) {
         notes.push_back(std::string("the balanced position was not judged: ") + failure.what());
     }

@@ -49,7 +49,7 @@ void close_polygon(GroupedPosition &position, std::complex<double> target, int s
 /// Mean unit vector plus 1/E and its derivatives by the group angles.
 struct BalanceEquations {
     Eigen::Vector2d residual;
-    Eigen::Matrix<double, 2, Eigen::Dynamic> jacobian;
+    Eigen::MatrixXd jacobian;
 };
 
 BalanceEquations balance_equations(const GroupedPosition &position, double capacity) {

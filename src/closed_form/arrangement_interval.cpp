@@ -76,8 +76,8 @@ bool find_zero(const Target &target, std::vector<double> &angles) {
     const double weight = 1.0 / target.balls;
     const double wanted = target.constant / target.factor;
     for (int iteration = 0; iteration < 60; ++iteration) {
-        Eigen::Vector4d residual(1.0 / target.capacity, 0.0, wanted, 0.0);
-        Eigen::Matrix<double, 4, Eigen::Dynamic> jacobian(4, n);
+        Eigen::VectorXd residual = Eigen::Vector4d(1.0 / target.capacity, 0.0, wanted, 0.0);
+        Eigen::MatrixXd jacobian(4, n);
         for (Eigen::Index j = 0; j < n; ++j) {
             const double c1 = weight * std::cos(angles[j]);
             const double s1 = weight * std::sin(angles[j]);

@@ -73,12 +73,12 @@ std::array<double, 4> timoshenko_whirl(const UniformShaft &shaft, int mode, doub
     K << shear * k * k / mass, -shear * k / std::sqrt(mass * rotary),
         -shear * k / std::sqrt(mass * rotary), (bending + shear) / rotary;
     const Eigen::Matrix2d L = K.llt().matrixL();
-    Eigen::Matrix4d symmetric = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd symmetric = Eigen::MatrixXd::Zero(4, 4);
     symmetric.topRightCorner<2, 2>() = L.transpose();
     symmetric.bottomLeftCorner<2, 2>() = L;
     symmetric(3, 3) = 2.0 * spin_speed;
 
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(symmetric, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
     std::array<double, 4> frequencies{};
     std::copy_n(solver.eigenvalues().data(), 4, frequencies.begin());
     return frequencies;

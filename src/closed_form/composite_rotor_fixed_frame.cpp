@@ -7,9 +7,9 @@ namespace whirl::closed_form {
 
 namespace {
 
-constexpr int translation = 0;
-constexpr int tilt = 2;
-constexpr int balls = 4;
+constexpr int row_x = 0;
+constexpr int row_tilt = 2;
+constexpr int row_balls = 4;
 
 /// Directions of a point mass at angle g: outward e and along its circle e'.
 struct Directions {
@@ -23,38 +23,39 @@ Directions directions(double angle) {
 
 /// m R^2 e (e . phi'' + 2 Omega e' . phi'): tilt inertia of one point mass.
 void add_tilt_of_point(MotionMatrices &m, double inertia, double spin_speed, const Directions &at) {
-    m.M.block<2, 2>(tilt, tilt) += inertia * at.outward * at.outward.transpose();
-    m.C.block<2, 2>(tilt, tilt) += 2.0 * spin_speed * inertia * at.outward * at.along.transpose();
+    m.M.block<2, 2>(row_tilt, row_tilt) += inertia * at.outward * at.outward.transpose();
+    m.C.block<2, 2>(row_tilt, row_tilt) +=
+        2.0 * spin_speed * inertia * at.outward * at.along.transpose();
 }
 
 /// Axisymmetric body on isotropic supports: the two axes couple through the gyroscopic moment only.
 void add_body(MotionMatrices &m, const PhysicalParameters &physical) {
     const ReducedSupports &s = physical.supports;
     for (const int axis : {0, 1}) {
-        m.M(translation + axis, translation + axis) += physical.mass;
-        m.M(tilt + axis, tilt + axis) += physical.base_inertia;
-        m.C(translation + axis, translation + axis) += s.h_x;
-        m.C(tilt + axis, tilt + axis) += s.h_beta;
-        m.C(translation + axis, tilt + axis) += s.h_y;
-        m.C(tilt + axis, translation + axis) += s.h_y;
-        m.K(translation + axis, translation + axis) += s.c_x;
-        m.K(tilt + axis, tilt + axis) += s.c_beta;
-        m.K(translation + axis, tilt + axis) += s.c_y;
-        m.K(tilt + axis, translation + axis) += s.c_y;
+        m.M(row_x + axis, row_x + axis) += physical.mass;
+        m.M(row_tilt + axis, row_tilt + axis) += physical.base_inertia;
+        m.C(row_x + axis, row_x + axis) += s.h_x;
+        m.C(row_tilt + axis, row_tilt + axis) += s.h_beta;
+        m.C(row_x + axis, row_tilt + axis) += s.h_y;
+        m.C(row_tilt + axis, row_x + axis) += s.h_y;
+        m.K(row_x + axis, row_x + axis) += s.c_x;
+        m.K(row_tilt + axis, row_tilt + axis) += s.c_beta;
+        m.K(row_x + axis, row_tilt + axis) += s.c_y;
+        m.K(row_tilt + axis, row_x + axis) += s.c_y;
         // Inertia force of the balls' displacement, on the plane A.
-        m.M(translation + axis, balls + axis) += 1.0;
-        m.M(tilt + axis, balls + axis) += physical.balancer_position;
+        m.M(row_x + axis, row_balls + axis) += 1.0;
+        m.M(row_tilt + axis, row_balls + axis) += physical.balancer_position;
     }
-    m.C(tilt, tilt + 1) += physical.spin_speed * physical.polar_inertia;
-    m.C(tilt + 1, tilt) -= physical.spin_speed * physical.polar_inertia;
+    m.C(row_tilt, row_tilt + 1) += physical.spin_speed * physical.polar_inertia;
+    m.C(row_tilt + 1, row_tilt) -= physical.spin_speed * physical.polar_inertia;
 }
 
 /// Left side of the balls' equation: S seen from the rotor, S'' - 2 i W S' - W^2 S + h_s (S' - i W
 /// S).
 void add_relative_motion(MotionMatrices &m, double h_s, double w) {
-    m.M.block<2, 2>(balls, balls).setIdentity();
-    m.C.block<2, 2>(balls, balls) << h_s, 2.0 * w, -2.0 * w, h_s;
-    m.K.block<2, 2>(balls, balls) << -w * w, h_s * w, -h_s * w, -w * w;
+    m.M.block<2, 2>(row_balls, row_balls).setIdentity();
+    m.C.block<2, 2>(row_balls, row_balls) << h_s, 2.0 * w, -2.0 * w, h_s;
+    m.K.block<2, 2>(row_balls, row_balls) << -w * w, h_s * w, -h_s * w, -w * w;
 }
 
 } // namespace
@@ -74,8 +75,8 @@ MotionMatrices fixed_frame_matrices(const FixedFrameRotor &rotor, double time) {
         add_tilt_of_point(m, set.mass * set.radius * set.radius, w, at);
         // m R eps'' = -m e' . (x'' + z_A phi''), summed into S along e'.
         const Eigen::Matrix2d share = set.mass * at.along * at.along.transpose();
-        m.M.block<2, 2>(balls, translation) += share;
-        m.M.block<2, 2>(balls, tilt) += physical.balancer_position * share;
+        m.M.block<2, 2>(row_balls, row_x) += share;
+        m.M.block<2, 2>(row_balls, row_tilt) += physical.balancer_position * share;
     }
     return m;
 }

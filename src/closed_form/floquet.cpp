@@ -24,7 +24,7 @@ Collocation gauss_legendre() {
     const double outer = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(1.2));
     Collocation rule{
         {0.5 - 0.5 * outer, 0.5 - 0.5 * inner, 0.5 + 0.5 * inner, 0.5 + 0.5 * outer}, {}, {}};
-    Eigen::Matrix4d powers;
+    Eigen::MatrixXd powers(stages, stages);
     Eigen::Matrix4d integrals;
     Eigen::RowVector4d whole;
     for (int k = 0; k < stages; ++k) {
@@ -34,7 +34,7 @@ Collocation gauss_legendre() {
             integrals(i, k) = std::pow(rule.nodes[i], k + 1) / (k + 1);
         }
     }
-    const Eigen::Matrix4d inverse = powers.inverse();
+    const Eigen::MatrixXd inverse = powers.partialPivLu().inverse();
     rule.coefficients = integrals * inverse;
     rule.weights = whole * inverse;
     return rule;

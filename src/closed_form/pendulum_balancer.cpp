@@ -61,11 +61,11 @@ std::vector<std::complex<double>> pendulum_polynomial(const PendulumRotor &rotor
 
 double small_motion_growth(const PendulumRotor &rotor, double speed_ratio) {
     const auto a = pendulum_polynomial(rotor, speed_ratio);
-    Eigen::Matrix4cd companion = Eigen::Matrix4cd::Zero();
+    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(4, 4);
     companion.bottomLeftCorner<3, 3>().setIdentity();
     for (int row = 0; row < 4; ++row)
         companion(row, 3) = -a[4 - row] / a[0];
-    const Eigen::ComplexEigenSolver<Eigen::Matrix4cd> solver(companion, false);
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(companion, false);
     return solver.eigenvalues().real().maxCoeff();
 }
 

@@ -73,7 +73,7 @@ Range force_range(const SteadyEquations &equations, double a, double b) {
 bool polish(const SteadyEquations &equations, Eigen::Vector2d &at) {
     for (int iteration = 0; iteration < 60; ++iteration) {
         const Eigen::Vector2d step =
-            equations.jacobian(at).fullPivLu().solve(equations.residual(at));
+            Eigen::MatrixXd(equations.jacobian(at)).fullPivLu().solve(equations.residual(at));
         at -= step;
         if (!at.allFinite())
             return false;
@@ -145,9 +145,9 @@ double growth_of(const PendulumRotor &rotor, double R, const PendulumMotion &mot
     Eigen::Matrix2d arms; // displacement of the masses by (dphi, dpsi)
     arms << 0.0, -cs, cp, 0.0;
 
-    Eigen::Matrix4d M = Eigen::Matrix4d::Identity();
-    Eigen::Matrix4d C = Eigen::Matrix4d::Zero();
-    Eigen::Matrix4d K = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd M = Eigen::MatrixXd::Identity(4, 4);
+    Eigen::MatrixXd C = Eigen::MatrixXd::Zero(4, 4);
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(4, 4);
     const auto add_acceleration = [&](int row, int column, const Eigen::Matrix2d &left,
                                       const Eigen::Matrix2d &right) {
         M.block<2, 2>(row, column) = left * right;
@@ -165,7 +165,7 @@ double growth_of(const PendulumRotor &rotor, double R, const PendulumMotion &mot
     K(2, 2) = hinge / cp;
     K(3, 3) = hinge / cs;
 
-    Eigen::Matrix<double, 8, 8> state = Eigen::Matrix<double, 8, 8>::Zero();
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(8, 8);
     state.topRightCorner<4, 4>().setIdentity();
     state.bottomLeftCorner<4, 4>() = -M.partialPivLu().solve(K);
     state.bottomRightCorner<4, 4>() = -M.partialPivLu().solve(C);
@@ -200,7 +200,7 @@ bool continue_branch(const PendulumRotor &rotor, Eigen::Vector3d &at, Eigen::Vec
         matrix.topLeftCorner<2, 2>() = equations.jacobian(next.head<2>());
         matrix.topRightCorner<2, 1>() = (ahead - behind) / (2.0 * delta);
         matrix.row(2) = tangent.transpose();
-        const Eigen::PartialPivLU<Eigen::Matrix3d> lu(matrix);
+        const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
         Eigen::Vector3d residual;
         residual << equations.residual(next.head<2>()), tangent.dot(next - at) - step;
         const Eigen::Vector3d correction = lu.solve(residual);

@@ -12,12 +12,6 @@ namespace whirl::modes {
 
 namespace {
 
-/// An eigenvalue whose imaginary part is below this share of its modulus is no whirl: the damping
-/// ratio is above 0.9998, the motion dies out by a factor of 1e130 within one turn of it. (Real
-/// eigenvalues that nearly meet are moved off the axis by rounding, and gyroscopic coupling gives
-/// overdamped motion of an isotropic rotor a minute frequency.)
-constexpr double real_axis = 0.02;
-
 /// Positive by more than residual and rounding of the entries explain.
 bool grows(const linalg::ComplexPair &pair) {
     return pair.value.real() > 10 * (pair.residual + pair.rounding) * std::abs(pair.value);

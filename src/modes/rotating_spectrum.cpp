@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::complex<double> i_unit(0, 1);
 
-/// As in the fixed frame: so near the real axis there is no whirl (general_spectrum.cpp).
-constexpr double real_axis = 0.02;
-
 /// Share of the copy whose centre must be largest; equal shares may differ by rounding.
 constexpr double equal_share = 1 - 1e-6;
 

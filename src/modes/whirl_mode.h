@@ -9,6 +9,12 @@
 
 namespace whirl::modes {
 
+/// An eigenvalue whose imaginary part is below this share of its modulus is no whirl: the damping
+/// ratio is above 0.9998, the motion dies out by a factor of 1e130 within one turn of it. (Real
+/// eigenvalues that nearly meet are moved off the axis by rounding, and gyroscopic coupling gives
+/// overdamped motion of an isotropic rotor a minute frequency.)
+inline constexpr double real_axis = 0.02;
+
 /// One whirl mode at one spin speed.
 struct WhirlMode {
     std::complex<double> eigenvalue; ///< Im >= 0, 1/s

@@ -20,7 +20,7 @@ namespace whirl::simulation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double most_revolutions = 1e7;
 
 double ball_inertia(const model::Balancer &b) { return b.mass * b.radius * b.radius; }

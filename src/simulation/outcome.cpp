@@ -14,7 +14,7 @@ namespace whirl::simulation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double still_swing = 0.05;   ///< rad, of a ball that counts as standing still
 constexpr double drifting = pi;        ///< rad over the last tenth, of a ball that lags
 constexpr double balanced_ratio = 0.1; ///< of the unbalanced amplitude

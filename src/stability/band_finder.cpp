@@ -20,7 +20,7 @@ using Pairs = std::vector<linalg::ComplexPair>;
 constexpr int small = 16;
 constexpr double large_part = 0.7;
 /// Eigenvalues of the reduced rotor as far as the search needs them, over the spin speed.
-constexpr double same = 1e-7;
+constexpr double agreeing = 1e-7;
 /// Part of a shape that the others must lack for it to be taken in.
 constexpr double newness = 1e-5;
 
@@ -29,7 +29,7 @@ std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs 
                                                  double speed, double repeats) {
     std::vector<const linalg::ComplexPair *> out;
     for (const linalg::ComplexPair &pair : some) {
-        const double allowed = same * std::max(std::abs(pair.value), std::abs(speed)) +
+        const double allowed = agreeing * std::max(std::abs(pair.value), std::abs(speed)) +
                                100 * (pair.rounding + pair.residual) * std::abs(pair.value);
         if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
                 return apart(pair.value, other.value, repeats) <= allowed;
@@ -145,7 +145,7 @@ class Confirmation {
                                                        double next) const {
         const double middle = (band.first + band.second) / 2;
         const double around =
-            std::max(4 * (band.second - band.first), 10 * same * std::abs(middle));
+            std::max(4 * (band.second - band.first), 10 * agreeing * std::abs(middle));
         const double low = std::max({_front, middle - around, (band.first + last) / 2});
         const double high = std::min({_back, middle + around, (band.second + next) / 2});
         return unstable_bands(_at, {low, band.first, middle, band.second, high});

@@ -125,10 +125,10 @@ Descent descend(const Varied &varied, double largest, const std::vector<double> 
         double next = dI;
         for (const SpeedInterval &band : bands)
             next = std::min(next, varied.just_stable(strongest_speed(at, band), next));
-        const bool settled = dI - next < 1e-11 * dI;
+        const bool unchanged = dI - next < 1e-11 * dI;
         dI = next;
         out.dI = dI;
-        if (settled || dI < 1e-9 * largest)
+        if (unchanged || dI < 1e-9 * largest)
             break;
     }
     if (dI < 1e-7 * largest)

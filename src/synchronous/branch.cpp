@@ -11,7 +11,7 @@ namespace whirl::synchronous {
 namespace {
 
 using Complex = std::complex<double>;
-using Sparse = ComplexQuadratic::Sparse;
+using ComplexSparse = ComplexQuadratic::Sparse;
 
 /// Steps below this part that shrink no more are rounding, which very stiff meshes have.
 constexpr double no_better = 1e-7;
@@ -47,8 +47,8 @@ LinearSynchronous::LinearSynchronous(ComplexQuadratic from, ComplexQuadratic to,
         [](double d) { return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0; });
     const Eigen::VectorXcd scale = _scale.cast<Complex>();
     for (ComplexQuadratic *Q : {&_from, &_to})
-        for (Sparse *A : {&Q->M, &Q->D, &Q->K})
-            *A = scale.asDiagonal() * Sparse(*A * scale.asDiagonal());
+        for (ComplexSparse *A : {&Q->M, &Q->D, &Q->K})
+            *A = scale.asDiagonal() * ComplexSparse(*A * scale.asDiagonal());
     _D_slope = (_to.D - _from.D) / (s_to - s_from);
     _K_slope = (_to.K - _from.K) / (s_to - s_from);
 }
@@ -61,10 +61,10 @@ std::optional<BranchPoint> LinearSynchronous::point(double s, Complex l,
     BranchPoint out;
     Eigen::VectorXcd x = _scale.cwiseInverse().cwiseProduct(start);
     Eigen::VectorXcd y = x;
-    Eigen::SparseLU<Sparse> lu;
+    Eigen::SparseLU<ComplexSparse> lu;
     double last_step = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 12; ++iteration) {
-        const Sparse slope = Q.slope(l);
+        const ComplexSparse slope = Q.slope(l);
         for (const double nudge : {0.0, 1e-13, -3e-13}) { // exactly singular is too much
             lu.compute(Q.at(l * (1 + nudge)));
             if (lu.info() == Eigen::Success)

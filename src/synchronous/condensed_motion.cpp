@@ -12,7 +12,6 @@ namespace whirl::synchronous {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr Complex imaginary_unit(0, 1);
 constexpr int at_nodes = 4; ///< unknowns of a beam element at its nodes
 
 /// A with its internal unknowns eliminated.

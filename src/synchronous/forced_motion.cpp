@@ -16,11 +16,7 @@
 
 namespace whirl::synchronous {
 
-namespace {
-
-constexpr std::complex<double> imaginary_unit(0, 1);
-
-} // namespace
+namespace {} // namespace
 
 std::complex<double> reading(const Phasor &motion, double angle) {
     return motion.x * std::cos(angle) + motion.y * std::sin(angle);

@@ -12,6 +12,8 @@
 
 namespace whirl::synchronous {
 
+inline constexpr std::complex<double> imaginary_unit(0, 1);
+
 /// Two components over time: Re(x exp(i Omega t)), Re(y exp(i Omega t)).
 struct Phasor {
     std::complex<double> x;

@@ -1,0 +1,8 @@
+// Eigenvalues of full matrices, compiled once: see instances.h.
+
+#define WHIRL_EIGEN_INSTANCES
+#include "eigen/instances.h"
+
+WHIRL_EIGEN_SYMMETRIC(template, Eigen::MatrixXd);
+WHIRL_EIGEN_SYMMETRIC(template, Eigen::MatrixXcd);
+WHIRL_EIGEN_GENERAL(template);
