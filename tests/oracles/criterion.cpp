@@ -57,8 +57,6 @@ std::vector<Real> signature(const ComplexMatrix &form) {
 
 std::vector<Band> criterion_bands(const SteppedRotor &rotor, Real from, Real to,
                                   const std::vector<double> &places) {
-    constexpr int steps =
-        1500; // bands narrower than a step of some tenths of rad/s: not looked for
     const auto inside = [&](Real speed) {
         return speed > 0 && signature(criterion_form(rotor, speed, places)).back() < 0;
     };
