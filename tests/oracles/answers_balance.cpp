@@ -1,6 +1,7 @@
 // The empirical criterion, four pendulums, the rigid limit and ends of motions in time.
 
 #include "oracles/answers.h"
+#include "oracles/ball_motion.h"
 #include "oracles/balls.h"
 #include "oracles/influence.h"
 #include "oracles/pendulums.h"
@@ -213,7 +214,16 @@ Answer answer_simulate(const Request &request) {
                     .name(),
                 {}};
     }
-    no_answer("simulate: motions of balls in time have no oracle");
+    const int other = index_after(request.path, "/other_starts/");
+    if (rotor.rigid && !balancer.pendulums && ends_with(request.path, "/outcome")) {
+        const auto &angles =
+            other < 0 ? rotor.ball_angles : rotor.other_starts.at(static_cast<std::size_t>(other));
+        return {"motion of the balls in time",
+                {},
+                ball_motion(rotor, rotor.speed_from, angles, rotor.time).name(),
+                {}};
+    }
+    no_answer("simulate: no oracle for " + request.path);
 }
 
 } // namespace whirl::oracles

@@ -86,6 +86,47 @@ Real permissible_anisotropy(const CaseRotor &rotor) {
     return low;
 }
 
+/// Dimensionless numbers of the composite rotor: m = n m/M_s, A_m = n m R^2/A_Sigma,
+/// A_m0 = m0 R0^2/A_Sigma, C = C_s/A_Sigma, about its centre of mass (Gorbenko).
+Real dimensionless(const CaseRotor &rotor, const std::string &name) {
+    const RigidRotor body = composite_rotor(rotor);
+    const Balancer &b = rotor.balancers.front();
+    const Real balls = b.n * static_cast<Real>(b.mass);
+    if (name == "m")
+        return balls / body.mass;
+    if (name == "A_m")
+        return balls * b.radius * b.radius / body.A;
+    if (name == "A_m0")
+        return b.imbalance * static_cast<Real>(b.imbalance_radius) / body.A;
+    if (name == "C")
+        return body.C / body.A;
+    no_answer("show: no oracle for the dimensionless " + name);
+}
+
+Answer answer_balls(const CaseRotor &rotor, const std::string &path) {
+    const Balancer &balancer = rotor.balancers.front();
+    const Real E = capacity(balancer);
+    const std::string position = "balanced position";
+    const std::string numbers = "/balancers/0/dimensionless/";
+    if (path == "/balancers/0/E")
+        return {position, {E}, {}, {}};
+    if (path == "/balancers/0/D_c")
+        return {position, {second_harmonic(symmetric_position(balancer.n, E)).real()}, {}, {}};
+    if (path == "/balancers/0/D_interval") {
+        const HarmonicInterval interval = harmonic_interval(balancer.n, E);
+        return {"search over balanced positions", {interval.least, interval.most}, {}, {}};
+    }
+    if (path == "/balancers/0/dA")
+        return {position, {std::abs(ball_inertia(balancer).a)}, {}, {}};
+    if (path == "/balancers/0/dA_paper")
+        return {position, {ball_inertia(balancer).a_paper}, {}, {}};
+    if (path == "/balancers/0/bare_rotor/Ip_over_Id")
+        return {position, {bare_rotor(rotor).C / bare_rotor(rotor).A}, {}, {}};
+    if (path.rfind(numbers, 0) == 0)
+        return {"composite rotor", {dimensionless(rotor, path.substr(numbers.size()))}, {}, {}};
+    no_answer("show: no oracle for " + path);
+}
+
 } // namespace
 
 Answer answer_stability(const Request &request) {
@@ -123,25 +164,8 @@ Answer answer_show(const Request &request) {
         if (path == "/anisotropy/permissible_speed")
             return {anisotropic, {closed.permissible_speed()}, {}, {}};
     }
-    if (path.rfind("/balancers/0/", 0) == 0) {
-        const Balancer &balancer = rotor.balancers.front();
-        const Real E = capacity(balancer);
-        if (path == "/balancers/0/E")
-            return {"balanced position", {E}, {}, {}};
-        if (path == "/balancers/0/D_c")
-            return {"balanced position",
-                    {second_harmonic(symmetric_position(balancer.n, E)).real()},
-                    {},
-                    {}};
-        if (path == "/balancers/0/D_interval") {
-            const HarmonicInterval interval = harmonic_interval(balancer.n, E);
-            return {"search over balanced positions", {interval.least, interval.most}, {}, {}};
-        }
-        if (path == "/balancers/0/dA")
-            return {"balanced position", {std::abs(ball_inertia(balancer).a)}, {}, {}};
-        if (path == "/balancers/0/dA_paper")
-            return {"balanced position", {ball_inertia(balancer).a_paper}, {}, {}};
-    }
+    if (path.rfind("/balancers/0/", 0) == 0)
+        return answer_balls(rotor, path);
     no_answer("show: no oracle for " + path);
 }
 

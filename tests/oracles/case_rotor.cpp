@@ -192,6 +192,17 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
         rotor.imbalances.push_back({number(*t, "z"), number(*t, "mr"), number(*t, "phase")});
 }
 
+/// Lists of numbers, one in the other.
+std::vector<std::vector<double>> lists(const toml::node &node) {
+    std::vector<std::vector<double>> out;
+    for (const toml::node &row : *node.as_array()) {
+        out.emplace_back();
+        for (const toml::node &item : *row.as_array())
+            out.back().push_back(number(item));
+    }
+    return out;
+}
+
 void read_analyses(const toml::table &root, CaseRotor &rotor) {
     const toml::table &speeds = part(root, "speeds");
     rotor.speed_from = number(speeds, "from");
@@ -206,11 +217,10 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
     const toml::table &simulate = part(root, "simulate");
     rotor.time = number(simulate, "time");
     if (const toml::node *angles = simulate.get("ball_angles"))
-        for (const toml::node &row : *angles->as_array()) {
-            rotor.ball_angles.emplace_back();
-            for (const toml::node &item : *row.as_array())
-                rotor.ball_angles.back().push_back(number(item));
-        }
+        rotor.ball_angles = lists(*angles);
+    if (const toml::node *starts = simulate.get("other_starts"))
+        for (const toml::node &item : *starts->as_array())
+            rotor.other_starts.push_back(lists(item));
 }
 
 Block between(const Block &a, const Block &b, double share) {

@@ -73,9 +73,10 @@ struct CaseRotor {
     double speed_to = 0;   ///< rad/s
     int speed_count = 1;
     std::vector<PendulumDesign> designs;
-    std::vector<double> external_dampings; ///< H of [balance]
-    double time = 0;                       ///< s, of [simulate]
-    std::vector<std::vector<double>> ball_angles;
+    std::vector<double> external_dampings;        ///< H of [balance]
+    double time = 0;                              ///< s, of [simulate]
+    std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
+    std::vector<std::vector<std::vector<double>>> other_starts;
 
     [[nodiscard]] double length() const;
     [[nodiscard]] bool damped() const;

@@ -235,8 +235,8 @@ std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple) {
     return out;
 }
 
-double semi_major(const CaseRotor &rotor, double speed, double z) {
-    const DenseRotor dense = dense_rotor(rotor.at_speed(speed));
+double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
+    const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
     const Eigen::Index n = dense.planar();
     const std::complex<double> i(0, 1);
     Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);

@@ -49,7 +49,7 @@ struct Crossing {
 /// without damping on bearings with kxy = kyx, stiffness positive, which is Hermitian.
 [[nodiscard]] std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple = 1);
 
-/// Semi-major axis (m) of the orbit at z under the imbalances of the case.
-[[nodiscard]] double semi_major(const CaseRotor &rotor, double speed, double z);
+/// Semi-major axis (m) of the orbit at z under the imbalances of the case; elements cut as above.
+[[nodiscard]] double semi_major(const CaseRotor &rotor, double speed, double z, int parts = 1);
 
 } // namespace whirl::oracles

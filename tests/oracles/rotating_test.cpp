@@ -1,5 +1,6 @@
 // State matrix in rotating axes, Floquet multipliers and pendulums against closed forms.
 
+#include "oracles/ball_motion.h"
 #include "oracles/floquet.h"
 #include "oracles/pendulums.h"
 #include "oracles/rotating_state.h"
@@ -93,6 +94,29 @@ TEST(RotatingState, two_plane_balancer_is_stable_above_its_hopf_point) {
     const RotatingRotor state = rotating_composite(read("rodrigues_two_plane"));
     EXPECT_GT(static_cast<double>(state.growth(2.94L)), 1e-7);
     EXPECT_LT(static_cast<double>(state.growth(2.95L)), 1e-7); // neutral motions of equal planes
+}
+
+/// One ball off its place by 1e-7: the deflection grows as the state matrix says.
+TEST(BallMotion, follows_the_state_matrix_while_small) {
+    const CaseRotor rotor = read("rodrigues_two_plane");
+    const double place = 2 * std::numbers::pi / 3;
+    const std::vector<std::vector<double>> start{{place + 1e-7, -place}, {place, -place}};
+    const auto growth = static_cast<double>(rotating_composite(rotor).growth(2.5L));
+    const double late = ball_motion(rotor, 2.5, start, 80).residual;
+    const double early = ball_motion(rotor, 2.5, start, 50).residual;
+    EXPECT_GT(growth, 0.1);
+    EXPECT_LT(late, 0.01);
+    // The largest of the last fortieth of 80 and 50 s, part of an oscillation
+    EXPECT_NEAR(std::log(late / early) / (30 * growth), 1, 0.1);
+}
+
+/// Rodrigues et al. (2008): (Omega, eps, m) = (4, 0.01, 0.005) balances at +-120 degrees.
+TEST(BallMotion, balances_where_published) {
+    const CaseRotor rotor = read("rodrigues_two_plane");
+    const BallOutcome end = ball_motion(rotor, 4, rotor.ball_angles, 1500);
+    EXPECT_EQ(end.name(), "balanced");
+    EXPECT_NEAR(end.angles.at(0).at(0), 2 * std::numbers::pi / 3, 2e-3);
+    EXPECT_NEAR(end.angles.at(1).at(1), -2 * std::numbers::pi / 3, 2e-3);
 }
 
 TEST(Floquet, constant_coefficients_give_exponentials) {
