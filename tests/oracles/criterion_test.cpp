@@ -90,6 +90,40 @@ TEST(Criterion, bands_end_at_critical_speeds_and_at_those_of_the_pinned_rotor) {
     EXPECT_NEAR(static_cast<double>(zeros[0] / bands[0].second), 1, 1e-15);
 }
 
+/// Critical speeds (no plane) or pinned ones by influence coefficients, extrapolated from 16 and 32
+/// slices of the shaft.
+std::vector<Real> by_influence(const CaseRotor &rotor, const std::vector<Real> &pinned) {
+    const MasslessShaft shaft(rotor);
+    const auto coarse = lumped_critical_speeds(shaft, lumps_of(rotor, 16), pinned);
+    auto fine = lumped_critical_speeds(shaft, lumps_of(rotor, 32), pinned);
+    for (std::size_t i = 0; i < 4 && i < coarse.size(); ++i)
+        fine[i] = (4 * fine[i] - coarse[i]) / 3;
+    return fine;
+}
+
+/// Every end of a band is a critical speed or one of the pinned rotor, found without the transfer
+/// matrix.
+TEST(Criterion, ends_of_bands_by_influence_coefficients) {
+    for (const std::string name : {"disc_type_short", "excess_planes", "extractor_two_plane"}) {
+        const CaseRotor rotor = read_case(WHIRL_ROOT "/cases/" + name + "/case.toml",
+                                          {"bearing[0].c=0", "bearing[1].c=0"});
+        for (const double plane : rotor.planes) {
+            std::vector<Real> known = by_influence(rotor, {});
+            for (const Real speed : by_influence(rotor, {static_cast<Real>(plane)}))
+                known.push_back(speed);
+            for (const auto &[from, to] :
+                 criterion_bands(stepped(rotor), 0, rotor.speed_to, {plane}))
+                for (const Real end : {from, to}) {
+                    Real nearest = std::abs(end / rotor.speed_to - 1);
+                    for (const Real speed : known)
+                        nearest = std::min(nearest, std::abs(end / speed - 1));
+                    EXPECT_LT(static_cast<double>(nearest), 1e-4)
+                        << name << " plane " << plane << " at " << static_cast<double>(end);
+                }
+        }
+    }
+}
+
 TEST(Criterion, of_a_stiff_shaft_is_that_of_the_rigid_rotor) {
     const CaseRotor soft = long_rotor();
     CaseRotor stiff = soft;
