@@ -1,0 +1,22 @@
+#include "oracles/answers.h"
+
+#include <map>
+#include <stdexcept>
+
+namespace whirl::oracles {
+
+void no_answer(const std::string &reason) { throw std::runtime_error(reason); }
+
+Answer answer(const Request &request) {
+    static const std::map<std::string, Answer (*)(const Request &)> answers{
+        {"campbell", answer_campbell}, {"critical", answer_critical},
+        {"response", answer_response}, {"stability", answer_stability},
+        {"show", answer_show},         {"balance", answer_balance},
+        {"simulate", answer_simulate}, {"rigid-limit", answer_rigid_limit}};
+    const auto found = answers.find(request.command);
+    if (found == answers.end())
+        no_answer("no oracle for the command " + request.command);
+    return found->second(request);
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,229 @@
+// The empirical criterion, four pendulums, the rigid limit and ends of motions in time.
+
+#include "oracles/answers.h"
+#include "oracles/ball_motion.h"
+#include "oracles/balls.h"
+#include "oracles/influence.h"
+#include "oracles/pendulums.h"
+#include "oracles/rigid_rotor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace whirl::oracles {
+
+namespace {
+
+const std::string rigid_form = "closed form of the rigid rotor";
+const std::string exact_form = "criterion of the transfer matrix";
+
+std::vector<Real> flat(const std::vector<Band> &bands) {
+    std::vector<Real> out;
+    for (const auto &[from, to] : bands) {
+        out.push_back(from);
+        out.push_back(to);
+    }
+    return out;
+}
+
+/// The number after a part of a path, "/planes/" in "/planes/1/bands"; -1 where there is none.
+int index_after(const std::string &path, const std::string &part) {
+    const auto at = path.find(part);
+    return at == std::string::npos ? -1 : std::atoi(path.c_str() + at + part.size());
+}
+
+bool ends_with(const std::string &text, const std::string &end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+Answer criterion(const CaseRotor &rotor, const std::vector<double> &planes, bool joint) {
+    if (rotor.damped())
+        no_answer("bands of the criterion: without damping only");
+    if (rotor.rigid) {
+        const RigidRotor body = bare_rotor(rotor);
+        return {rigid_form,
+                flat(joint ? rigid_joint_bands(body, rotor.speed_to)
+                           : rigid_bands(body, planes.front(), rotor.speed_to)),
+                {},
+                {}};
+    }
+    return {exact_form,
+            flat(criterion_bands(stepped(rotor), rotor.speed_from, rotor.speed_to, planes)),
+            {},
+            {}};
+}
+
+Answer answer_joint(const CaseRotor &rotor, const std::string &path) {
+    if (path == "/joint/bands")
+        return criterion(rotor, rotor.planes, true);
+    if (path == "/joint/rigid_bands")
+        return {rigid_form, flat(rigid_joint_bands(bare_rotor(rotor), rotor.speed_to)), {}, {}};
+    if (path == "/joint/rank")
+        return {
+            rigid_form, {static_cast<Real>(rigid_rank(bare_rotor(rotor), rotor.planes))}, {}, {}};
+    if (path == "/joint/signature/0/eigenvalues" && !rotor.rigid)
+        return {exact_form,
+                signature(criterion_form(stepped(rotor), rotor.speed_from, rotor.planes)),
+                {},
+                {}};
+    if (path == "/joint/pinned_critical_speeds" && !rotor.rigid)
+        return {exact_form,
+                pinned_speeds(stepped(rotor), rotor.speed_from, rotor.speed_to, rotor.planes),
+                {},
+                {}};
+    no_answer("balance: no oracle for " + path);
+}
+
+/// Critical speeds of the disc on its massless shaft, and with the first plane held.
+std::vector<Real> elastic_speeds(const CaseRotor &rotor, Real factor) {
+    const MasslessShaft shaft(rotor, factor);
+    const Lumps lumps = lumps_of(rotor, 0);
+    std::vector<Real> out = lumped_critical_speeds(shaft, lumps);
+    out.push_back(
+        lumped_critical_speeds(shaft, lumps, {static_cast<Real>(rotor.planes.at(0))}).at(0));
+    return out;
+}
+
+std::vector<Real> rigid_speeds(const CaseRotor &rotor) {
+    const RigidRotor body = bare_rotor(rotor);
+    std::vector<Real> out = resonances(body);
+    out.push_back(additional_speeds(body, rotor.planes.at(0)).at(0));
+    return out;
+}
+
+/// Largest relative difference of the elastic from the rigid speeds.
+Real worst_difference(const CaseRotor &rotor, Real factor) {
+    const std::vector<Real> rigid = rigid_speeds(rotor);
+    const std::vector<Real> elastic = elastic_speeds(rotor, factor);
+    Real worst = 0;
+    for (std::size_t i = 0; i < rigid.size(); ++i)
+        worst = std::max(worst, std::abs(elastic.at(i) / rigid[i] - 1));
+    return worst;
+}
+
+/// Factor of E and G at which the worst of the speeds is 1 % from the rigid one.
+Real one_percent_factor(const CaseRotor &rotor) {
+    Real low = 1e-3L;
+    Real high = 1e6L;
+    for (int step = 0; step < 100; ++step) {
+        const Real middle = std::sqrt(low * high);
+        (worst_difference(rotor, middle) > 0.01L ? low : high) = middle;
+    }
+    return low;
+}
+
+/// Exponent of the stiffness in the difference, between 1e5 and 1e6 times the shaft's.
+Real rate_of(const CaseRotor &rotor, std::size_t row) {
+    const auto difference = [&](Real factor) {
+        return std::abs(elastic_speeds(rotor, factor).at(row) / rigid_speeds(rotor).at(row) - 1);
+    };
+    return std::log10(difference(1e6L) / difference(1e5L));
+}
+
+} // namespace
+
+Answer answer_balance(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    const std::string &path = request.path;
+    if (path.rfind("/pendulum/", 0) == 0)
+        return answer_pendulums(request);
+    if (path.rfind("/joint/", 0) == 0)
+        return answer_joint(rotor, path);
+    if (path == "/rigid/Id")
+        return {rigid_form, {bare_rotor(rotor).A}, {}, {}};
+    if (path == "/rigid/Ip")
+        return {rigid_form, {bare_rotor(rotor).C}, {}, {}};
+    const int plane = index_after(path, "/planes/");
+    if (plane < 0 || !ends_with(path, "/bands"))
+        no_answer("balance: no oracle for " + path);
+    return criterion(rotor, {rotor.planes.at(static_cast<std::size_t>(plane))}, false);
+}
+
+Answer answer_pendulums(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    const std::string &path = request.path;
+    const std::string steady = "steady motion of the pendulums";
+    PendulumRotor pendulums = pendulum_rotor(rotor);
+    std::vector<Real> ratios; // R_w
+    const int design = index_after(path, "/designs/");
+    const int damping = index_after(path, "/dampings/");
+    const bool exact = path.find("/exact") != std::string::npos;
+    if (design >= 0 || damping >= 0) {
+        // Figures of the paper: designs without damping, dampings of the first; 241 ratios to 3
+        pendulums = pendulum_rotor(rotor, rotor.designs.at(std::max(0, design)));
+        pendulums.H = damping < 0 ? 0 : rotor.external_dampings.at(damping);
+        const int point =
+            std::max(index_after(path, "/exact/"), index_after(path, "/approximate/"));
+        if (point >= 0 && point != 240)
+            no_answer("pendulums: only the last ratio of the figures, 3, is known");
+        ratios = {3};
+    } else {
+        for (int i = 0; i < rotor.speed_count; ++i)
+            ratios.push_back(rotor.speed(i) / pendulums.omega0);
+    }
+    if (ends_with(path, "/rho"))
+        return {steady, {pendulums.rho()}, {}, {}};
+    if (ends_with(path, "/threshold"))
+        return {steady, {pendulums.threshold()}, {}, {}};
+    if (ends_with(path, "/limit"))
+        return {steady, {pendulums.limit()}, {}, {}};
+    if (!rotor.rigid || (!exact && path.find("/approximate") == std::string::npos))
+        no_answer("pendulums: no oracle for " + path);
+    Answer out{steady, {}, {}, {}};
+    for (const Real ratio : ratios)
+        out.values.push_back(exact ? exact_efficiency(pendulums, ratio)
+                                   : approximate_efficiency(pendulums, ratio));
+    return out;
+}
+
+Answer answer_rigid_limit(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    const std::string &path = request.path;
+    const int row = index_after(path, "/rows/");
+    const std::string influence = "influence coefficients";
+    if (path == "/one_percent/factor")
+        return {influence, {one_percent_factor(rotor)}, {}, {}};
+    if (row < 0)
+        no_answer("rigid-limit: no oracle for " + path);
+    const auto index = static_cast<std::size_t>(row);
+    if (ends_with(path, "/closed_form") || (rotor.rigid && ends_with(path, "/fe")))
+        return {rigid_form, {rigid_speeds(rotor).at(index)}, {}, {}};
+    if (ends_with(path, "/fe/0"))
+        return {influence, {elastic_speeds(rotor, 1).at(index)}, {}, {}};
+    if (ends_with(path, "/rate"))
+        return {influence, {rate_of(rotor, index)}, {}, {}};
+    no_answer("rigid-limit: no oracle for " + path);
+}
+
+Answer answer_simulate(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    if (rotor.balancers.empty())
+        no_answer("simulate: no balancer");
+    const Balancer &balancer = rotor.balancers.front();
+    if (request.path == "/balls/0" && !balancer.pendulums)
+        return {"balanced position", symmetric_position(balancer.n, capacity(balancer)), {}, {}};
+    if (request.path == "/outcome" && balancer.pendulums && rotor.rigid) {
+        const PendulumRotor pendulums = pendulum_rotor(rotor);
+        const std::vector<double> &start = rotor.ball_angles.at(0);
+        return {"motion of the pendulums in time",
+                {},
+                pendulum_motion(pendulums, rotor.speed_from / pendulums.omega0, start.at(0),
+                                start.at(1), rotor.time)
+                    .name(),
+                {}};
+    }
+    const int other = index_after(request.path, "/other_starts/");
+    if (rotor.rigid && !balancer.pendulums && ends_with(request.path, "/outcome")) {
+        const auto &angles =
+            other < 0 ? rotor.ball_angles : rotor.other_starts.at(static_cast<std::size_t>(other));
+        return {"motion of the balls in time",
+                {},
+                ball_motion(rotor, rotor.speed_from, angles, rotor.time).name(),
+                {}};
+    }
+    no_answer("simulate: no oracle for " + request.path);
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,136 @@
+// Whirl speeds, critical speeds and responses.
+
+#include "oracles/answers.h"
+#include "oracles/continuum_spectrum.h"
+#include "oracles/dense_rotor.h"
+#include "oracles/influence.h"
+#include "oracles/rigid_rotor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::oracles {
+
+namespace {
+
+/// A uniform shaft rigid in shear on two supports as stiff as pins: nothing else on it.
+bool pinned_rayleigh(const CaseRotor &rotor) {
+    return rotor.shaft.size() == 1 && rotor.discs.empty() && rotor.supports.size() == 2 &&
+           rotor.shaft[0].left.kappa >= 1e6 && rotor.supports[0].k[0][0] >= 1e13 &&
+           rotor.supports[1].k[0][0] >= 1e13;
+}
+
+std::vector<Complex> eigenvalues(const Request &request, std::string &oracle) {
+    const CaseRotor &rotor = request.rotor;
+    const double speed = rotor.speed_from;
+    std::vector<Complex> out;
+    if (pinned_rayleigh(rotor)) {
+        oracle = "closed form of the pinned shaft";
+        for (const Real omega : pinned_rayleigh_frequencies(rotor.shaft[0].left, speed,
+                                                            static_cast<int>(request.wanted)))
+            out.emplace_back(0, omega);
+    } else if (rotor.classical) {
+        oracle = "dense two-node elements";
+        for (const auto &lambda : whirl_eigenvalues(dense_rotor(rotor.at_speed(speed)), speed))
+            out.emplace_back(lambda);
+    } else {
+        oracle = "transfer matrix";
+        if (rotor.axial_force != 0)
+            no_answer("the transfer matrix has no axial force");
+        out = continuum_eigenvalues(rotor, speed, static_cast<int>(request.wanted));
+    }
+    return out;
+}
+
+/// Values next to each other of one motion, listed once.
+std::vector<Real> once(std::vector<Real> values) {
+    const auto same = [](Real a, Real b) { return b - a < 1e-12L * b; };
+    values.erase(std::unique(values.begin(), values.end(), same), values.end());
+    return values;
+}
+
+/// det[K - W^2 (M - G -+ a)] of one disc on a massless shaft, or of both bending stiffnesses.
+std::vector<Real> massless_critical_speeds(const CaseRotor &rotor) {
+    Real dI = 0;
+    for (const InertialAnisotropy &item : rotor.anisotropies)
+        dI += static_cast<Real>(item.dI);
+    std::vector<Real> out;
+    for (const int sign : {-1, 1}) {
+        Lumps lumps = lumps_of(rotor, 0);
+        lumps.tilt.front() += sign * dI;
+        for (const Real speed : lumped_critical_speeds(MasslessShaft(rotor, 1, sign), lumps))
+            out.push_back(speed);
+    }
+    std::sort(out.begin(), out.end());
+    return once(out);
+}
+
+} // namespace
+
+Answer answer_campbell(const Request &request) {
+    Answer out;
+    if (request.path == "crossings") {
+        if (!request.rotor.classical)
+            no_answer("crossings: two-node elements only");
+        out.oracle = "dense two-node elements";
+        for (const Crossing &c : crossings(dense_rotor(request.rotor), request.multiple))
+            if (c.speed <= request.rotor.speed_to)
+                out.values.push_back(c.speed);
+        return out;
+    }
+    for (const Complex &lambda : eigenvalues(request, out.oracle)) {
+        if (request.path == "frequencies")
+            out.values.push_back(lambda.imag());
+        else if (request.path == "real")
+            out.values.push_back(lambda.real());
+        else if (request.path == "natural_frequencies")
+            out.values.push_back(std::abs(lambda));
+        else if (request.path == "damping_ratio")
+            out.values.push_back(-lambda.real() / std::abs(lambda));
+        else
+            no_answer("campbell: no oracle for " + request.path);
+    }
+    return out;
+}
+
+Answer answer_critical(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    if (request.path != "critical_speeds")
+        no_answer("critical: no oracle for " + request.path);
+    if (rotor.rigid && !rotor.balancers.empty())
+        return {
+            "closed form of the composite rotor", split_resonances(composite_rotor(rotor)), {}, {}};
+    if (rotor.rigid)
+        return {"closed form of the anisotropic rotor",
+                once(split_resonances(bare_rotor(rotor))),
+                {},
+                {}};
+    if (rotor.classical) {
+        if (rotor.damped())
+            no_answer("critical speeds with damping: no oracle");
+        Answer out;
+        out.oracle = "dense two-node elements";
+        for (const Crossing &c : crossings(dense_rotor(rotor))) {
+            out.values.push_back(c.speed);
+            out.whirl.emplace_back(c.forward ? "forward" : "backward");
+        }
+        return out;
+    }
+    if (rotor.discs.size() == 1)
+        return {"influence coefficients", massless_critical_speeds(rotor), {}, {}};
+    no_answer("critical: no oracle for this rotor");
+}
+
+Answer answer_response(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    if (request.path != "major")
+        no_answer("response: semi-major axes only");
+    // Four parts of every element of higher order: an error of 1e-4 in sharp peaks
+    const int parts = rotor.classical ? 1 : 4;
+    return {rotor.classical ? "dense two-node elements" : "dense two-node elements, refined",
+            {semi_major(rotor, rotor.speed_from, request.node, parts)},
+            {},
+            {}};
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,302 @@
+#include "oracles/case_rotor.h"
+
+#include "oracles/case_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+namespace whirl::oracles {
+
+namespace {
+
+using Materials = std::map<std::string, Cylinder>;
+
+std::vector<const toml::table *> tables_of(const toml::table &root, const std::string &name) {
+    std::vector<const toml::table *> out;
+    if (const toml::array *array = root.get(name) ? root.get(name)->as_array() : nullptr)
+        for (const toml::node &item : *array)
+            out.push_back(item.as_table());
+    return out;
+}
+
+/// The named part of a case; an empty one where there is none.
+const toml::table &part(const toml::table &root, const std::string &name) {
+    static const toml::table nothing;
+    const toml::node *node = root.get(name);
+    return node ? *node->as_table() : nothing;
+}
+
+std::string word(const toml::table &table, const std::string &key) {
+    const toml::node *node = table.get(key);
+    return node ? node->value<std::string>().value_or("") : "";
+}
+
+bool yes(const toml::table &table, const std::string &key) {
+    const toml::node *node = table.get(key);
+    return node && node->value<bool>().value_or(false);
+}
+
+Materials materials_of(const toml::table &root) {
+    Materials out;
+    for (const auto &[name, node] : part(root, "material")) {
+        const toml::table &table = *node.as_table();
+        Cylinder material;
+        material.E = number(table, "E");
+        material.G =
+            table.contains("G") ? number(table, "G") : material.E / (2 * (1 + number(table, "nu")));
+        material.rho = number(table, "rho");
+        out[std::string(name.str())] = material;
+    }
+    return out;
+}
+
+Segment segment_of(const toml::table &table, const Materials &materials, double kappa,
+                   int elements) {
+    Segment out;
+    out.left = materials.at(word(table, "material"));
+    out.left.kappa = kappa;
+    out.left.length = number(table, "length");
+    out.left.outer = number(table, "outer");
+    out.left.inner = number(table, "inner");
+    out.outer_end = number(table, "outer_end", out.left.outer);
+    out.inner_end = number(table, "inner_end", out.left.inner);
+    out.elements = static_cast<int>(number(table, "elements", elements));
+    out.asymmetry = number(table, "asymmetry");
+    return out;
+}
+
+/// Rows of the station table as the tables of `segments`.
+std::vector<toml::table> stations(const std::string &file) {
+    std::vector<toml::table> out;
+    for (const CsvColumn &column : read_csv(file)) {
+        out.resize(column.numbers.size());
+        for (std::size_t i = 0; i < out.size(); ++i)
+            if (column.name == "material")
+                out[i].insert("material", column.names[i]);
+            else
+                out[i].insert(column.name, column.numbers[i]);
+    }
+    return out;
+}
+
+void read_shaft(const toml::table &root, const std::filesystem::path &folder, CaseRotor &rotor) {
+    const toml::table &shaft = part(root, "shaft");
+    const Materials materials = materials_of(root);
+    const toml::node *shear = shaft.get("shear");
+    const double kappa = shear && shear->is_number() ? number(*shear) : 0;
+    const int elements = static_cast<int>(number(shaft, "elements", 1));
+    rotor.rigid = yes(shaft, "rigid");
+    rotor.classical = shaft.contains("order") && number(shaft, "order", 0) == 1;
+    rotor.axial_force = number(shaft, "axial_force");
+    rotor.internal_damping = number(shaft, "internal_damping");
+    if (shaft.contains("table")) {
+        for (const toml::table &row : stations((folder / word(shaft, "table")).string()))
+            rotor.shaft.push_back(segment_of(row, materials, kappa, elements));
+        return;
+    }
+    for (const toml::table *row : tables_of(shaft, "segments"))
+        rotor.shaft.push_back(segment_of(*row, materials, kappa, elements));
+}
+
+/// A disc by its mass and inertias, or a hollow cylinder of a material.
+RigidDisc disc_of(const toml::table &table, const Materials &materials) {
+    const double z = number(table, "z");
+    if (table.contains("mass"))
+        return {z, number(table, "mass"), number(table, "Id"), number(table, "Ip")};
+    const double ro = number(table, "outer") / 2;
+    const double ri = number(table, "inner") / 2;
+    const double width = number(table, "width");
+    const double mass =
+        materials.at(word(table, "material")).rho * std::numbers::pi * (ro * ro - ri * ri) * width;
+    const double square = ro * ro + ri * ri;
+    return {z, mass, mass * (3 * square + width * width) / 12, mass * square / 2};
+}
+
+constexpr std::array<const char *, 4> ends{"xx", "xy", "yx", "yy"};
+
+Support support_of(const toml::table &table) {
+    Support out;
+    out.z = number(table, "z");
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool diagonal = i == 0 || i == 3;
+        out.k[i / 2][i % 2] =
+            number(table, std::string("k") + ends[i], diagonal ? number(table, "k") : 0);
+        out.c[i / 2][i % 2] =
+            number(table, std::string("c") + ends[i], diagonal ? number(table, "c") : 0);
+    }
+    if (table.contains("kt") || table.contains("ct") || table.contains("pedestal_k"))
+        throw std::runtime_error("the oracles read no tilt coefficients and no pedestals");
+    return out;
+}
+
+/// By columns named kxx, ..., cyy.
+SpeedTable speed_table_of(const std::string &file, double z) {
+    SpeedTable out;
+    for (const CsvColumn &column : read_csv(file)) {
+        out.rows.resize(column.numbers.size());
+        if (column.name == "speed") {
+            out.speeds = column.numbers;
+            continue;
+        }
+        const auto end = static_cast<std::size_t>(
+            std::find(ends.begin(), ends.end(), column.name.substr(1)) - ends.begin());
+        for (std::size_t row = 0; row < out.rows.size(); ++row) {
+            Support &s = out.rows[row];
+            s.z = z;
+            (column.name[0] == 'k' ? s.k : s.c).at(end / 2)[end % 2] = column.numbers[row];
+        }
+    }
+    return out;
+}
+
+Balancer balancer_of(const toml::table &table) {
+    Balancer out;
+    out.z = number(table, "z");
+    out.pendulums = word(table, "kind") == "pendulum4";
+    out.n = out.pendulums ? 4 : static_cast<int>(number(table, "n"));
+    out.mass = number(table, "mass");
+    out.radius = number(table, "radius");
+    out.arm = number(table, "arm");
+    out.pivot = number(table, "pivot");
+    out.damping = number(table, "damping");
+    out.imbalance = number(table, "imbalance");
+    out.imbalance_radius = number(table, "imbalance_radius");
+    return out;
+}
+
+void read_attached(const toml::table &root, const std::filesystem::path &folder, CaseRotor &rotor) {
+    const Materials materials = materials_of(root);
+    for (const toml::table *t : tables_of(root, "disc"))
+        rotor.discs.push_back(disc_of(*t, materials));
+    for (const toml::table *t : tables_of(root, "bearing")) {
+        SpeedTable table;
+        if (t->contains("table"))
+            table = speed_table_of((folder / word(*t, "table")).string(), number(*t, "z"));
+        rotor.supports.push_back(table.rows.empty() ? support_of(*t) : table.rows.front());
+        rotor.tables.push_back(table);
+    }
+    for (const toml::table *t : tables_of(root, "anisotropy"))
+        rotor.anisotropies.push_back({number(*t, "z"), number(*t, "dI"), number(*t, "angle")});
+    for (const toml::table *t : tables_of(root, "balancer"))
+        rotor.balancers.push_back(balancer_of(*t));
+    for (const toml::table *t : tables_of(root, "plane"))
+        rotor.planes.push_back(number(*t, "z"));
+    if (rotor.planes.empty())
+        for (const Balancer &b : rotor.balancers)
+            rotor.planes.push_back(b.z);
+    for (const toml::table *t : tables_of(root, "imbalance"))
+        rotor.imbalances.push_back({number(*t, "z"), number(*t, "mr"), number(*t, "phase")});
+}
+
+/// Lists of numbers, one in the other.
+std::vector<std::vector<double>> lists(const toml::node &node) {
+    std::vector<std::vector<double>> out;
+    for (const toml::node &row : *node.as_array()) {
+        out.emplace_back();
+        for (const toml::node &item : *row.as_array())
+            out.back().push_back(number(item));
+    }
+    return out;
+}
+
+void read_analyses(const toml::table &root, CaseRotor &rotor) {
+    const toml::table &speeds = part(root, "speeds");
+    rotor.speed_from = number(speeds, "from");
+    rotor.speed_to = number(speeds, "to", rotor.speed_from);
+    rotor.speed_count = static_cast<int>(number(speeds, "count", 1));
+    const toml::table &balance = part(root, "balance");
+    for (const toml::table *t : tables_of(balance, "designs"))
+        rotor.designs.push_back({number(*t, "arm"), number(*t, "pivot")});
+    if (const toml::node *dampings = balance.get("external_damping"))
+        for (const toml::node &item : *dampings->as_array())
+            rotor.external_dampings.push_back(number(item));
+    const toml::table &simulate = part(root, "simulate");
+    rotor.time = number(simulate, "time");
+    if (const toml::node *angles = simulate.get("ball_angles"))
+        rotor.ball_angles = lists(*angles);
+    if (const toml::node *starts = simulate.get("other_starts"))
+        for (const toml::node &item : *starts->as_array())
+            rotor.other_starts.push_back(lists(item));
+}
+
+Block between(const Block &a, const Block &b, double share) {
+    Block out = a;
+    for (std::size_t i = 0; i < 4; ++i)
+        out[i / 2][i % 2] += share * (b[i / 2][i % 2] - a[i / 2][i % 2]);
+    return out;
+}
+
+} // namespace
+
+double CaseRotor::length() const {
+    double sum = 0;
+    for (const Segment &segment : shaft)
+        sum += segment.left.length;
+    return sum;
+}
+
+bool CaseRotor::damped() const {
+    return internal_damping != 0 ||
+           std::any_of(supports.begin(), supports.end(),
+                       [](const Support &s) { return s.c != Block{} || s.ct != Block{}; });
+}
+
+double CaseRotor::speed(int i) const {
+    return speed_count == 1 ? speed_from
+                            : speed_from + (speed_to - speed_from) * i / (speed_count - 1);
+}
+
+CaseRotor CaseRotor::at_speed(double spin) const {
+    CaseRotor out = *this;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const SpeedTable &table = tables[i];
+        if (table.speeds.empty())
+            continue;
+        const double s = std::clamp(spin, table.speeds.front(), table.speeds.back());
+        std::size_t row = 0;
+        while (row + 2 < table.speeds.size() && s > table.speeds[row + 1])
+            ++row;
+        const double share = (s - table.speeds[row]) / (table.speeds[row + 1] - table.speeds[row]);
+        out.supports[i].k = between(table.rows[row].k, table.rows[row + 1].k, share);
+        out.supports[i].c = between(table.rows[row].c, table.rows[row + 1].c, share);
+    }
+    return out;
+}
+
+CaseRotor read_case(const std::string &file, const std::vector<std::string> &settings) {
+    toml::table root = toml::parse_file(file);
+    for (const std::string &setting : settings)
+        apply_setting(root, setting);
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    CaseRotor rotor;
+    read_shaft(root, folder, rotor);
+    read_attached(root, folder, rotor);
+    read_analyses(root, rotor);
+    return rotor;
+}
+
+SteppedRotor stepped(const CaseRotor &rotor, int slices) {
+    SteppedRotor out;
+    for (const Segment &s : rotor.shaft) {
+        const bool cone = s.outer_end != s.left.outer || s.inner_end != s.left.inner;
+        const int parts = cone ? slices : 1;
+        for (int i = 0; i < parts; ++i) {
+            const double middle = (i + 0.5) / parts;
+            Cylinder slice = s.left;
+            slice.length /= parts;
+            slice.outer += cone ? middle * (s.outer_end - s.left.outer) : 0;
+            slice.inner += cone ? middle * (s.inner_end - s.left.inner) : 0;
+            out.shaft.push_back(slice);
+        }
+    }
+    out.discs = rotor.discs;
+    out.supports = rotor.supports;
+    out.internal_damping = rotor.internal_damping;
+    return out;
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,258 @@
+#include "oracles/dense_rotor.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace whirl::oracles {
+
+namespace {
+
+struct Section {
+    double area, I, EI, shear; ///< m2, m4, N m2, N
+};
+
+/// Shear coefficient by Cowper, J. Appl. Mech. 33 (1966) 335, where none is given.
+Section section_of(const Cylinder &c) {
+    const double ro = c.outer / 2;
+    const double ri = c.inner / 2;
+    const double m2 = ri * ri / (ro * ro);
+    const double s = (1 + m2) * (1 + m2);
+    const double nu = c.E / (2 * c.G) - 1;
+    const double cowper = 6 * (1 + nu) * s / ((7 + 6 * nu) * s + (20 + 12 * nu) * m2);
+    const double area = std::numbers::pi * (ro * ro - ri * ri);
+    const double I = area * (ro * ro + ri * ri) / 4;
+    return {area, I, c.E * I, (c.kappa > 0 ? c.kappa : cowper) * c.G * area};
+}
+
+/// Coefficients of 1, x, x^2, x^3 (x = z/h) of the deflection for a unit of each nodal unknown.
+Eigen::Matrix4d cubic(double h, double strain) {
+    // phi = w' - gamma with gamma = -strain h^2 d3w/dz3 = -6 strain/h a3, at both ends
+    const double third = 6 * strain / h;
+    Eigen::Matrix4d values;
+    values << 1, 0, 0, 0,   //
+        0, 1 / h, 0, third, //
+        1, 1, 1, 1,         //
+        0, 1 / h, 2 / h, 3 / h + third;
+    return values.inverse();
+}
+
+/// Functions at x of the four unknowns: w, w', phi, phi', each a row.
+struct Shapes {
+    Eigen::RowVector4d w, slope, phi, curvature, strain;
+};
+
+Shapes shapes_at(double x, double h, const Eigen::Matrix4d &a, double strain) {
+    Shapes s;
+    const auto row = [](double c0, double c1, double c2, double c3) {
+        return Eigen::RowVector4d(c0, c1, c2, c3);
+    };
+    s.w = row(1, x, x * x, x * x * x) * a;
+    s.slope = row(0, 1, 2 * x, 3 * x * x) / h * a;
+    s.strain = row(0, 0, 0, -6 * strain / h) * a;
+    s.phi = s.slope - s.strain;
+    s.curvature = row(0, 0, 2, 6 * x) / (h * h) * a;
+    return s;
+}
+
+/// Stations of the classical mesh: ends of elements and everything attached.
+std::vector<double> nodes_of(const CaseRotor &rotor, int parts) {
+    std::vector<double> nodes{0};
+    double left = 0;
+    for (const Segment &segment : rotor.shaft) {
+        const int count = segment.elements * parts;
+        for (int i = 1; i <= count; ++i)
+            nodes.push_back(left + segment.left.length * i / count);
+        left += segment.left.length;
+    }
+    for (const RigidDisc &disc : rotor.discs)
+        nodes.push_back(disc.z);
+    for (const Support &support : rotor.supports)
+        nodes.push_back(support.z);
+    for (const Imbalance &imbalance : rotor.imbalances)
+        nodes.push_back(imbalance.z);
+    for (const double plane : rotor.planes)
+        nodes.push_back(plane);
+    std::sort(nodes.begin(), nodes.end());
+    const double near = 1e-9 * left;
+    nodes.erase(std::unique(nodes.begin(), nodes.end(),
+                            [near](double a, double b) { return b - a < near; }),
+                nodes.end());
+    return nodes;
+}
+
+/// Cone by the diameters of the element's middle.
+Cylinder element_at(const Segment &segment, double share, double length) {
+    Cylinder out = segment.left;
+    out.length = length;
+    out.outer += share * (segment.outer_end - segment.left.outer);
+    out.inner += share * (segment.inner_end - segment.left.inner);
+    return out;
+}
+
+void add_shaft(const CaseRotor &rotor, DenseRotor &out, Eigen::MatrixXd &shaft) {
+    const Eigen::Index n = out.planar();
+    double start = 0;
+    std::size_t node = 0;
+    for (const Segment &segment : rotor.shaft) {
+        const double end = start + segment.left.length;
+        for (; node + 1 < out.z.size() && out.z[node] < end - 1e-9 * rotor.length(); ++node) {
+            const double h = out.z[node + 1] - out.z[node];
+            const double share =
+                ((out.z[node] + out.z[node + 1]) / 2 - start) / segment.left.length;
+            const BeamMatrices beam =
+                beam_matrices(element_at(segment, share, h), rotor.axial_force);
+            const auto first = static_cast<Eigen::Index>(2 * node);
+            shaft.block<4, 4>(first, first) += beam.stiffness;
+            for (const Eigen::Index at : {first, n + first}) {
+                out.K.block<4, 4>(at, at) += beam.stiffness;
+                out.M.block<4, 4>(at, at) += beam.mass;
+            }
+            out.G.block<4, 4>(first, n + first) += beam.gyroscopic;
+            out.G.block<4, 4>(n + first, first) -= beam.gyroscopic;
+        }
+        start = end;
+    }
+}
+
+void add_attached(const CaseRotor &rotor, DenseRotor &out) {
+    const Eigen::Index n = out.planar();
+    for (const RigidDisc &disc : rotor.discs) {
+        const Eigen::Index w = out.deflection(disc.z);
+        for (const Eigen::Index at : {w, n + w}) {
+            out.M(at, at) += disc.mass;
+            out.M(at + 1, at + 1) += disc.Id;
+        }
+        out.G(w + 1, n + w + 1) += disc.Ip;
+        out.G(n + w + 1, w + 1) -= disc.Ip;
+    }
+    for (const Support &s : rotor.supports) {
+        const Eigen::Index w = out.deflection(s.z);
+        for (Eigen::Index i = 0; i < 2; ++i)
+            for (Eigen::Index j = 0; j < 2; ++j) {
+                const auto row = static_cast<std::size_t>(i);
+                const auto column = static_cast<std::size_t>(j);
+                out.K(i * n + w, j * n + w) += s.k[row][column];
+                out.C(i * n + w, j * n + w) += s.c[row][column];
+                out.K(i * n + w + 1, j * n + w + 1) += s.kt[row][column];
+                out.C(i * n + w + 1, j * n + w + 1) += s.ct[row][column];
+            }
+    }
+}
+
+} // namespace
+
+BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
+    const Section s = section_of(cylinder);
+    const double h = cylinder.length;
+    const double strain = s.EI / (s.shear * h * h);
+    const Eigen::Matrix4d a = cubic(h, strain);
+    BeamMatrices out{Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero(), Eigen::Matrix4d::Zero()};
+    // Gauss's four points: exact to degree 7, w^2 has degree 6
+    const double inner = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));
+    const double outer = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2));
+    const double heavy = (18 + std::sqrt(30.0)) / 36;
+    const double light = (18 - std::sqrt(30.0)) / 36;
+    const std::array<std::array<double, 2>, 4> rule{
+        {{-outer, light}, {-inner, heavy}, {inner, heavy}, {outer, light}}};
+    for (const auto &[point, share] : rule) {
+        const Shapes f = shapes_at((1 + point) / 2, h, a, strain);
+        const double dz = share * h / 2;
+        out.stiffness += dz * (s.EI * f.curvature.transpose() * f.curvature +
+                               s.shear * f.strain.transpose() * f.strain +
+                               axial_force * f.slope.transpose() * f.slope);
+        out.mass +=
+            dz * cylinder.rho * (s.area * f.w.transpose() * f.w + s.I * f.phi.transpose() * f.phi);
+        out.gyroscopic += dz * 2 * cylinder.rho * s.I * f.phi.transpose() * f.phi;
+    }
+    return out;
+}
+
+Eigen::Index DenseRotor::deflection(double place) const {
+    for (std::size_t i = 0; i < z.size(); ++i)
+        if (std::abs(z[i] - place) < 1e-9 * z.back())
+            return static_cast<Eigen::Index>(2 * i);
+    throw std::runtime_error("no node there");
+}
+
+DenseRotor dense_rotor(const CaseRotor &rotor, int parts) {
+    DenseRotor out;
+    out.z = nodes_of(rotor, parts);
+    const auto n = static_cast<Eigen::Index>(2 * out.z.size());
+    for (Eigen::MatrixXd *matrix : {&out.M, &out.C, &out.G, &out.K, &out.Kc})
+        *matrix = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    Eigen::MatrixXd shaft = Eigen::MatrixXd::Zero(n, n);
+    add_shaft(rotor, out, shaft);
+    add_attached(rotor, out);
+    const Eigen::MatrixXd inner = rotor.internal_damping * shaft;
+    out.C.topLeftCorner(n, n) += inner;
+    out.C.bottomRightCorner(n, n) += inner;
+    out.Kc.topRightCorner(n, n) += inner;
+    out.Kc.bottomLeftCorner(n, n) -= inner;
+    return out;
+}
+
+std::vector<std::complex<double>> whirl_eigenvalues(const DenseRotor &rotor, double speed) {
+    // 1/lambda of (q, lambda q/scale): the lowest motions become the largest eigenvalues
+    const Eigen::Index n = rotor.M.rows();
+    const Eigen::PartialPivLU<Eigen::MatrixXd> stiffness(rotor.K + speed * rotor.Kc);
+    const Eigen::MatrixXd flexibility = stiffness.solve(rotor.M);
+    const double scale = 1 / std::sqrt(flexibility.norm());
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+    state.topLeftCorner(n, n) = -scale * stiffness.solve(rotor.C + speed * rotor.G);
+    state.topRightCorner(n, n) = -scale * scale * flexibility;
+    state.bottomLeftCorner(n, n).setIdentity();
+    const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(state, false).eigenvalues();
+    std::vector<std::complex<double>> out;
+    for (const std::complex<double> &mu : all)
+        if (mu.imag() < -1e-7 * std::abs(mu))
+            out.push_back(scale / mu);
+    std::sort(out.begin(), out.end(),
+              [](const auto &a, const auto &b) { return a.imag() < b.imag(); });
+    return out;
+}
+
+std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple) {
+    const std::complex<double> i(0, 1);
+    const Eigen::MatrixXcd inertia = rotor.M.cast<std::complex<double>>() -
+                                     (i / multiple) * rotor.G.cast<std::complex<double>>();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> pairs(
+        inertia, rotor.K.cast<std::complex<double>>());
+    const Eigen::Index n = rotor.planar();
+    std::vector<Crossing> out;
+    for (Eigen::Index k = pairs.eigenvalues().size() - 1; k >= 0; --k) {
+        const double mu = pairs.eigenvalues()[k];
+        if (mu <= 0)
+            break;
+        const auto x = pairs.eigenvectors().col(k).head(n);
+        const auto y = pairs.eigenvectors().col(k).tail(n);
+        out.push_back({1 / (std::sqrt(mu) * multiple), (x + i * y).norm() > (x - i * y).norm()});
+    }
+    return out;
+}
+
+double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
+    const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
+    const Eigen::Index n = dense.planar();
+    const std::complex<double> i(0, 1);
+    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);
+    for (const Imbalance &imbalance : rotor.imbalances) {
+        const std::complex<double> f =
+            imbalance.mr * speed * speed * std::polar(1.0, imbalance.phase);
+        const Eigen::Index w = dense.deflection(imbalance.z);
+        force[w] += f;
+        force[n + w] -= i * f;
+    }
+    const Eigen::MatrixXcd dynamic = (dense.K + speed * dense.Kc - speed * speed * dense.M) +
+                                     i * speed * (dense.C + speed * dense.G);
+    const Eigen::VectorXcd q = dynamic.partialPivLu().solve(force);
+    const Eigen::Index w = dense.deflection(z);
+    return (std::abs(q[w] + i * q[n + w]) + std::abs(std::conj(q[w]) + i * std::conj(q[n + w]))) /
+           2;
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,155 @@
+#include "oracles/rotating_state.h"
+
+#include "oracles/balls.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace whirl::oracles {
+
+namespace {
+
+/// A z + B conj(z) on (Re z, Im z).
+RealMatrix real_form(const ComplexMatrix &A, const ComplexMatrix &B) {
+    const Eigen::Index n = A.rows();
+    RealMatrix out(2 * n, 2 * n);
+    out.topLeftCorner(n, n) = A.real() + B.real();
+    out.topRightCorner(n, n) = B.imag() - A.imag();
+    out.bottomLeftCorner(n, n) = A.imag() + B.imag();
+    out.bottomRightCorner(n, n) = A.real() - B.real();
+    return out;
+}
+
+/// Real matrices of the second, first and zeroth derivative.
+struct Quadratic {
+    RealMatrix second, first, zeroth;
+};
+
+Quadratic quadratic(const RotatingRotor &r, Real speed) {
+    const Complex i(0, 1);
+    const Eigen::Index n = r.M.rows();
+    const auto count = static_cast<Eigen::Index>(r.balls.size());
+    const Eigen::Index size = n + count;
+    std::array<ComplexMatrix, 3> direct, conjugate;
+    for (std::size_t k = 0; k < 3; ++k)
+        direct[k] = conjugate[k] = ComplexMatrix::Zero(size, size);
+    direct[2].topLeftCorner(n, n) = r.M.cast<Complex>();
+    direct[1].topLeftCorner(n, n) =
+        i * speed * (Real(2) * r.M - r.G).cast<Complex>() + (r.Ce + r.Ci).cast<Complex>();
+    direct[0].topLeftCorner(n, n) =
+        (r.K - speed * speed * (r.M - r.G)).cast<Complex>() + i * speed * r.Ce.cast<Complex>();
+    conjugate[2].topLeftCorner(n, n) = r.Ma;
+    conjugate[0].topLeftCorner(n, n) = speed * speed * r.Ma + r.Ka;
+    // acceleration = z'' + 2 i Omega z' - Omega^2 z of u and s
+    const std::array<Complex, 3> acceleration{-speed * speed, Real(2) * i * speed, Real(1)};
+    for (Eigen::Index b = 0; b < count; ++b) {
+        const BalancedBalls &balls = r.balls[static_cast<std::size_t>(b)];
+        const ComplexMatrix plane = balls.plane.cast<Complex>();
+        direct[2](n + b, n + b) += Real(1);
+        direct[1](n + b, n + b) += balls.damping;
+        for (std::size_t k = 0; k < 3; ++k) {
+            direct[k].block(0, n + b, n, 1) += acceleration[k] * plane;
+            direct[k].block(n + b, 0, 1, n) += balls.mass / 2 * acceleration[k] * plane.transpose();
+            conjugate[k].block(n + b, 0, 1, n) -=
+                balls.mass / 2 * balls.D * std::conj(acceleration[k]) * plane.transpose();
+        }
+    }
+    return {real_form(direct[2], conjugate[2]), real_form(direct[1], conjugate[1]),
+            real_form(direct[0], conjugate[0])};
+}
+
+} // namespace
+
+RotatingRotor::RotatingRotor(Eigen::Index size) {
+    for (RealMatrix *matrix : {&M, &G, &Ce, &Ci, &K})
+        *matrix = RealMatrix::Zero(size, size);
+    Ma = Ka = ComplexMatrix::Zero(size, size);
+}
+
+std::vector<Complex> RotatingRotor::eigenvalues(Real speed) const {
+    const Quadratic q = quadratic(*this, speed);
+    const Eigen::Index n = q.second.rows();
+    const Eigen::PartialPivLU<RealMatrix> mass(q.second);
+    RealMatrix state = RealMatrix::Zero(2 * n, 2 * n);
+    // Times in units of the revolution: entries of one size
+    const Real scale = speed > 0 ? speed : Real(1);
+    state.topRightCorner(n, n).setIdentity();
+    state.bottomLeftCorner(n, n) = -mass.solve(q.zeroth) / (scale * scale);
+    state.bottomRightCorner(n, n) = -mass.solve(q.first) / scale;
+    const Eigen::EigenSolver<RealMatrix> pairs(state, false);
+    std::vector<Complex> out;
+    for (const Complex &value : pairs.eigenvalues())
+        out.push_back(value * scale);
+    return out;
+}
+
+Real RotatingRotor::growth(Real speed) const {
+    Real out = -std::numeric_limits<Real>::infinity();
+    for (const Complex &lambda : eigenvalues(speed))
+        out = std::max(out, lambda.real());
+    return out;
+}
+
+RealMatrix RotatingRotor::static_matrix(Real speed) const { return quadratic(*this, speed).zeroth; }
+
+RotatingRotor rotating_body(const RigidRotor &body) {
+    RotatingRotor out(2);
+    out.M.diagonal() << body.mass, body.A;
+    out.G(1, 1) = body.C;
+    out.K << body.k0, body.k1, body.k1, body.k2;
+    out.Ce << body.c0, body.c1, body.c1, body.c2;
+    out.Ma(1, 1) = body.a;
+    return out;
+}
+
+RotatingRotor rotating_composite(const CaseRotor &rotor) {
+    const RigidRotor body = composite_rotor(rotor);
+    RotatingRotor out = rotating_body(body);
+    for (const Balancer &balancer : rotor.balancers) {
+        BalancedBalls balls;
+        balls.plane.resize(2);
+        balls.plane << 1, balancer.z - body.centre;
+        balls.mass = balancer.n * static_cast<Real>(balancer.mass);
+        balls.damping = static_cast<Real>(balancer.damping) / balancer.mass;
+        balls.D = second_harmonic(symmetric_position(balancer.n, capacity(balancer)));
+        out.balls.push_back(balls);
+    }
+    return out;
+}
+
+RotatingRotor rotating_disc(const CaseRotor &rotor) {
+    if (rotor.discs.size() != 1)
+        throw std::runtime_error("one disc on a massless shaft");
+    const RigidDisc &disc = rotor.discs.front();
+    RotatingRotor out(2);
+    out.M.diagonal() << disc.mass, disc.Id;
+    out.G(1, 1) = disc.Ip;
+    const std::vector<Real> place{static_cast<Real>(disc.z)};
+    const RealMatrix stiff = MasslessShaft(rotor, 1, 1).coefficients(place).inverse();
+    const RealMatrix soft = MasslessShaft(rotor, 1, -1).coefficients(place).inverse();
+    out.K = (stiff + soft) / 2;
+    // The direction of the stiffer bending turns the axes and changes no eigenvalue
+    out.Ka = ((stiff - soft) / 2).cast<Complex>();
+    for (const InertialAnisotropy &item : rotor.anisotropies)
+        out.Ma(1, 1) += std::polar(static_cast<Real>(item.dI), 2 * static_cast<Real>(item.angle));
+    return out;
+}
+
+std::vector<Band> growing_bands(const RotatingRotor &rotor, Real from, Real to, int steps,
+                                Real noise) {
+    const auto grows = [&](Real speed) {
+        Real largest = 0;
+        Real growth = -std::numeric_limits<Real>::infinity();
+        for (const Complex &lambda : rotor.eigenvalues(speed)) {
+            largest = std::max(largest, std::abs(lambda));
+            growth = std::max(growth, lambda.real());
+        }
+        return growth > noise * largest;
+    };
+    return bands_where(grows, from, to, steps);
+}
+
+} // namespace whirl::oracles
