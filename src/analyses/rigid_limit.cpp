@@ -3,6 +3,7 @@
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "modes/formulation.h"
 #include "process/progress.h"
 #include "results/formulation.h"
@@ -67,7 +68,7 @@ class Comparison {
         process::report_progress(std::min(0.8, 0.03 * static_cast<double>(_kept.size())));
         return _kept
             .emplace(factor,
-                     rigid::model_values(rigid::stiffened(_rotor, factor), _order, _targets))
+                     rigid::model_values(model::stiffened(_rotor, factor), _order, _targets))
             .first->second;
     }
 
@@ -265,7 +266,7 @@ void add_mesh_rows(results::RigidLimitResult &result, const model::Rotor &rotor,
                    const rigid::RigidForms &forms) {
     constexpr int most_elements = 32;
     const bool rigid = rotor.shaft.rigid;
-    const model::Rotor stiff = rigid ? rotor : rigid::stiffened(rotor, result.mesh_factor);
+    const model::Rotor stiff = rigid ? rotor : model::stiffened(rotor, result.mesh_factor);
     const std::vector<model::Rotor> meshes = rigid::meshes_to_coarsest(stiff, most_elements);
     std::vector<int> orders{result.model.order};
     if (orders.front() != 1 && !rigid)
@@ -338,7 +339,7 @@ void stiffen(results::RigidLimitResult &result, const model::Rotor &rotor,
     for (const double factor : factors)
         points.push_back(comparison.at(factor));
     const Values rigid =
-        rigid::model_values(rigid::without_elasticity(rotor), result.model.order, forms.targets);
+        rigid::model_values(model::without_elasticity(rotor), result.model.order, forms.targets);
     static_cast<void>(rigid_difference(forms.targets, rigid));
     add_stiffness_rows(result, forms.targets, factors, points, rigid);
     if (std::isfinite(comparison.worst(1).difference))

@@ -328,8 +328,8 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
         for (std::size_t i = 0; i < references.size(); ++i)
             result.balancers[i].reference = references[i];
     } catch (const model::AnalysisFailure &no_growth) { // the motion is worth having all the same
-        result.model.notes.push_back(
-            fmt::format("{}; balanced is judged by the amplitude of a free rotor", no_growth.what()));
+        result.model.notes.push_back(fmt::format(
+            "{}; balanced is judged by the amplitude of a free rotor", no_growth.what()));
     }
     if (simulation::ends_at_constant_speed(result))
         result.linear_growth =

@@ -72,20 +72,20 @@ std::vector<stability::SpeedInterval> intervals_of(const std::vector<std::vector
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
 void sharpen(std::vector<stability::SpeedInterval> &bands,
-             const std::vector<stability::StandingSpeed> &standing) {
+             const std::vector<stability::ZeroRootSpeed> &standing) {
     for (stability::SpeedInterval &band : bands)
         for (double *end : {&band.first, &band.second})
-            for (const stability::StandingSpeed &at : standing)
+            for (const stability::ZeroRootSpeed &at : standing)
                 if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
                     *end = at.speed;
 }
 
 /// Those inside the range; spinning the other way, the rotor has the same ones with a minus.
-std::vector<stability::StandingSpeed> inside(const std::vector<stability::StandingSpeed> &standing,
+std::vector<stability::ZeroRootSpeed> inside(const std::vector<stability::ZeroRootSpeed> &standing,
                                              double from, double to) {
-    std::vector<stability::StandingSpeed> out;
+    std::vector<stability::ZeroRootSpeed> out;
     for (const double sense : {-1.0, 1.0})
-        for (const stability::StandingSpeed &at : standing)
+        for (const stability::ZeroRootSpeed &at : standing)
             if (sense * at.speed >= from && sense * at.speed <= to)
                 out.push_back({sense * at.speed, at.exact});
     std::sort(out.begin(), out.end(),
@@ -93,21 +93,20 @@ std::vector<stability::StandingSpeed> inside(const std::vector<stability::Standi
     return out;
 }
 
-std::vector<double> speeds_of(const std::vector<stability::StandingSpeed> &standing) {
+std::vector<double> speeds_of(const std::vector<stability::ZeroRootSpeed> &standing) {
     std::vector<double> out;
-    for (const stability::StandingSpeed &at : standing)
+    for (const stability::ZeroRootSpeed &at : standing)
         out.push_back(at.speed);
     return out;
 }
 
 /// Those of the range of the grid; none where they cannot be resolved beside the other roots.
-std::vector<stability::StandingSpeed> standing_or_none(const assembly::Discretization &d,
-                                                       const balancers::Arrangement &arrangement,
-                                                       bool frozen, const std::vector<double> &grid,
-                                                       bool &failed) {
+std::vector<stability::ZeroRootSpeed>
+zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangement &arrangement,
+                  bool frozen, const std::vector<double> &grid, bool &failed) {
     const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
     try {
-        return inside(stability::standing_speeds(d, arrangement, frozen, top), grid.front(),
+        return inside(stability::zero_root_speeds(d, arrangement, frozen, top), grid.front(),
                       grid.back());
     } catch (const linalg::SolverError &) {
         failed = true;
@@ -140,10 +139,10 @@ results::ArrangementFamily family_of(const model::Case &scene,
             const auto &d = finder.solver().discretization();
             const assembly::Discretization undamped(model::without_damping(scene.rotor),
                                                     model.order);
-            critical.push_back(
-                speeds_of(standing_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
+            critical.push_back(speeds_of(
+                zero_root_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
             additional.push_back(
-                speeds_of(standing_or_none(d, arrangements[k], false, grid, out.incomplete)));
+                speeds_of(zero_root_or_none(d, arrangements[k], false, grid, out.incomplete)));
         }
         process::report_progress(0.9 * static_cast<double>(k + 1) /
                                  static_cast<double>(arrangements.size()));
@@ -231,16 +230,17 @@ void search_bands(const model::Case &scene, const stability::StabilityModel &mod
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
-void search_standing(const model::Case &scene, const stability::StabilityModel &model,
-                     const balancers::Arrangement &arrangement, const assembly::Discretization &d,
-                     const std::vector<double> &grid, results::StabilityResult &result) {
+void search_zero_roots(const model::Case &scene, const stability::StabilityModel &model,
+                       const balancers::Arrangement &arrangement, const assembly::Discretization &d,
+                       const std::vector<double> &grid, results::StabilityResult &result) {
     bool failed = false;
     const assembly::Discretization undamped(model::without_damping(scene.rotor), model.order);
-    result.critical_speeds = speeds_of(standing_or_none(undamped, arrangement, true, grid, failed));
-    const auto free = standing_or_none(d, arrangement, false, grid, failed);
+    result.critical_speeds =
+        speeds_of(zero_root_or_none(undamped, arrangement, true, grid, failed));
+    const auto free = zero_root_or_none(d, arrangement, false, grid, failed);
     if (!scene.rotor.balancers.empty())
         result.additional_speeds = speeds_of(free);
-    for (const stability::StandingSpeed &standing : free)
+    for (const stability::ZeroRootSpeed &standing : free)
         if (standing.exact)
             result.zero_root_speeds.push_back(standing.speed);
     sharpen(result.unstable, free);
@@ -273,7 +273,7 @@ void search(const model::Case &scene, stability::StabilityModel &model,
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
-        search_standing(scene, model, arrangement, solver.discretization(), grid, result);
+        search_zero_roots(scene, model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1)
         result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
     const std::vector<balancers::Arrangement> arrangements =
@@ -337,15 +337,15 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
             out.errors = stability::band_errors(at, scene.rotor, model, arrangement, out.bands,
                                                 {known.front(), known.back()});
     }
-    const auto not_described = [&](double from, double to) {
+    const auto not_resolved = [&](double from, double to) {
         out.bands.emplace_back(from, to);
         if (with_errors)
             out.errors.emplace_back(0, 0);
     };
     if (!known.empty() && known.back() < grid.back())
-        not_described(known.back(), grid.back());
+        not_resolved(known.back(), grid.back());
     if (known.empty() || known.front() > grid.front())
-        not_described(grid.front(), known.empty() ? grid.back() : known.front());
+        not_resolved(grid.front(), known.empty() ? grid.back() : known.front());
     return out;
 }
 

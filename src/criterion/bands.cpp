@@ -1,6 +1,6 @@
 #include "criterion/bands.h"
 
-#include "linalg/bracketed_root.h"
+#include "linalg/roots.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ double zero_at(const SpeedFunction &criterion, double pinned, double below, doub
     const double f_below = criterion(near_below);
     const double f_above = criterion(near_above);
     if ((f_below < 0) != (f_above < 0))
-        return linalg::bracketed_root(criterion, near_below, f_below, near_above, f_above);
-    return linalg::bracketed_root(criterion, below, criterion(below), above, criterion(above));
+        return linalg::root_between(criterion, near_below, f_below, near_above, f_above);
+    return linalg::root_between(criterion, below, criterion(below), above, criterion(above));
 }
 
 /// Least |f| between a and b around x, by golden section, until the sign changes or the gain is
@@ -146,8 +146,8 @@ std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
             continue;
         const double end =
             i == 0 ? points[i].first
-                   : linalg::bracketed_root(criterion, points[i - 1].first, points[i - 1].second,
-                                            points[i].first, points[i].second);
+                   : linalg::root_between(criterion, points[i - 1].first, points[i - 1].second,
+                                          points[i].first, points[i].second);
         if (balanced)
             bands.push_back({end, last});
         else

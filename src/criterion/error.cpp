@@ -1,7 +1,7 @@
 #include "criterion/error.h"
 
 #include "criterion/bands.h"
-#include "linalg/bracketed_root.h"
+#include "linalg/roots.h"
 #include "synchronous/critical_error.h"
 
 #include <fmt/format.h>
@@ -19,9 +19,7 @@ std::optional<double> end_near(const SpeedFunction &criterion, double end, bool 
                                double largest) {
     // Negative below the end, positive above it.
     const auto g = [&](double speed) { return upper ? criterion(speed) : -criterion(speed); };
-    const auto root = [&](double a, double b) {
-        return linalg::bracketed_root(g, a, g(a), b, g(b));
-    };
+    const auto root = [&](double a, double b) { return linalg::root_between(g, a, g(a), b, g(b)); };
     bool left = true;
     bool right = true;
     double last_a = end;

@@ -6,6 +6,7 @@
 #include "criterion/rigid_form.h"
 #include "model/case.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "process/progress.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -239,7 +240,7 @@ std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
     std::vector<results::PendulumBalance> out;
     if (pendulums.empty())
         return out;
-    PendulumShaft shaft(with_mean_bearings(shared.rotor), shared.order, pendulums,
+    PendulumShaft shaft(model::with_mean_bearings(shared.rotor), shared.order, pendulums,
                         drive_of(scene, pendulums, notes));
     if (!scene.rotor.bearings_isotropic())
         notes.emplace_back(

@@ -1,3 +1,4 @@
+#include "assembly/planar_part.h"
 #include "assembly/system.h"
 #include "criterion/pendulum_motion.h"
 #include "linalg/check.h"
@@ -61,24 +62,6 @@ Sparse support_damping(const assembly::Discretization &d, double speed) {
     return C;
 }
 
-Sparse shaft_damping(const assembly::Discretization &d) {
-    std::vector<Eigen::Triplet<double>> entries;
-    assembly::assemble_rotating_parts(d, [&entries](assembly::Term term,
-                                                    std::span<const int> unknowns,
-                                                    const Eigen::MatrixXd &block) {
-        if (term != assembly::Term::damping)
-            return;
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-            for (std::size_t j = 0; j < unknowns.size(); ++j)
-                entries.emplace_back(
-                    unknowns[i], unknowns[j],
-                    block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-    });
-    Sparse C(d.planar_size(), d.planar_size());
-    C.setFromTriplets(entries.begin(), entries.end());
-    return C;
-}
-
 /// P + i Q on (x; y).
 Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
     Eigen::MatrixXd out(2 * P.rows(), 2 * P.cols());
@@ -113,7 +96,7 @@ PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_
     data.G = kept(system.G.view());
     data.K = kept(system.K.view());
     data.Ce = kept(support_damping(d, bearing_speed));
-    data.Ci = kept(shaft_damping(d));
+    data.Ci = kept(assembly::planar_part(d, assembly::Term::damping));
     data.places = forces.transpose() * V;
     data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());
 }

@@ -3,6 +3,7 @@
 #include "assembly/system.h"
 #include "closed_form/rigid_rotor_criterion.h"
 #include "criterion/undamped_rotor.h"
+#include "model/variants.h"
 #include "rigid/inertia.h"
 
 #include <Eigen/Core>
@@ -46,7 +47,7 @@ Eigen::Matrix2d condensed(const Eigen::MatrixXd &K) {
 
 std::optional<results::RigidEquivalent> rigid_equivalent(const model::Rotor &rotor,
                                                          double bearing_speed) {
-    model::Rotor rigid = with_mean_bearings(rotor);
+    model::Rotor rigid = model::with_mean_bearings(rotor);
     rigid.shaft.rigid = true;
     const assembly::Discretization d(rigid, 1);
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);

@@ -3,6 +3,7 @@
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "modes/formulation.h"
 #include "process/parallel.h"
 #include "synchronous/forced_motion.h"
@@ -90,10 +91,10 @@ std::vector<double> reading_speeds(const BalanceScene &scene) {
     return speeds;
 }
 
-/// Resonances of the undamped twins of a damped rotor, or of one with bearing tables. A twin with
+/// Resonances of the undamped forms of a damped rotor, or of one with bearing tables. One with
 /// the bearings of one row counts as far as the neighbouring rows.
 std::vector<double> hints_of(const BalanceScene &scene) {
-    const model::Rotor undamped = without_damping(scene.rotor);
+    const model::Rotor undamped = model::with_conservative_supports(scene.rotor);
     const assembly::Discretization d(undamped, scene.order);
     const std::vector<double> speeds = reading_speeds(scene);
     const std::vector<assembly::Combination> places = scene.places(d);
@@ -102,13 +103,13 @@ std::vector<double> hints_of(const BalanceScene &scene) {
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         const double from = k == 0 ? scene.from : speeds[k - 1];
         const double to = k + 1 < speeds.size() ? speeds[k + 1] : scene.to;
-        const UndampedTwin twin(d, undamped.bearings_isotropic(), speeds[k]);
-        append(hints, twin.critical_speeds(from, to));
-        append(hints, twin.pinned_critical_speeds(places, from, to));
+        const UndampedRotor at_speed(d, undamped.bearings_isotropic(), speeds[k]);
+        append(hints, at_speed.critical_speeds(from, to));
+        append(hints, at_speed.pinned_critical_speeds(places, from, to));
         for (const assembly::Combination &place : places)
-            append(hints, twin.pinned_critical_speeds({place}, from, to));
+            append(hints, at_speed.pinned_critical_speeds({place}, from, to));
         if (!locked.empty())
-            append(hints, twin.pinned_critical_speeds(locked, from, to));
+            append(hints, at_speed.pinned_critical_speeds(locked, from, to));
     }
     std::sort(hints.begin(), hints.end());
     return hints;
@@ -160,12 +161,12 @@ BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly
         out.hints = hints_of(scene);
         return out;
     }
-    const UndampedTwin twin(d, planar, scene.from);
+    const UndampedRotor form(d, planar, scene.from);
     const std::vector<assembly::Combination> places = scene.places(d);
-    out.critical = twin.critical_speeds(scene.from, scene.to);
-    out.pinned_all = twin.pinned_critical_speeds(places, scene.from, scene.to);
+    out.critical = form.critical_speeds(scene.from, scene.to);
+    out.pinned_all = form.pinned_critical_speeds(places, scene.from, scene.to);
     for (std::size_t i = 0; i < places.size(); ++i)
-        out.pinned[i] = twin.pinned_critical_speeds({places[i]}, scene.from, scene.to);
+        out.pinned[i] = form.pinned_critical_speeds({places[i]}, scene.from, scene.to);
     return out;
 }
 

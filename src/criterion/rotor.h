@@ -38,7 +38,7 @@ struct BalanceBreakpoints {
     std::vector<double> hints;               ///< not sharp: resonances of related undamped rotors
 };
 
-/// Critical speeds of the rotor, free and pinned; for damped rotors those of its undamped twins,
+/// Critical speeds of the rotor, free and pinned; for damped rotors those of its undamped forms,
 /// with free and with locked dampers.
 [[nodiscard]] BalanceBreakpoints
 balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d, bool undamped);

@@ -14,6 +14,19 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+/// Entries between unknowns of different planes (`across`), or of the same one.
+Sparse part_of(const Sparse &K, bool across) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int column = 0; column < K.outerSize(); ++column)
+        for (Sparse::InnerIterator it(K, column); it; ++it)
+            if ((it.row() % 2 != it.col() % 2) == across && it.value() != 0)
+                entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
+                                     it.value());
+    Sparse out(K.rows(), K.cols());
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
+}
+
 struct Constraints {
     Eigen::MatrixXd rows;
     std::vector<Eigen::Index> pivots; ///< column of each row
@@ -70,21 +83,6 @@ Sparse free_motions(const Constraints &constraints, Eigen::Index size) {
     return T;
 }
 
-void keep_symmetric(Eigen::Matrix2d &a) { a(0, 1) = a(1, 0) = (a(0, 1) + a(1, 0)) / 2; }
-
-/// Entries between unknowns of different planes (`across`), or of the same one.
-Sparse part_of(const Sparse &K, bool across) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int column = 0; column < K.outerSize(); ++column)
-        for (Sparse::InnerIterator it(K, column); it; ++it)
-            if ((it.row() % 2 != it.col() % 2) == across && it.value() != 0)
-                entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
-                                     it.value());
-    Sparse out(K.rows(), K.cols());
-    out.setFromTriplets(entries.begin(), entries.end());
-    return out;
-}
-
 /// x = u, y = -i v: an entry k from y to x becomes -i k, one from x to y becomes i k.
 Sparse imaginary_part(const Sparse &K) {
     Sparse out = part_of(K, true);
@@ -95,14 +93,10 @@ Sparse imaginary_part(const Sparse &K) {
     return out;
 }
 
-void take_mean(Eigen::Matrix2d &a) {
-    const double mean = a.trace() / 2;
-    a = mean * Eigen::Matrix2d::Identity();
-}
-
 } // namespace
 
-UndampedTwin::UndampedTwin(const assembly::Discretization &rotor, bool planar, double bearing_speed)
+UndampedRotor::UndampedRotor(const assembly::Discretization &rotor, bool planar,
+                             double bearing_speed)
     : _planar(planar) {
     if (planar) {
         const assembly::PlanarSystem system = assembly::assemble_planar(rotor, bearing_speed);
@@ -120,7 +114,7 @@ UndampedTwin::UndampedTwin(const assembly::Discretization &rotor, bool planar, d
 }
 
 /// Of the rotor that can only move as the columns of T.
-std::vector<double> UndampedTwin::roots(const Sparse &T, double from, double to) const {
+std::vector<double> UndampedRotor::roots(const Sparse &T, double from, double to) const {
     const Sparse K = T.transpose() * _K * T;
     const Sparse A = T.transpose() * _A * T;
     if (_K_imaginary.nonZeros() == 0)
@@ -132,15 +126,15 @@ std::vector<double> UndampedTwin::roots(const Sparse &T, double from, double to)
     return linalg::HermitianPair(hermitian, A.cast<Complex>()).roots(from, to);
 }
 
-std::vector<double> UndampedTwin::critical_speeds(double from, double to) const {
+std::vector<double> UndampedRotor::critical_speeds(double from, double to) const {
     Sparse all(_K.rows(), _K.rows());
     all.setIdentity();
     return roots(all, from, to);
 }
 
 std::vector<double>
-UndampedTwin::pinned_critical_speeds(const std::vector<assembly::Combination> &places, double from,
-                                     double to) const {
+UndampedRotor::pinned_critical_speeds(const std::vector<assembly::Combination> &places, double from,
+                                      double to) const {
     Eigen::MatrixXd rows =
         Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()), _K.rows());
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -158,29 +152,6 @@ UndampedTwin::pinned_critical_speeds(const std::vector<assembly::Combination> &p
     const Eigen::VectorXd scale =
         size.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
     return roots(free_motions(reduced(rows, scale), _K.rows()), from, to);
-}
-
-model::Rotor without_damping(model::Rotor rotor) {
-    rotor.shaft.internal_damping = 0;
-    for (model::Bearing &bearing : rotor.bearings) {
-        for (model::BearingCoefficients &row : bearing.rows) {
-            row.c.setZero();
-            row.ct.setZero();
-            keep_symmetric(row.k);
-            keep_symmetric(row.kt);
-        }
-        if (bearing.pedestal)
-            bearing.pedestal->c = 0;
-    }
-    return rotor;
-}
-
-model::Rotor with_mean_bearings(model::Rotor rotor) {
-    for (model::Bearing &bearing : rotor.bearings)
-        for (model::BearingCoefficients &row : bearing.rows)
-            for (Eigen::Matrix2d *a : {&row.k, &row.c, &row.kt, &row.ct})
-                take_mean(*a);
-    return rotor;
 }
 
 } // namespace whirl::criterion

@@ -13,10 +13,10 @@ namespace whirl::criterion {
 /// bearings: planar unknowns, A = M - G. Else (x, i y), A = M - S; real where the bearings are
 /// orthotropic, and K + i Kc with Kc = [0 -kxy; kxy 0] where they couple x and y. See
 /// docs/theory.md, "The criterion on a flexible rotor".
-class UndampedTwin {
+class UndampedRotor {
   public:
     /// @param bearing_speed  at which bearing tables are read, rad/s
-    UndampedTwin(const assembly::Discretization &rotor, bool planar, double bearing_speed);
+    UndampedRotor(const assembly::Discretization &rotor, bool planar, double bearing_speed);
 
     /// Synchronous critical speeds in (from, to), ascending, rad/s.
     /// @throws linalg::SolverError
@@ -37,13 +37,5 @@ class UndampedTwin {
     [[nodiscard]] std::vector<double> roots(const Eigen::SparseMatrix<double> &motions, double from,
                                             double to) const;
 };
-
-/// Supports without damping and with the symmetric part of their stiffness; tables and everything
-/// else as they are.
-[[nodiscard]] model::Rotor without_damping(model::Rotor rotor);
-
-/// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic
-/// ones.
-[[nodiscard]] model::Rotor with_mean_bearings(model::Rotor rotor);
 
 } // namespace whirl::criterion

@@ -1,6 +1,6 @@
 #include "mesh_error/finer_model.h"
 
-#include "assembly/planar_mass.h"
+#include "assembly/planar_part.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -59,7 +59,7 @@ FinerModel::FinerModel(const model::Rotor &rotor, const modes::SpectrumSolver &c
                            rotor, coarse.form(), finer_order(coarse.discretization().order()),
                            refinement, modes::SpectrumSolver::hill_harmonics + 2)),
       _places(coarse.discretization().places_in(_fine->discretization())),
-      _mass(assembly::planar_mass(_fine->discretization())) {}
+      _mass(assembly::planar_part(_fine->discretization(), assembly::Term::mass)) {}
 
 std::vector<double> FinerModel::errors(const modes::Spectrum &coarse) const {
     const results::Form form = _coarse.form();

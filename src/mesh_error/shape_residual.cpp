@@ -1,8 +1,7 @@
 #include "mesh_error/shape_residual.h"
 
-#include "assembly/planar_mass.h"
+#include "assembly/planar_part.h"
 #include "elements/beam.h"
-#include "linalg/small_solve.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -22,7 +21,8 @@ constexpr int further_orders = 2;
 } // namespace
 
 ShapeResidual::ShapeResidual(const assembly::Discretization &discretization, results::Form form)
-    : _discretization(discretization), _form(form), _mass(assembly::planar_mass(discretization)) {
+    : _discretization(discretization), _form(form),
+      _mass(assembly::planar_part(discretization, assembly::Term::mass)) {
     const assembly::Discretization &d = discretization;
     if (d.rigid())
         return;
@@ -71,7 +71,7 @@ double ShapeResidual::energy(const Eigen::VectorXcd &plane, Complex rate, double
             squared * (e.M * u) + coupling * (e.G * u) + Eigen::VectorXcd(e.K * u);
         const Eigen::MatrixXcd Q2 =
             squared * e.M2.cast<Complex>() + coupling * e.G2.cast<Complex>() + e.K2.cast<Complex>();
-        sum += std::abs(residual.dot(linalg::solve_small(Q2, residual)));
+        sum += std::abs(residual.dot(Q2.partialPivLu().solve(residual)));
     }
     return sum;
 }

@@ -2,6 +2,17 @@
 
 namespace whirl::model {
 
+namespace {
+
+void keep_symmetric(Eigen::Matrix2d &a) { a(0, 1) = a(1, 0) = (a(0, 1) + a(1, 0)) / 2; }
+
+void take_mean(Eigen::Matrix2d &a) {
+    const double mean = a.trace() / 2;
+    a = mean * Eigen::Matrix2d::Identity();
+}
+
+} // namespace
+
 Rotor without_damping(Rotor rotor) {
     for (Bearing &bearing : rotor.bearings) {
         for (BearingCoefficients &at : bearing.rows) {
@@ -12,6 +23,47 @@ Rotor without_damping(Rotor rotor) {
             bearing.pedestal->c = 0;
     }
     rotor.shaft.internal_damping = 0;
+    return rotor;
+}
+
+Rotor with_conservative_supports(Rotor rotor) {
+    rotor.shaft.internal_damping = 0;
+    for (Bearing &bearing : rotor.bearings) {
+        for (BearingCoefficients &row : bearing.rows) {
+            row.c.setZero();
+            row.ct.setZero();
+            keep_symmetric(row.k);
+            keep_symmetric(row.kt);
+        }
+        if (bearing.pedestal)
+            bearing.pedestal->c = 0;
+    }
+    return rotor;
+}
+
+Rotor with_mean_bearings(Rotor rotor) {
+    for (Bearing &bearing : rotor.bearings)
+        for (BearingCoefficients &row : bearing.rows)
+            for (Eigen::Matrix2d *a : {&row.k, &row.c, &row.kt, &row.ct})
+                take_mean(*a);
+    return rotor;
+}
+
+Rotor stiffened(Rotor rotor, double factor) {
+    for (Segment &segment : rotor.shaft.segments) {
+        segment.material.E *= factor;
+        segment.material.G *= factor;
+    }
+    return rotor;
+}
+
+Rotor without_elasticity(Rotor rotor) {
+    rotor.shaft.rigid = true;
+    return rotor;
+}
+
+Rotor without_balancers(Rotor rotor) {
+    rotor.balancers.clear();
     return rotor;
 }
 

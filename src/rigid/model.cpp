@@ -81,9 +81,9 @@ std::vector<ModelValue> roots(const Standing &motion, int count) {
 }
 
 /// K(W) = K + W Ks + W^2 Kss of the damped rotor in rotating axes.
-class StandingStiffness {
+class ZeroRootStiffness {
   public:
-    explicit StandingStiffness(const Discretization &d) {
+    explicit ZeroRootStiffness(const Discretization &d) {
         const assembly::RotatingSystem system = rotating_system(d);
         _K = system.K.view();
         _Ks = system.Ks.view();
@@ -126,7 +126,7 @@ class StandingStiffness {
 };
 
 /// Where instability starts or ends, between a speed on either side.
-double bisected(StandingStiffness &stiffness, double stable, double unstable) {
+double bisected(ZeroRootStiffness &stiffness, double stable, double unstable) {
     for (int step = 0; step < 60 && std::abs(unstable - stable) > 1e-15 * unstable; ++step) {
         const double middle = (stable + unstable) / 2;
         (stiffness.unstable(middle) ? unstable : stable) = middle;
@@ -135,7 +135,7 @@ double bisected(StandingStiffness &stiffness, double stable, double unstable) {
 }
 
 /// One end of the unstable range between two speeds: the outermost one on the side asked for.
-std::optional<double> unstable_end(StandingStiffness &stiffness, double low, double high,
+std::optional<double> unstable_end(ZeroRootStiffness &stiffness, double low, double high,
                                    bool lower) {
     constexpr int steps = 128;
     const double start = lower ? low : high;
@@ -151,7 +151,7 @@ std::optional<double> unstable_end(StandingStiffness &stiffness, double low, dou
     return std::nullopt;
 }
 
-double permissible(StandingStiffness &stiffness, const Combination &slope, double from, double to) {
+double permissible(ZeroRootStiffness &stiffness, const Combination &slope, double from, double to) {
     const auto limit = [&](double speed) {
         return speed > 0 ? 1 / (speed * speed * stiffness.receptance(speed, slope))
                          : std::numeric_limits<double>::infinity();
@@ -218,7 +218,7 @@ class Model {
                                        : std::optional(ModelValue{1.5 * target.closed_form, 0});
         if (!low || !high || high->value <= low->value)
             return std::nullopt;
-        StandingStiffness stiffness(_d);
+        ZeroRootStiffness stiffness(_d);
         const auto found = unstable_end(stiffness, low->value, high->value,
                                         target.kind == RigidQuantity::unstable_from);
         return found ? std::optional(ModelValue{*found, low->noise + high->noise}) : std::nullopt;
@@ -231,7 +231,7 @@ class Model {
         for (model::Anisotropy &anisotropy : round.anisotropies)
             anisotropy.dI = 0;
         const Discretization d(round, _d.order());
-        StandingStiffness stiffness(d);
+        ZeroRootStiffness stiffness(d);
         const double noise = _critical.empty() ? 0 : _critical.front().noise;
         // The least value is found to the square of the place's tolerance; its terms cancel.
         return ModelValue{permissible(stiffness, d.slope_at(z), target.from, target.to),

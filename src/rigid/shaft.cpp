@@ -49,19 +49,6 @@ double bending_stiffness(const model::Rotor &rotor) {
     return 48 * integral / std::pow(rotor.shaft.length(), 4);
 }
 
-model::Rotor stiffened(model::Rotor rotor, double factor) {
-    for (model::Segment &segment : rotor.shaft.segments) {
-        segment.material.E *= factor;
-        segment.material.G *= factor;
-    }
-    return rotor;
-}
-
-model::Rotor without_elasticity(model::Rotor rotor) {
-    rotor.shaft.rigid = true;
-    return rotor;
-}
-
 int element_count(const model::Rotor &rotor) {
     return static_cast<int>(mesh::make_mesh(rotor).spans.size());
 }

@@ -10,12 +10,6 @@ namespace whirl::rigid {
 /// ends loaded in the middle; a measure, whatever the bearings.
 [[nodiscard]] double bending_stiffness(const model::Rotor &rotor);
 
-/// The rotor with E and G of its shaft multiplied.
-[[nodiscard]] model::Rotor stiffened(model::Rotor rotor, double factor);
-
-/// The rotor without elastic unknowns.
-[[nodiscard]] model::Rotor without_elasticity(model::Rotor rotor);
-
 /// The rotor on its own mesh and on coarser and finer ones, most elements first, down to the
 /// fewest: neighbouring segments of one section joined, one element each, and nodes where something
 /// is attached. At most `most` elements, or the fewest where those are more.

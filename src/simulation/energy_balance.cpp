@@ -12,8 +12,8 @@ using ConstPair = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2>>;
 
 } // namespace
 
-void RotorMotion::keep_books(const Spin::At &spin, double torque, const double *state,
-                             double *books) const {
+void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const double *state,
+                                      double *books) const {
     const reduction::ReducedRotor &rotor = _parts.rotor;
     const Index r = rotor.size();
     const int n = coordinates();

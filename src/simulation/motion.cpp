@@ -291,7 +291,7 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
         const double own = -(e.u.dot(_planes.col(0).segment<4>(4 * mass.plane)) + e.b) / e.a;
         rates[n + r2 + static_cast<int>(i)] = mass.pendulums ? own : own - now.acceleration;
     }
-    keep_books(now, torque, state, rates + books());
+    keep_energy_balance(now, torque, state, rates + books());
 }
 
 } // namespace whirl::simulation

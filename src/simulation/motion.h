@@ -109,7 +109,8 @@ class RotorMotion {
     void gather(Eigen::Index column) const;
     [[nodiscard]] Eigen::Vector2d torque(const Spin::At &spin, const double *state,
                                          int columns) const;
-    void keep_books(const Spin::At &spin, double torque, const double *state, double *books) const;
+    void keep_energy_balance(const Spin::At &spin, double torque, const double *state,
+                             double *books) const;
     [[nodiscard]] balancers::PlaneVector at_plane(int plane, const double *p) const;
     [[nodiscard]] balancers::PlaneVector fixed_motion(const FixedMass &mass, const double *p) const;
     void support_matrices(double speed) const;

@@ -36,7 +36,8 @@ double swing_from(const std::vector<double> &angles, std::size_t first) {
 }
 
 /// Largest over the balancers.
-double worst(const results::SimulateResult &result, std::vector<double> results::BalancerMotion::*list) {
+double worst(const results::SimulateResult &result,
+             std::vector<double> results::BalancerMotion::*list) {
     double largest = 0;
     for (const results::BalancerMotion &b : result.balancers)
         for (const double value : b.*list)

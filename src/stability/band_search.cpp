@@ -1,6 +1,6 @@
 #include "stability/band_search.h"
 
-#include "linalg/golden_section.h"
+#include "linalg/roots.h"
 #include "stability/pair_search.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
     // Where one motion grows all the way it does not matter what becomes of the others.
     const bool carried = unstable && one_grows_through(next, a, b);
     const bool resolved =
-        carried || (!next.doubtful && (unstable || meetings_resolved(next, a, b)));
+        carried || (!next.doubtful && (unstable || coalescences_resolved(next, a, b)));
     if (!resolved) {
         const bool small =
             b.speed - a.speed <= minute * std::max(std::abs(a.speed), std::abs(b.speed));
@@ -98,19 +98,19 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
 }
 
 /// @returns whether all of them could be judged.
-bool BandSearch::meetings_resolved(const Continuation &next, const Look &a, const Look &b) {
-    for (const Meeting &meeting : next.meetings) {
+bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, const Look &b) {
+    for (const Coalescence &coalescence : next.coalescences) {
         const auto unstable_at = [](const Look &look, std::complex<double> value) {
             return look.growth > 0 && value.real() > 0;
         };
         // Of a motion that grows at one end it is known that a band ends in between.
-        if (unstable_at(a, meeting.first_from) || unstable_at(a, meeting.second_from) ||
-            unstable_at(b, meeting.first_to) || unstable_at(b, meeting.second_to))
+        if (unstable_at(a, coalescence.first_from) || unstable_at(a, coalescence.second_from) ||
+            unstable_at(b, coalescence.first_to) || unstable_at(b, coalescence.second_to))
             continue;
-        const MeetingVerdict verdict = examine(_at, meeting);
-        if (verdict.kind == MeetingVerdict::Kind::unsure)
+        const CoalescenceVerdict verdict = examine(_at, coalescence);
+        if (verdict.kind == CoalescenceVerdict::Kind::unsure)
             return false;
-        if (verdict.kind == MeetingVerdict::Kind::grows)
+        if (verdict.kind == CoalescenceVerdict::Kind::grows)
             _seeds.emplace_back(verdict.speed, 1e-3 * (b.speed - a.speed));
     }
     return true;
@@ -131,7 +131,7 @@ bool BandSearch::one_grows_through(const Continuation &next, const Look &a, cons
 void BandSearch::window_between(const Look &a, const Look &b) {
     // Growth falls from one side and rises to the other.
     int steps = 0;
-    const auto [speed, growth] = linalg::least_by_golden_section(
+    const auto [speed, growth] = linalg::least_between(
         [this](double x) { return growth_of(_at(x)); }, a.speed, b.speed,
         [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
     if (growth <= 0)
@@ -166,7 +166,7 @@ void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &
     bool unstable = false;
     double found = 0;
     int steps = 0;
-    (void)linalg::least_by_golden_section(
+    (void)linalg::least_between(
         [&](double x) {
             const std::vector<Motion> motions = _at(x);
             const auto expected = value_at(x);
@@ -196,7 +196,7 @@ void BandSearch::dips(const Step &before, const Step &after) {
     if (bottom - 2 * (y1 - bottom) - 0.25 * (std::max(y0, y2) - y1) >= 0)
         return;
     int steps = 0;
-    const auto [speed, growth] = linalg::least_by_golden_section(
+    const auto [speed, growth] = linalg::least_between(
         [this](double x) { return growth_of(_at(x)); }, before.from, after.to,
         [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
     if (growth <= 0)

@@ -10,8 +10,8 @@ namespace whirl::stability {
 
 /// Looks through a range of spin speeds for instability, however narrow.
 ///
-/// Every motion is followed from one speed to the next (meetings.h). A step in which that fails is
-/// halved until it does not, so that the answer does not depend on the grid; what is left when a
+/// Every motion is followed from one speed to the next (coalescence.h). A step in which that fails
+/// is halved until it does not, so that the answer does not depend on the grid; what is left when a
 /// step has become minute is doubtful. In a step that is understood instability can begin and end
 ///  - where a motion grows at one end of it,
 ///  - where two motions meet in frequency (pair_search.h),
@@ -60,7 +60,8 @@ class BandSearch {
     [[nodiscard]] Look look(double speed, double step);
     void through(const Look &a, const Look &b, int depth);
     void halve(const Look &a, const Look &b, int depth);
-    [[nodiscard]] bool meetings_resolved(const Continuation &next, const Look &a, const Look &b);
+    [[nodiscard]] bool coalescences_resolved(const Continuation &next, const Look &a,
+                                             const Look &b);
     [[nodiscard]] static bool one_grows_through(const Continuation &next, const Look &a,
                                                 const Look &b);
     void window_between(const Look &a, const Look &b);

@@ -135,7 +135,7 @@ class Follower {
         return out;
     }
 
-    /// A pair that is known as a pair is a meeting; anything else that could grow is doubtful.
+    /// A pair that is known as a pair is a coalescence; anything else that could grow is doubtful.
     void judge(const Group &group) {
         double growth = -HUGE_VAL;
         double inner = HUGE_VAL; // least modulus
@@ -210,16 +210,16 @@ class Follower {
         const double repeats_to = b(ti).repeats;
         const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;
         for (int k = -reach; k <= reach; ++k) {
-            const Meeting m{_from,      _to,
-                            a(i).value, a(j).value + Complex(0, k * repeats_from),
-                            first_to,   second_to + Complex(0, k * repeats_to),
-                            ordered,    k};
+            const Coalescence m{_from,      _to,
+                                a(i).value, a(j).value + Complex(0, k * repeats_from),
+                                first_to,   second_to + Complex(0, k * repeats_to),
+                                ordered,    k};
             if (may_open_a_band(m))
-                _out.meetings.push_back(m);
+                _out.coalescences.push_back(m);
         }
     }
 
-    [[nodiscard]] static bool may_open_a_band(const Meeting &m) {
+    [[nodiscard]] static bool may_open_a_band(const Coalescence &m) {
         const double before = (m.first_from - m.second_from).imag();
         const double after = (m.first_to - m.second_to).imag();
         const bool crosses = (before > 0) != (after > 0) || before == 0 || after == 0;
@@ -227,7 +227,7 @@ class Follower {
             std::abs(m.first_from - m.second_from) + std::abs(m.first_to - m.second_to);
         const bool upper =
             (m.first_from + m.second_from + m.first_to + m.second_to).imag() >= -1e-9 * distance;
-        // Otherwise both die out faster than they could be driven by meeting.
+        // Otherwise both die out faster than they could be driven by coalescence.
         const double growth = std::max(
             {m.first_from.real(), m.second_from.real(), m.first_to.real(), m.second_to.real()});
         return upper && growth > -distance && (crosses || !m.ordered);

@@ -8,7 +8,7 @@
 namespace whirl::stability {
 
 /// Two motions that may meet between two spin speeds: their eigenvalues at both.
-struct Meeting {
+struct Coalescence {
     double from = 0; ///< rad/s
     double to = 0;
     std::complex<double> first_from, second_from, first_to, second_to; ///< 1/s
@@ -19,9 +19,9 @@ struct Meeting {
 /// How motions go on from one spin speed to another.
 struct Continuation {
     static constexpr int nowhere = -1;
-    std::vector<int> to;           ///< index of each motion at the other speed, or nowhere
-    std::vector<Meeting> meetings; ///< pairs that may open a band in between
-    bool doubtful = false;         ///< a motion that matters has no partner: the step is too long
+    std::vector<int> to;                   ///< index of each motion at the other speed, or nowhere
+    std::vector<Coalescence> coalescences; ///< pairs that may open a band in between
+    bool doubtful = false; ///< a motion that matters has no partner: the step is too long
 };
 
 /// Motions are followed by their states: those at `to` are written as combinations of those at

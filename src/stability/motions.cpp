@@ -77,7 +77,7 @@ std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexP
 }
 
 /// Of copies next to +-i speed, which are one motion, one is kept.
-void drop_copies(std::vector<Motion> &motions, double speed) {
+void drop_sidebands(std::vector<Motion> &motions, double speed) {
     const double width = 2 * std::abs(speed);
     const auto same = [width](const Motion &a, const Motion &b) {
         const Complex d = a.value - b.value;
@@ -317,7 +317,7 @@ struct MotionSolver::Data {
             motions.push_back(std::move(motion));
         }
         if (hill && speed != 0)
-            drop_copies(motions, speed);
+            drop_sidebands(motions, speed);
         return motions;
     }
 };

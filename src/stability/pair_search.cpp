@@ -61,15 +61,15 @@ Guess best_guess(const std::vector<PairPoint> &points, double low, double high) 
     return best;
 }
 
-class MeetingSearch {
+class CoalescenceSearch {
   public:
-    MeetingSearch(const MotionsAt &at, const Meeting &m)
+    CoalescenceSearch(const MotionsAt &at, const Coalescence &m)
         : _at(at), _m(m), _points{pair_point(m.from, m.first_from, m.second_from),
                                   pair_point(m.to, m.first_to, m.second_to)},
           _size(std::sqrt(std::max(std::abs(_points[0].q), std::abs(_points[1].q)))) {}
 
-    MeetingVerdict verdict() {
-        using Kind = MeetingVerdict::Kind;
+    CoalescenceVerdict verdict() {
+        using Kind = CoalescenceVerdict::Kind;
         double low = _m.from;
         double high = _m.to;
         double speed = first_guess();
@@ -115,7 +115,7 @@ class MeetingSearch {
 
   private:
     const MotionsAt &_at;
-    const Meeting &_m;
+    const Coalescence &_m;
     std::vector<PairPoint> _points;
     double _size;
     bool _crossing = false; ///< the difference itself is interpolated: q has its zero in between
@@ -173,8 +173,8 @@ class MeetingSearch {
 
 } // namespace
 
-MeetingVerdict examine(const MotionsAt &at, const Meeting &meeting) {
-    return MeetingSearch(at, meeting).verdict();
+CoalescenceVerdict examine(const MotionsAt &at, const Coalescence &coalescence) {
+    return CoalescenceSearch(at, coalescence).verdict();
 }
 
 } // namespace whirl::stability

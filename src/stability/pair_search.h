@@ -6,7 +6,7 @@
 namespace whirl::stability {
 
 /// What became of two motions that may meet.
-struct MeetingVerdict {
+struct CoalescenceVerdict {
     enum class Kind {
         grows,  ///< at `speed`
         stable, ///< nowhere in between
@@ -16,10 +16,10 @@ struct MeetingVerdict {
     double speed = 0; ///< rad/s
 };
 
-/// Looks for a speed at which two meeting motions grow. The mean s and the squared half difference
-/// q of their eigenvalues are smooth in the speed even where the eigenvalues s +- sqrt(q) are not;
-/// interpolated, they lead to the place where s + sqrt(q) grows most, and what is found there
-/// judges the interpolation.
-[[nodiscard]] MeetingVerdict examine(const MotionsAt &at, const Meeting &meeting);
+/// Looks for a speed at which two motions that coalesce grow. The mean s and the squared half
+/// difference q of their eigenvalues are smooth in the speed even where the eigenvalues s +-
+/// sqrt(q) are not; interpolated, they lead to the place where s + sqrt(q) grows most, and what is
+/// found there judges the interpolation.
+[[nodiscard]] CoalescenceVerdict examine(const MotionsAt &at, const Coalescence &coalescence);
 
 } // namespace whirl::stability

@@ -65,7 +65,7 @@ class Varied {
         const auto count = [&](double value) {
             const assembly::Discretization d(with_anisotropy(_scene.rotor, _index, value),
                                              _model.order);
-            return standing_speeds(d, _arrangement, true, top).size();
+            return zero_root_speeds(d, _arrangement, true, top).size();
         };
         try {
             return count(dI) > count(0);

@@ -21,17 +21,17 @@ namespace whirl::stability {
 namespace {
 
 /// det[K + W Ks + W^2 Kss] = 0.
-struct StandingSystem {
+struct ZeroRootSystem {
     Eigen::SparseMatrix<double> K, Ks, Kss;
 };
 
 /// Rows of balls have speed^2 as a factor: without it they have no root at zero.
-StandingSystem standing_system(const assembly::Discretization &discretization,
-                               const balancers::Arrangement &arrangement, bool frozen) {
+ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
+                                const balancers::Arrangement &arrangement, bool frozen) {
     const assembly::RotatingSystem system = assembly::assemble_rotating(
         discretization, 0, balancers::balancer_elements(discretization.rotor(), arrangement),
         frozen);
-    StandingSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
+    ZeroRootSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
     Eigen::VectorXd ball_rows = Eigen::VectorXd::Zero(out.K.rows());
     ball_rows.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
     out.K += Eigen::SparseMatrix<double>(ball_rows.asDiagonal() * out.Kss);
@@ -40,9 +40,8 @@ StandingSystem standing_system(const assembly::Discretization &discretization,
 }
 
 /// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
-std::vector<StandingSpeed> standing_roots(const std::vector<linalg::ComplexPair> &pairs,
-                                          double top) {
-    std::vector<StandingSpeed> out;
+std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pairs, double top) {
+    std::vector<ZeroRootSpeed> out;
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
         const double across = std::abs(pair.value.imag());
@@ -94,12 +93,12 @@ std::vector<double> search_speeds(const model::SpeedRange &range) {
     return finer.values();
 }
 
-std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discretization,
-                                           const balancers::Arrangement &arrangement, bool frozen,
-                                           double top) {
+std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &discretization,
+                                            const balancers::Arrangement &arrangement, bool frozen,
+                                            double top) {
     if (top <= 0)
         return {};
-    const StandingSystem system = standing_system(discretization, arrangement, frozen);
+    const ZeroRootSystem system = zero_root_system(discretization, arrangement, frozen);
     linalg::QuadraticOptions options;
     options.shift = 0.41 * top;
     options.fewest = 1;
@@ -117,7 +116,7 @@ std::vector<StandingSpeed> standing_speeds(const assembly::Discretization &discr
                 continue;
             if (found.complete_radius < top - options.shift)
                 throw linalg::SolverError("roots in the range are not resolved beside the others");
-            return standing_roots(found.pairs, top);
+            return zero_roots(found.pairs, top);
         } catch (const linalg::SolverError &) {
             if (++tries == 4)
                 throw;

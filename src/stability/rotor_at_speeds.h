@@ -28,7 +28,7 @@ struct StabilityModel {
 [[nodiscard]] std::vector<double> search_speeds(const model::SpeedRange &range);
 
 /// A speed at which something can stand still in rotating axes.
-struct StandingSpeed {
+struct ZeroRootSpeed {
     double speed = 0;   ///< rad/s
     bool exact = false; ///< the root is real: an eigenvalue passes zero there
 };
@@ -37,8 +37,8 @@ struct StandingSpeed {
 /// |Im W| < Re W, ascending by Re W, equal ones once. With the balls frozen the forward critical
 /// speeds, with the balls free the additional speeds: critical speeds of the rotor pinned at the
 /// balancers. Bearings as at zero speed.
-[[nodiscard]] std::vector<StandingSpeed>
-standing_speeds(const assembly::Discretization &discretization,
-                const balancers::Arrangement &arrangement, bool frozen, double top);
+[[nodiscard]] std::vector<ZeroRootSpeed>
+zero_root_speeds(const assembly::Discretization &discretization,
+                 const balancers::Arrangement &arrangement, bool frozen, double top);
 
 } // namespace whirl::stability

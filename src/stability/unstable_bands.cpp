@@ -1,6 +1,6 @@
 #include "stability/unstable_bands.h"
 
-#include "linalg/golden_section.h"
+#include "linalg/roots.h"
 #include "stability/band_search.h"
 
 #include <algorithm>
@@ -210,7 +210,7 @@ double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
             best = speed;
         }
     }
-    return linalg::least_by_golden_section(
+    return linalg::least_between(
                [&at](double speed) { return -growth_of(at(speed)); },
                std::max(band.first, best - width), std::min(band.second, best + width),
                [](double a, double b, double) { return b - a <= 1e-7 * std::abs(b); })

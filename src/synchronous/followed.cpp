@@ -218,16 +218,16 @@ class Follower {
             }
             // A double eigenvalue at both ends: its second one is the partner.
             const Complex l = b.points[j].eigenvalue;
-            std::optional<std::size_t> twin;
+            std::optional<std::size_t> counterpart;
             for (std::size_t k = 0; k < b.points.size(); ++k)
                 if (taken.count(k) == 0 &&
                     std::abs(b.points[k].eigenvalue - l) < 1e-9 * std::abs(l))
-                    twin = k;
+                    counterpart = k;
             const Complex here = a.points[i].eigenvalue;
             const Complex there = a.points[other->second].eigenvalue;
-            if (!twin || std::abs(here - there) > 1e-9 * std::abs(here))
+            if (!counterpart || std::abs(here - there) > 1e-9 * std::abs(here))
                 return false;
-            j = *twin;
+            j = *counterpart;
             taken[j] = i;
         }
         return true;

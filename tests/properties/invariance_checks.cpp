@@ -1,7 +1,7 @@
-#include "properties/invariance_checks.h"
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "modes/formulation.h"
+#include "properties/invariance_checks.h"
 #include "properties/long_checks.h"
 #include "properties/random_scenes.h"
 #include "properties/spectra_difference.h"

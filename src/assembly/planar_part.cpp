@@ -1,16 +1,15 @@
-#include "assembly/planar_mass.h"
+#include "assembly/planar_part.h"
 
-#include "assembly/assemble.h"
-
+#include <span>
 #include <vector>
 
 namespace whirl::assembly {
 
-Eigen::SparseMatrix<double> planar_mass(const Discretization &discretization) {
+Eigen::SparseMatrix<double> planar_part(const Discretization &discretization, Term wanted) {
     std::vector<Eigen::Triplet<double>> entries;
     assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
                                                 const Eigen::MatrixXd &block) {
-        if (term != Term::mass)
+        if (term != wanted)
             return;
         for (std::size_t i = 0; i < unknowns.size(); ++i)
             for (std::size_t j = 0; j < unknowns.size(); ++j)
@@ -18,9 +17,9 @@ Eigen::SparseMatrix<double> planar_mass(const Discretization &discretization) {
                     unknowns[i], unknowns[j],
                     block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     });
-    Eigen::SparseMatrix<double> M(discretization.planar_size(), discretization.planar_size());
-    M.setFromTriplets(entries.begin(), entries.end());
-    return M;
+    Eigen::SparseMatrix<double> out(discretization.planar_size(), discretization.planar_size());
+    out.setFromTriplets(entries.begin(), entries.end());
+    return out;
 }
 
 } // namespace whirl::assembly
