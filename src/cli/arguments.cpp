@@ -1,32 +1,19 @@
 #include "cli/arguments.h"
 
+#include "cli/commands.h"
 #include "cli/messages.h"
-#include "report/json.h"
+#include "report/report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
+#include <algorithm>
 
 namespace whirl::cli {
 
 namespace {
 
-constexpr std::array<std::pair<const char *, const char *>, 10> commands{{
-    {"show", "what the scene is: drawing, masses, inertias, formulations"},
-    {"campbell", "whirl speeds and damping over the spin speed"},
-    {"critical", "critical speeds directly, without a sweep"},
-    {"stability", "where motion is unstable"},
-    {"response", "unbalance response over speed, forces at bearings"},
-    {"balance", "where correction planes can balance the rotor"},
-    {"rigid-limit", "flexible model against rigid closed forms as the shaft stiffens"},
-    {"simulate", "nonlinear motion in time with real balls or pendulums"},
-    {"accuracy", "wall time and error over element family, order and mesh"},
-    {"modes", "mode shapes as pictures and for ParaView"},
-}};
-
-void add_options(CLI::App &app, Arguments &arguments) {
+void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
     app.add_option("CASE", arguments.scene, "case folder (its case.toml) or .toml file")
         ->required()
         ->type_name("");
@@ -38,10 +25,16 @@ void add_options(CLI::App &app, Arguments &arguments) {
                    "override an entry of the case, e.g. --set speeds.count=11; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    app.add_flag("--map", arguments.map,
-                 "balance: where along the shaft balancers work; other commands ignore it");
+    // Every command accepts what one of them has; the others ignore it and do not show it.
+    CLI::Option *map =
+        app.add_flag("--map", arguments.map, "also where along the shaft balancers work");
+    if (std::count(command.options.begin(), command.options.end(), "--map") == 0)
+        map->group("");
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     app.set_version_flag("--version", "whirl " + report::program_version());
+    if (!command.settings.empty())
+        app.footer(fmt::format("Reads of the case, beside the rotor: {}.",
+                               fmt::join(command.settings, ", ")));
 }
 
 /// One message for whatever CLI11 found wrong.
@@ -62,8 +55,8 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
 
 std::string command_list() {
     std::string list;
-    for (const auto &[name, answer] : commands)
-        list += fmt::format("{}{}", list.empty() ? "" : ", ", name);
+    for (const Command &command : commands())
+        list += (list.empty() ? "" : ", ") + command.name;
     return list;
 }
 
@@ -73,8 +66,8 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     app.footer("Exit status: 0 done, 1 the analysis failed, 2 bad case or arguments.\n"
                "mpirun -n N whirl ... shares the work among N processes.");
     Arguments arguments;
-    for (const auto &[name, answer] : commands)
-        add_options(*app.add_subcommand(name, answer), arguments);
+    for (const Command &command : commands())
+        add_options(*app.add_subcommand(command.name, command.answer), command, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {

@@ -1,31 +1,20 @@
 #include "cli/run.h"
 
-#include "analyses/accuracy.h"
-#include "analyses/balance.h"
-#include "analyses/campbell.h"
-#include "analyses/critical.h"
-#include "analyses/modes.h"
-#include "analyses/response.h"
-#include "analyses/rigid_limit.h"
-#include "analyses/show.h"
-#include "analyses/stability.h"
+#include "cli/commands.h"
 #include "cli/messages.h"
-#include "cli/simulate.h"
-#include "cli/summary.h"
-#include "cli/summary_simulate.h"
 #include "input/case_file.h"
 #include "model/errors.h"
 #include "process/progress.h"
 #include "process/session.h"
-#include "report/json.h"
-#include "report/json_simulate.h"
 #include "report/report.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <ctime>
 
 #include <unistd.h>
 
@@ -46,19 +35,20 @@ std::string files_text(const report::Files &files) {
     return text;
 }
 
-template <class Result>
-void deliver(const Arguments &arguments, const model::Case &scene, const Result &result) {
+/// Files, and text or JSON on standard output, from the first process.
+void deliver(const Run &run, report::Report report) {
     if (process::process_rank() != 0)
         return;
+    const Arguments &arguments = run.arguments;
+    report.provenance = {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
+                         input::case_text(arguments.scene, arguments.overrides)};
     report::Files files;
-    if (!arguments.json || arguments.out) {
-        const auto usual = std::filesystem::path("out") / scene.name / arguments.command;
-        files = report::write_report(scene, result, arguments.out.value_or(usual));
-    }
+    if (!arguments.json || arguments.out)
+        files = report::write_report(report, run.folder());
     if (arguments.json)
-        say(report::to_json(scene, result));
+        say(report::to_json(report));
     else if (!arguments.quiet)
-        say(summary(scene, result) + files_text(files));
+        say(report.text() + files_text(files));
 }
 
 /// On a terminal, for anything longer than a second: how far the analysis is.
@@ -78,37 +68,9 @@ void show_progress(const Arguments &arguments) {
     });
 }
 
-/// The case of the arguments with more entries overridden.
-analyses::CaseWith with_overrides(const Arguments &arguments) {
-    return [&arguments](const std::vector<std::string> &more) {
-        std::vector<std::string> overrides = arguments.overrides;
-        overrides.insert(overrides.end(), more.begin(), more.end());
-        return input::load_case(arguments.scene, overrides);
-    };
-}
-
-void analyse(const Arguments &arguments, const model::Case &scene) {
-    const std::string &command = arguments.command;
-    if (command == "show")
-        deliver(arguments, scene, analyses::show(scene));
-    else if (command == "campbell")
-        deliver(arguments, scene, analyses::campbell(scene));
-    else if (command == "critical")
-        deliver(arguments, scene, analyses::critical_speeds(scene));
-    else if (command == "response")
-        deliver(arguments, scene, analyses::unbalance_response(scene));
-    else if (command == "modes")
-        deliver(arguments, scene, analyses::mode_shapes(scene));
-    else if (command == "stability")
-        deliver(arguments, scene, analyses::stability(scene, with_overrides(arguments)));
-    else if (command == "accuracy")
-        deliver(arguments, scene, analyses::accuracy(scene));
-    else if (command == "rigid-limit")
-        deliver(arguments, scene, analyses::rigid_limit(scene));
-    else if (command == "balance")
-        deliver(arguments, scene, analyses::balance(scene, {arguments.map}));
-    else if (command == "simulate")
-        deliver(arguments, scene, simulate_or_leave_restart(arguments, scene));
+const Command &command_of(const Arguments &arguments) {
+    return *std::find_if(commands().begin(), commands().end(),
+                         [&](const Command &command) { return command.name == arguments.command; });
 }
 
 } // namespace
@@ -118,7 +80,9 @@ void run(const Arguments &arguments) {
     const process::Session session;
     show_progress(arguments);
     try {
-        analyse(arguments, scene);
+        const Run work{arguments, scene,
+                       [&work](const report::Report &report) { deliver(work, report); }};
+        command_of(arguments).run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands
         throw model::BadInput(
             input::with_place(problem.what(), arguments.scene, arguments.overrides));

@@ -1,9 +1,11 @@
-#include "cli/simulate.h"
+#include "cli/commands.h"
 
 #include "analyses/simulate.h"
 #include "model/errors.h"
 #include "process/interruption.h"
+#include "report/reports.h"
 #include "report/restart_file.h"
+#include "results/simulate.h"
 
 #include <fmt/format.h>
 
@@ -35,22 +37,23 @@ class InterruptionBySignal {
 
 } // namespace
 
-results::SimulateResult simulate_or_leave_restart(const Arguments &arguments,
-                                                  const model::Case &scene) {
+void simulate_or_leave_restart(const Run &run) {
     std::optional<model::Restart> from;
-    if (!scene.simulate.restart.empty())
-        from = report::read_restart(scene.simulate.restart);
+    if (!run.scene.simulate.restart.empty())
+        from = report::read_restart(run.scene.simulate.restart);
     const InterruptionBySignal interruption;
-    results::SimulateResult result = analyses::simulate(scene, from ? &*from : nullptr);
-    if (!result.restart)
-        return result;
-    const auto usual = std::filesystem::path("out") / scene.name / arguments.command;
-    const auto file = std::filesystem::path(arguments.out.value_or(usual)) / "restart.json";
+    const results::SimulateResult result =
+        run.timed([&] { return analyses::simulate(run.scene, from ? &*from : nullptr); });
+    if (!result.restart) {
+        run.deliver(report::describe(run.scene, result));
+        return;
+    }
+    const auto file = run.folder() / "restart.json";
     report::write_restart(file, *result.restart);
     throw model::AnalysisFailure(
         fmt::format("interrupted at {:.6g} s of {:.6g} s; to go on add --set "
                     "simulate.restart={}",
-                    result.restart->time, scene.simulate.time, file.string()));
+                    result.restart->time, run.scene.simulate.time, file.string()));
 }
 
 } // namespace whirl::cli

@@ -94,6 +94,18 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     return scene;
 }
 
+std::string case_text(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
+    const fs::path file = find_file(folder_or_file);
+    const std::string text = read_text(file);
+    if (overrides.empty())
+        return text;
+    Node tree = parse_toml(text, file.generic_string());
+    Problems problems;
+    apply_overrides(tree, overrides, problems);
+    problems.throw_if_any();
+    return to_toml(tree);
+}
+
 std::string with_place(const std::string &problem, const fs::path &folder_or_file,
                        const std::vector<std::string> &overrides) {
     const fs::path file = find_file(folder_or_file);

@@ -17,6 +17,12 @@ namespace whirl::input {
 [[nodiscard]] model::Case load_case(const std::filesystem::path &folder_or_file,
                                     const std::vector<std::string> &overrides = {});
 
+/// The case file as TOML: as it stands, or written anew where overrides change it. Read again it is
+/// the same case.
+/// @throws model::BadInput
+[[nodiscard]] std::string case_text(const std::filesystem::path &folder_or_file,
+                                    const std::vector<std::string> &overrides = {});
+
 /// A problem that an analysis found in a case, "key: expected ..., got ..." with or without the
 /// file before it, with the place where the key stands: "cases/x/case.toml:12: key: ...". Where the
 /// file does not have the key the line is left out.

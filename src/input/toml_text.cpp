@@ -6,6 +6,8 @@
 // The only translation unit that sees toml++: it is slow to compile.
 #include <toml++/toml.h>
 
+#include <sstream>
+
 namespace whirl::input {
 namespace {
 
@@ -40,6 +42,43 @@ Node convert(const toml::node &source, const Origin &around) {
         node.kind = Node::Kind::other;
     }
     return node;
+}
+
+toml::table table_of(const Node &node);
+toml::array list_of(const Node &node);
+
+/// Hands over the value; what TOML has beside the kinds a case knows is an error of any case.
+template <class Add> void hand_over(const Node &node, Add add) {
+    switch (node.kind) {
+    case Node::Kind::table:
+        return add(table_of(node));
+    case Node::Kind::list:
+        return add(list_of(node));
+    case Node::Kind::text:
+        return add(node.text);
+    case Node::Kind::integer:
+        return add(static_cast<std::int64_t>(node.number));
+    case Node::Kind::real:
+        return add(node.number);
+    case Node::Kind::boolean:
+        return add(node.flag);
+    case Node::Kind::other:
+        break;
+    }
+}
+
+toml::table table_of(const Node &node) {
+    toml::table table;
+    for (const Node &item : node.items)
+        hand_over(item, [&](auto &&value) { table.insert_or_assign(item.key, value); });
+    return table;
+}
+
+toml::array list_of(const Node &node) {
+    toml::array list;
+    for (const Node &item : node.items)
+        hand_over(item, [&](auto &&value) { list.push_back(value); });
+    return list;
 }
 
 /// Gives the whole tree one origin.
@@ -77,6 +116,12 @@ Node parse_value(std::string_view text, const Origin &origin) {
     }
     set_origin(node, origin);
     return node;
+}
+
+std::string to_toml(const Node &root) {
+    std::ostringstream text;
+    text << table_of(root) << '\n';
+    return text.str();
 }
 
 } // namespace whirl::input

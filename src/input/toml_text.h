@@ -13,4 +13,7 @@ namespace whirl::input {
 /// A value given on the command line: a TOML value, or where it is none, the text itself.
 [[nodiscard]] Node parse_value(std::string_view text, const Origin &origin);
 
+/// The tree as a TOML document: entries by name, numbers with all digits.
+[[nodiscard]] std::string to_toml(const Node &root);
+
 } // namespace whirl::input

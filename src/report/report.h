@@ -1,22 +1,76 @@
 #pragma once
 
 #include "model/case.h"
-#include "results/accuracy.h"
-#include "results/balance.h"
-#include "results/campbell.h"
-#include "results/critical.h"
-#include "results/modes.h"
-#include "results/response.h"
-#include "results/rigid_limit.h"
-#include "results/show.h"
-#include "results/simulate.h"
-#include "results/stability.h"
+#include "report/common/drawing.h"
+#include "report/common/gnuplot.h"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+namespace whirl::results {
+struct ModelSummary;
+} // namespace whirl::results
+
 namespace whirl::report {
+
+/// A part of a page.
+struct Section {
+    std::string heading;
+    std::string html;
+};
+
+/// A picture beside the main one.
+struct Picture {
+    std::string name; ///< of its files, without ending
+    Figure figure;
+    std::string csv; ///< its curves as a table; empty: no such file
+};
+
+/// What a result was computed from and when; the program's version joins them.
+struct Provenance {
+    std::string date{};      ///< UTC: "2026-03-01T12:00:00Z"
+    std::string case_text{}; ///< the case file as it was used, TOML
+};
+
+/// A result for all its readers. What is written comes from functions, so that it costs nothing
+/// where nobody asks for it; they look at the case and the result, which must outlive the report.
+struct Report {
+    std::string command{}; ///< "campbell", ...: name of the files
+    std::string heading{}; ///< of the page
+    const model::Case *scene = nullptr;
+    const results::ModelSummary *model = nullptr;
+    Provenance provenance{};                        ///< from whoever ran the analysis
+    std::function<nlohmann::ordered_json()> json{}; ///< keys beside those of every result
+    std::function<std::string()> csv{};
+    std::function<std::vector<Section>()> sections{}; ///< below the diagram of the page
+    std::function<std::string()> text{};              ///< for the terminal
+    std::function<Figure()> figure{};                 ///< the main picture
+    // What some commands have:
+    std::function<Drawing()> drawing{}; ///< in place of the figure
+    std::function<std::vector<Picture>()> pictures{};
+    std::string pictures_heading{}; ///< of their section of the page, after as many others as
+    std::size_t pictures_after = 0; ///< this
+    std::function<std::string()> script_data{}; ///< for the script of the page
+    std::function<std::string()> vtp{};         ///< for ParaView
+};
+
+/// Version of the program, as in the results.
+[[nodiscard]] std::string program_version();
+
+/// The result as JSON (keys: docs/case_format.md, "Results"): SI and radians, numbers with all
+/// digits, null for what is missing or not finite.
+[[nodiscard]] std::string to_json(const Report &report);
+
+/// One self-contained page: nothing is loaded from elsewhere.
+/// @param still     SVG shown where no script can draw
+/// @param pictures  SVG of the pictures beside the main one
+[[nodiscard]] std::string to_html(const Report &report, const std::string &still,
+                                  const std::string &pictures = "");
 
 /// What a report has written.
 struct Files {
@@ -27,27 +81,6 @@ struct Files {
 /// Writes <command>.svg, .png, .json, .csv and report.html (and modes.vtp) into the folder, all or
 /// none of them. Without gnuplot the pictures it draws are missing, which a note says.
 /// @throws model::AnalysisFailure where a file cannot be written or a picture not drawn.
-Files write_report(const model::Case &scene, const results::CampbellResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::CriticalResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::ResponseResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::ModesResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::ShowResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::AccuracyResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::StabilityResult &result,
-                   const std::filesystem::path &folder);
-Files write_report(const model::Case &scene, const results::RigidLimitResult &result,
-                   const std::filesystem::path &folder);
-/// Also pictures of the placement and of each pendulum balancer, where there are any.
-Files write_report(const model::Case &scene, const results::BalanceResult &result,
-                   const std::filesystem::path &folder);
-
-Files write_report(const model::Case &scene, const results::SimulateResult &result,
-                   const std::filesystem::path &folder);
+Files write_report(const Report &report, const std::filesystem::path &folder);
 
 } // namespace whirl::report

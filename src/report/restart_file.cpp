@@ -1,7 +1,7 @@
 #include "report/restart_file.h"
 
 #include "model/errors.h"
-#include "report/files.h"
+#include "report/common/files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 #include "report/vtk.h"
 
-#include "report/shaft_outline.h"
+#include "report/common/words.h"
+#include "report/pictures/shaft_outline.h"
 #include "results/modes.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@ namespace whirl::report {
 namespace {
 
 constexpr int around = 16; ///< points of the surface at each station
-constexpr double pi = 3.14159265358979323846;
 
 /// Points come station by station: first the centre line, then the rings of the surface.
 struct Grid {

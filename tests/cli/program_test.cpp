@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <unistd.h>
 
 namespace {
@@ -131,6 +133,34 @@ TEST_F(Program, JsonAloneOnStandardOutputAndNoFiles) {
         EXPECT_EQ(json.at("command"), command);
     }
     EXPECT_TRUE(nothing_written());
+}
+
+/// The case in a result is the case that was computed: run again it gives the same numbers.
+TEST_F(Program, ResultHoldsTheCaseItWasComputedFrom) {
+    const std::string drum = std::string(WHIRL_ROOT) + "/cases/extractor_two_plane";
+    const std::vector<std::string> changes{"--set", "bearing[0].k=1.2345678901234567e6", "--set",
+                                           "title=\"\\\"odd\\\" <title>\""};
+    std::vector<std::string> arguments{"critical", drum, "--json"};
+    arguments.insert(arguments.end(), changes.begin(), changes.end());
+    const ProgramRun first = run(arguments);
+    ASSERT_EQ(first.status, 0) << first.errors;
+    const auto json = nlohmann::json::parse(first.output);
+    const auto &from = json.at("provenance");
+    EXPECT_EQ(from.at("version"), json.at("version"));
+    const std::string date = from.at("date");
+    EXPECT_EQ(date.size(), std::string("2026-03-01T12:00:00Z").size()) << date;
+    EXPECT_EQ(date.back(), 'Z');
+    std::ofstream("again.toml") << from.at("case").get<std::string>();
+    const ProgramRun again = run({"critical", "again.toml", "--json"});
+    ASSERT_EQ(again.status, 0) << again.errors;
+    const auto same = nlohmann::json::parse(again.output);
+    EXPECT_EQ(same.at("critical_speeds"), json.at("critical_speeds")); // to the last digit
+    EXPECT_EQ(same.at("title"), "\"odd\" <title>");
+    // Without changes it is the file itself, with its comments.
+    std::ifstream file(drum + "/case.toml", std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const ProgramRun plain = run({"show", drum, "--json"});
+    EXPECT_EQ(nlohmann::json::parse(plain.output).at("provenance").at("case"), text);
 }
 
 TEST_F(Program, JsonWithOutGivesBothAndTheSame) {

@@ -10,18 +10,26 @@
 #include "analyses/show.h"
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
-#include "cli/summary.h"
-#include "cli/summary_simulate.h"
 #include "input/case_file.h"
-#include "report/json.h"
-#include "report/json_simulate.h"
+#include "report/reports.h"
+#include "results/accuracy.h"
+#include "results/balance.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/response.h"
+#include "results/rigid_limit.h"
+#include "results/show.h"
+#include "results/simulate.h"
+#include "results/stability.h"
 
 namespace whirl::properties {
 
 namespace {
 
 template <class Result> CommandOutput output_of(const model::Case &scene, const Result &result) {
-    return {cli::summary(scene, result), report::to_json(scene, result), {}};
+    const report::Report report = report::describe(scene, result);
+    return {report.text(), report::to_json(report), {}};
 }
 
 CommandOutput run(const std::string &command, const model::Case &scene,

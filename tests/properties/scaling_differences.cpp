@@ -39,11 +39,11 @@ std::string first_difference(const std::string &a, const std::string &b) {
     return fmt::format("\"{}\" becomes \"{}\"", line(a), line(b));
 }
 
-/// Wall time, and errors, whose share of rounding is itself rounding.
+/// Wall time and date, and errors, whose share of rounding is itself rounding.
 bool left_out(const std::string &key) {
     static const std::set<std::string> keys{
-        "seconds", "residual",         "version", "rounding",
-        "name",    "forward_fraction", "steps",   "rate_evaluations"};
+        "seconds",          "residual", "version",          "rounding",  "name",
+        "forward_fraction", "steps",    "rate_evaluations", "provenance"};
     return keys.count(key) > 0 || key.find("error") != std::string::npos;
 }
 

@@ -1,9 +1,6 @@
 // Report of the command balance.
 
-#include "report/csv.h"
-#include "report/html_pages.h"
-#include "report/json.h"
-#include "report/report.h"
+#include "results/balance.h"
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-#include "report/csv.h"
 
+#include "results/response.h"
 #include "sample_results.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "report/files.h"
+#include "report/common/files.h"
 
 #include "model/errors.h"
 #include "sample_results.h"

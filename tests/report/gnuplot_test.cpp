@@ -1,7 +1,7 @@
-#include "report/gnuplot.h"
+#include "report/common/gnuplot.h"
 
 #include "model/errors.h"
-#include "report/drawing.h"
+#include "report/common/drawing.h"
 #include "sample_results.h"
 
 #include <pugixml.hpp>

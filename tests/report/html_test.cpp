@@ -1,5 +1,4 @@
-#include "report/html_pages.h"
-#include "report/plotly.h"
+#include "report/common/plotly.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
 #include "results/modes.h"

@@ -1,6 +1,6 @@
-#include "report/json.h"
 #include "results/accuracy.h"
 #include "results/critical.h"
+#include "results/response.h"
 #include "results/show.h"
 #include "results/whirl.h"
 #include "sample_results.h"
@@ -29,6 +29,21 @@ TEST(Json, EnvelopeNamesProgramFormatAndFormulation) {
     EXPECT_EQ(json.at("elements"), 6);
     EXPECT_EQ(json.at("unknowns_count"), 50);
     EXPECT_EQ(json.at("notes"), Json::array({"a note"}));
+}
+
+TEST(Json, SaysWhatItWasComputedFrom) {
+    const model::Case scene = sample_case();
+    const results::CampbellResult result = sample_campbell();
+    Report report = describe(scene, result);
+    report.provenance = {"2026-03-01T12:00:00Z", "title = \"</pre><b>\"\n# second line\n"};
+    const Json told = Json::parse(to_json(report)).at("provenance");
+    EXPECT_EQ(told.at("version"), program_version());
+    EXPECT_EQ(told.at("date"), "2026-03-01T12:00:00Z");
+    EXPECT_EQ(told.at("case"), report.provenance.case_text);
+    const std::string page = to_html(report, "");
+    EXPECT_NE(page.find("title = \"&lt;/pre&gt;&lt;b&gt;\"\n# second line\n</pre></details>"),
+              std::string::npos);
+    EXPECT_NE(page.find("2026-03-01T12:00:00Z"), std::string::npos);
 }
 
 TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {

@@ -1,9 +1,8 @@
-#include "report/plot_campbell.h"
-#include "report/plot_modes.h"
-#include "report/plot_response.h"
-#include "report/plot_style.h"
+#include "report/pictures/figures.h"
+#include "report/pictures/style.h"
 #include "results/campbell.h"
 #include "results/modes.h"
+#include "results/response.h"
 #include "sample_results.h"
 
 #include <random>

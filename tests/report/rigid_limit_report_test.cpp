@@ -1,6 +1,4 @@
-#include "report/csv.h"
-#include "report/json.h"
-#include "report/report.h"
+#include "results/rigid_limit.h"
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>

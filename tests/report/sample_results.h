@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "report/reports.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
 #include "results/modes.h"
@@ -82,6 +83,23 @@ inline results::ModesResult sample_modes() {
     result.modes[1] = {"1F", {-2, 90},       results::Whirl::forward,
                        1,    {0.3, 1., 0.3}, {-0.3 * i, -i, -0.3 * i}};
     return result;
+}
+
+template <class Result>
+Files write_report(const model::Case &scene, const Result &result,
+                   const std::filesystem::path &folder) {
+    return write_report(describe(scene, result), folder);
+}
+template <class Result> std::string to_json(const model::Case &scene, const Result &result) {
+    return to_json(describe(scene, result));
+}
+template <class Result>
+std::string to_html(const model::Case &scene, const Result &result, const std::string &still) {
+    return to_html(describe(scene, result), still);
+}
+template <class Result> std::string to_csv(const Result &result) {
+    const model::Case scene;
+    return describe(scene, result).csv();
 }
 
 inline std::string content_of(const std::filesystem::path &path) {

@@ -1,0 +1,111 @@
+#include "cli/commands.h"
+
+#include "analyses/accuracy.h"
+#include "analyses/balance.h"
+#include "analyses/campbell.h"
+#include "analyses/critical.h"
+#include "analyses/modes.h"
+#include "analyses/response.h"
+#include "analyses/rigid_limit.h"
+#include "analyses/show.h"
+#include "analyses/stability.h"
+#include "input/case_file.h"
+#include "report/reports.h"
+#include "results/accuracy.h"
+#include "results/balance.h"
+#include "results/campbell.h"
+#include "results/critical.h"
+#include "results/modes.h"
+#include "results/response.h"
+#include "results/rigid_limit.h"
+#include "results/show.h"
+#include "results/stability.h"
+
+namespace whirl::cli {
+
+namespace {
+
+/// A command whose analysis needs the case alone.
+template <class Result> auto on_case(Result (*analysis)(const model::Case &)) {
+    return [analysis](const Run &run) {
+        const Result result = run.timed([&] { return analysis(run.scene); });
+        run.deliver(report::describe(run.scene, result));
+    };
+}
+
+void balance(const Run &run) {
+    const results::BalanceResult result =
+        run.timed([&] { return analyses::balance(run.scene, {run.arguments.map}); });
+    run.deliver(report::describe(run.scene, result));
+}
+
+void stability(const Run &run) {
+    const analyses::CaseWith with = [&run](const std::vector<std::string> &more) {
+        std::vector<std::string> overrides = run.arguments.overrides;
+        overrides.insert(overrides.end(), more.begin(), more.end());
+        return input::load_case(run.arguments.scene, overrides);
+    };
+    const results::StabilityResult result =
+        run.timed([&] { return analyses::stability(run.scene, with); });
+    run.deliver(report::describe(run.scene, result));
+}
+
+} // namespace
+
+std::filesystem::path Run::folder() const {
+    return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
+}
+
+const std::vector<Command> &commands() {
+    static const std::vector<Command> table{
+        {"show",
+         "what the scene is: drawing, masses, inertias, formulations",
+         {},
+         {},
+         on_case(analyses::show)},
+        {"campbell",
+         "whirl speeds and damping over the spin speed",
+         {"speeds", "campbell"},
+         {},
+         on_case(analyses::campbell)},
+        {"critical",
+         "critical speeds directly, without a sweep",
+         {"speeds", "campbell"},
+         {},
+         on_case(analyses::critical_speeds)},
+        {"stability", "where motion is unstable", {"speeds", "map"}, {}, stability},
+        {"response",
+         "unbalance response over speed, forces at bearings",
+         {"speeds", "imbalance", "probe"},
+         {},
+         on_case(analyses::unbalance_response)},
+        {"balance",
+         "where correction planes can balance the rotor",
+         {"speeds", "plane", "balance", "simulate"},
+         {"--map"},
+         balance},
+        {"rigid-limit",
+         "flexible model against rigid closed forms as the shaft stiffens",
+         {"speeds", "plane"},
+         {},
+         on_case(analyses::rigid_limit)},
+        {"simulate",
+         "nonlinear motion in time with real balls or pendulums",
+         {"simulate", "speeds"},
+         {},
+         simulate_or_leave_restart},
+        {"accuracy",
+         "wall time and error over element family, order and mesh",
+         {"speeds", "campbell"},
+         {},
+         on_case(analyses::accuracy)},
+        {"modes",
+         "mode shapes as pictures and for ParaView",
+         {"speeds", "campbell"},
+         {},
+         on_case(analyses::mode_shapes)},
+    };
+    return table;
+}
+
+} // namespace whirl::cli

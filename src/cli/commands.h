@@ -1,0 +1,55 @@
+#pragma once
+
+#include "cli/arguments.h"
+#include "model/case.h"
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace whirl::report {
+struct Report;
+} // namespace whirl::report
+
+namespace whirl::cli {
+
+/// A command at work: what it is given, and where its report goes.
+struct Run {
+    const Arguments &arguments;
+    const model::Case &scene;
+    std::function<void(const report::Report &)> deliver;
+
+    /// The result of an analysis, with the wall time it took. Only here is a result's clock opened
+    /// and closed.
+    template <class Analysis> [[nodiscard]] auto timed(const Analysis &analysis) const {
+        const auto start = std::chrono::steady_clock::now();
+        auto result = analysis();
+        result.model.seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return result;
+    }
+
+    /// Where the files go: --out, or out/<case>/<command>.
+    [[nodiscard]] std::filesystem::path folder() const;
+};
+
+/// A row of the table of commands.
+struct Command {
+    std::string name;
+    std::string answer;                   ///< one line for --help
+    std::vector<std::string> settings;    ///< sections of the case it reads beside the rotor
+    std::vector<std::string> options;     ///< beside those that every command has: "--map"
+    std::function<void(const Run &)> run; ///< case to result to report
+};
+
+/// All commands, in the order of --help.
+[[nodiscard]] const std::vector<Command> &commands();
+
+/// Of simulate: the motion, from the restart file that the case names if any. On SIGINT writes a
+/// restart file into the folder for results.
+/// @throws model::AnalysisFailure then, with what to do to go on.
+void simulate_or_leave_restart(const Run &run);
+
+} // namespace whirl::cli

@@ -1,0 +1,190 @@
+// Report of the command campbell.
+
+#include "results/campbell.h"
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/reports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+using results::CampbellMode;
+using results::CampbellResult;
+using results::Crossing;
+
+namespace {
+
+/// A mode at one speed.
+struct ModeAt {
+    double speed; ///< rad/s
+    const CampbellMode *mode;
+    std::size_t index; ///< of the speed
+
+    /// The entry of a list of the mode, null beyond its end.
+    template <class T> [[nodiscard]] Json entry(const std::vector<T> &list) const {
+        return index < list.size() ? Json(list[index]) : Json();
+    }
+    [[nodiscard]] std::optional<double> frequency() const {
+        return index < mode->frequency.size() ? mode->frequency[index] : std::nullopt;
+    }
+};
+
+template <class List> auto entry(List CampbellMode::*list) {
+    return [list](const ModeAt &at) { return at.entry(at.mode->*list); };
+}
+
+std::optional<double> in_hertz(const ModeAt &at) {
+    return at.frequency() ? std::optional(*at.frequency() * hertz) : std::nullopt;
+}
+
+/// The frequency, or why there is none.
+Json hertz_or_why(const ModeAt &at) {
+    return at.frequency() ? Json(in_hertz(at)) : at.entry(at.mode->absent);
+}
+
+const Columns<ModeAt> columns{
+    {"", "speed [rad/s]", {}, {}, &ModeAt::speed},
+    {"", "mode", {"Mode"}, {"mode"}, [](const auto &at) { return at.mode->label; }},
+    {"frequency",
+     "frequency [rad/s]",
+     {"Frequency (rad/s)", "{:.10g}"},
+     {"rad/s", precise},
+     &ModeAt::frequency},
+    {"", "", {"Frequency (Hz)", "{:.10g}"}, {}, hertz_or_why},
+    {"", "", {}, {"Hz"}, in_hertz},
+    {"",
+     "",
+     {},
+     {"rpm"},
+     [](const auto &at) {
+         return at.frequency() ? std::optional(*at.frequency() * rpm) : std::nullopt;
+     }},
+    {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry(&CampbellMode::real)},
+    {"damping_ratio",
+     "damping_ratio",
+     {"Damping ratio"},
+     {"damping ratio"},
+     entry(&CampbellMode::damping_ratio)},
+    {"log_dec", "log_dec", {}, {}, entry(&CampbellMode::log_dec)},
+    {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry(&CampbellMode::whirl)},
+    {"forward_share",
+     "forward_fraction",
+     {"Forward share", "{:.4g}"},
+     {},
+     entry(&CampbellMode::forward_fraction)},
+    {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
+    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, entry(&CampbellMode::error)},
+    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)}};
+
+std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
+    std::vector<ModeAt> rows;
+    for (std::size_t i = 0; i < result.speeds.size(); ++i)
+        rows.push_back({result.speeds[i], &mode, i});
+    return rows;
+}
+
+std::vector<ModeAt> at_speed(const CampbellResult &result, std::size_t index) {
+    std::vector<ModeAt> rows;
+    for (const CampbellMode &mode : result.modes)
+        rows.push_back({result.speeds[index], &mode, index});
+    return rows;
+}
+
+Columns<Crossing> crossing_columns(const CampbellResult &result) {
+    const auto label = [&result](const Crossing &crossing) {
+        const auto index = static_cast<std::size_t>(crossing.mode);
+        return index < result.modes.size() ? result.modes[index].label : "";
+    };
+    return {{"", "", {"Mode"}, {}, label},
+            {"multiple", "", {"Multiple", "{:.5g}×"}, {"line", "{:.6g}x"}, &Crossing::multiple},
+            {"",
+             "",
+             {"Spin speed (rpm)", "{:.10g}"},
+             {"rpm"},
+             [](const auto &crossing) { return crossing.speed * rpm; }},
+            {"speed", "", {"Spin speed (rad/s)", "{:.10g}"}, {"rad/s", precise}, &Crossing::speed},
+            {"frequency", "", {}, {}, &Crossing::frequency},
+            {"",
+             "",
+             {"Whirl frequency (Hz)", "{:.10g}"},
+             {},
+             [](const auto &crossing) { return crossing.frequency * hertz; }},
+            {"", "", {}, {"Hz"}, [](const auto &crossing) { return crossing.speed * hertz; }},
+            {"mode", "", {}, {}, &Crossing::mode},
+            {"", "", {}, {"mode"}, label}};
+}
+
+Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
+    Json json{{"label", mode.label}};
+    json["absent"] = json_list(
+        mode.absent, [](const std::string &why) { return why.empty() ? Json() : Json(why); });
+    if (!mode.frequency_rotating.empty())
+        json["frequency_rotating"] = mode.frequency_rotating;
+    json.update(json_lists(columns, over_speeds(result, mode)));
+    return json;
+}
+
+Json json_of(const CampbellResult &result) {
+    return {{"speeds", result.speeds},
+            {"modes",
+             json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode); })},
+            {"crossings", json_rows(crossing_columns(result), result.crossings)},
+            {"divergence", result.divergence}};
+}
+
+std::string csv_of(const CampbellResult &result) {
+    const std::vector<std::string> head = csv_head(columns);
+    std::string csv = csv_line(head);
+    for (std::size_t i = 0; i < result.speeds.size(); ++i)
+        csv += csv_rows(head, columns, at_speed(result, i));
+    return csv;
+}
+
+std::vector<Section> sections_of(const CampbellResult &result) {
+    const std::string crossings =
+        result.crossings.empty()
+            ? "<p>No mode crosses a multiple of the spin speed in this range.</p>\n"
+            : page_table(crossing_columns(result), result.crossings);
+    std::vector<Section> sections{{"Critical speeds (1×) and other crossings", crossings}};
+    if (!result.speeds.empty())
+        sections.push_back({fmt::format("Whirl modes at {:.6g} rpm", result.speeds.back() * rpm),
+                            page_table(columns, at_speed(result, result.speeds.size() - 1))});
+    return sections;
+}
+
+std::string text_of(const model::Case &scene, const CampbellResult &result) {
+    std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
+    if (result.speeds.empty())
+        return text + model_text(result.model);
+    std::vector<ModeAt> modes = at_speed(result, result.speeds.size() - 1);
+    std::stable_sort(modes.begin(), modes.end(), [](const ModeAt &a, const ModeAt &b) {
+        return a.frequency().value_or(0) < b.frequency().value_or(0);
+    });
+    text += fmt::format("Whirl modes at {:.6g} rpm ({:.6g} rad/s):\n{}", result.speeds.back() * rpm,
+                        result.speeds.back(), text_table(columns, modes));
+    if (!result.crossings.empty())
+        text += "\nCrossings with multiples of the spin speed:\n" +
+                text_table(crossing_columns(result), result.crossings);
+    return text + model_text(result.model);
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const CampbellResult &result) {
+    return {.command = "campbell",
+            .heading = "Campbell diagram",
+            .scene = &scene,
+            .model = &result.model,
+            .json = [&] { return json_of(result); },
+            .csv = [&] { return csv_of(result); },
+            .sections = [&] { return sections_of(result); },
+            .text = [&] { return text_of(scene, result); },
+            .figure = [&] { return campbell_figure(scene, result); }};
+}
+
+} // namespace whirl::report

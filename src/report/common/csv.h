@@ -1,0 +1,44 @@
+#pragma once
+
+#include "report/common/table.h"
+
+namespace whirl::report {
+
+/// A value for a CSV file: numbers with all digits, empty for what is missing or not finite, text
+/// in quotes where a comma, a quote or a line end would break the row.
+[[nodiscard]] std::string csv_cell(const Json &value);
+/// Cells with commas between and a line end.
+[[nodiscard]] std::string csv_line(const std::vector<std::string> &cells);
+
+/// The headings in a file.
+template <class Row> [[nodiscard]] std::vector<std::string> csv_head(const Columns<Row> &columns) {
+    std::vector<std::string> head;
+    for (const Column<Row> &column : columns)
+        if (!column.csv.empty())
+            head.push_back(column.csv);
+    return head;
+}
+/// Lines of a file with this head, which may hold several kinds of rows: cells for which this kind
+/// has no column stay empty.
+template <class Row, class Rows>
+[[nodiscard]] std::string csv_rows(const std::vector<std::string> &head,
+                                   const Columns<Row> &columns, const Rows &rows) {
+    std::string text;
+    for (std::size_t index = 0; const Row &row : rows) {
+        std::vector<std::string> cells(head.size());
+        for (const Column<Row> &column : columns)
+            for (std::size_t i = 0; i < head.size() && !column.csv.empty(); ++i)
+                if (head[i] == column.csv)
+                    cells[i] = csv_cell(column.value(row, index));
+        text += csv_line(cells);
+        ++index;
+    }
+    return text;
+}
+template <class Row, class Rows>
+[[nodiscard]] std::string csv_table(const Columns<Row> &columns, const Rows &rows) {
+    const std::vector<std::string> head = csv_head(columns);
+    return csv_line(head) + csv_rows(head, columns, rows);
+}
+
+} // namespace whirl::report

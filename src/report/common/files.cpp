@@ -1,0 +1,87 @@
+#include "report/common/files.h"
+
+#include "model/errors.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+namespace whirl::report {
+
+namespace fs = std::filesystem;
+
+OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {
+    if (_folder.empty())
+        _folder = ".";
+    std::error_code error;
+    for (fs::path part = fs::absolute(_folder).lexically_normal();
+         !part.empty() && !fs::exists(part, error) && part != part.root_path();
+         part = part.parent_path())
+        if (part.has_filename())
+            _made.insert(_made.begin(), part);
+    fs::create_directories(_folder, error);
+    if (error || !fs::is_directory(_folder))
+        throw model::AnalysisFailure(fmt::format("cannot make the output folder {}: {}",
+                                                 _folder.string(),
+                                                 error ? error.message() : "not a folder"));
+}
+
+OutputFiles::~OutputFiles() {
+    if (_committed)
+        return;
+    std::error_code ignored;
+    for (const Entry &entry : _entries)
+        fs::remove(entry.temporary, ignored);
+    // Only folders that are still empty go: fs::remove refuses the others.
+    for (auto folder = _made.rbegin(); folder != _made.rend(); ++folder)
+        fs::remove(*folder, ignored);
+}
+
+fs::path OutputFiles::reserve(const std::string &name) {
+    const fs::path temporary = _folder / fmt::format(".{}.{}.part", name, getpid());
+    _entries.push_back({temporary, _folder / name});
+    return temporary;
+}
+
+void OutputFiles::add(const std::string &name, std::string_view content) {
+    const fs::path temporary = reserve(name);
+    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+    file.write(content.data(), static_cast<std::streamsize>(content.size()));
+    file.close();
+    if (!file)
+        throw model::AnalysisFailure(
+            fmt::format("cannot write {}: no space or no permission", (_folder / name).string()));
+}
+
+void OutputFiles::drop(const std::string &name) {
+    const fs::path target = _folder / name;
+    std::error_code ignored;
+    std::erase_if(_entries, [&](const Entry &entry) {
+        return entry.target == target && (fs::remove(entry.temporary, ignored), true);
+    });
+}
+
+std::vector<fs::path> OutputFiles::commit() {
+    std::vector<fs::path> paths;
+    for (const Entry &entry : _entries) {
+        std::error_code error;
+        fs::rename(entry.temporary, entry.target, error);
+        if (error)
+            throw model::AnalysisFailure(
+                fmt::format("cannot write {}: {}", entry.target.string(), error.message()));
+        paths.push_back(entry.target);
+    }
+    _committed = true;
+    return paths;
+}
+
+void write_file_atomically(const fs::path &path, std::string_view content) {
+    OutputFiles files(path.parent_path());
+    files.add(path.filename().string(), content);
+    files.commit();
+}
+
+} // namespace whirl::report

@@ -1,0 +1,63 @@
+#include "report/common/html.h"
+
+#include <pugixml.hpp>
+
+#include <sstream>
+
+namespace whirl::report {
+
+std::string printable(std::string text) {
+    for (char &letter : text)
+        if (static_cast<unsigned char>(letter) < 0x20)
+            letter = ' ';
+    return text;
+}
+
+std::string markup(const pugi::xml_document &document) {
+    std::ostringstream text;
+    document.save(text, "",
+                  pugi::format_no_declaration | pugi::format_indent |
+                      pugi::format_no_empty_element_tags,
+                  pugi::encoding_utf8);
+    return text.str();
+}
+
+std::string escaped(const std::string &text) {
+    pugi::xml_document document;
+    document.append_child(pugi::node_pcdata).set_value(printable(text).c_str());
+    const std::string result = markup(document);
+    return result.substr(0, result.find_last_not_of('\n') + 1);
+}
+
+std::string element(const char *name, const std::string &text, const char *of_class) {
+    pugi::xml_document document;
+    pugi::xml_node node = document.append_child(name);
+    if (of_class != nullptr)
+        node.append_attribute("class") = of_class;
+    node.text().set(printable(text).c_str());
+    return markup(document);
+}
+
+std::string filled(const std::string &text, const std::map<std::string, std::string> &values) {
+    std::string result;
+    std::size_t done = 0;
+    for (std::size_t open = text.find('@'); open != std::string::npos;
+         open = text.find('@', done)) {
+        const std::size_t close = text.find('@', open + 1);
+        const auto value = close == std::string::npos
+                               ? values.end()
+                               : values.find(text.substr(open + 1, close - open - 1));
+        result += text.substr(done, open - done) + (value == values.end() ? "@" : value->second);
+        done = value == values.end() ? open + 1 : close + 1;
+    }
+    return result + text.substr(done);
+}
+
+std::string json_for_script(const std::string &json) {
+    std::string safe;
+    for (const char letter : json)
+        safe += letter == '<' ? std::string("\\u003c") : std::string(1, letter);
+    return safe;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace pugi {
+class xml_document;
+} // namespace pugi
+
+namespace whirl::report {
+
+/// Text with its control characters blanked, which no markup can hold.
+[[nodiscard]] std::string printable(std::string text);
+
+/// The document as HTML or SVG: no declaration, an end tag for every element.
+[[nodiscard]] std::string markup(const pugi::xml_document &document);
+
+/// Text with markup characters escaped.
+[[nodiscard]] std::string escaped(const std::string &text);
+
+/// `<name>text</name>` and a line end; the text is escaped here.
+[[nodiscard]] std::string element(const char *name, const std::string &text,
+                                  const char *of_class = nullptr);
+
+/// The text with each `@name@` that the map knows replaced, once.
+[[nodiscard]] std::string filled(const std::string &text,
+                                 const std::map<std::string, std::string> &values);
+
+/// JSON for a script element: no markup can end the element early.
+[[nodiscard]] std::string json_for_script(const std::string &json);
+
+/// A file of src/report/web, such as "campbell.js"; empty where there is none.
+[[nodiscard]] std::string embedded(const std::string &name);
+
+} // namespace whirl::report

@@ -1,0 +1,139 @@
+#pragma once
+
+#include "report/common/json.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace whirl::report {
+
+// Formats of numbers on the terminal.
+inline constexpr const char *precise = "{:#.10g}"; ///< ten digits: what the elements are made for
+inline constexpr const char *rough = "{:.1e}";     ///< errors
+
+/// How a column looks to somebody who reads a page or the terminal.
+struct Shown {
+    std::optional<std::string> heading;  ///< none: the column is not there
+    std::string format = "{:.6g}";       ///< of its numbers; may hold a unit
+    std::optional<std::string> infinite; ///< in place of infinity; none: as what is missing
+
+    Shown() = default;
+    Shown(std::string shown_heading, std::string shown_format = "{:.6g}",
+          std::optional<std::string> shown_infinite = std::nullopt)
+        : heading(std::move(shown_heading)), format(std::move(shown_format)),
+          infinite(std::move(shown_infinite)) {}
+};
+
+/// One column of a result, described once for all its readers. Some are for one reader alone: rpm
+/// beside rad/s, or all digits beside a rounded value.
+template <class Row> struct Column {
+    std::string key; ///< in JSON; empty: not there
+    std::string csv; ///< heading in the file, with its unit in brackets; empty: not there
+    Shown page;      ///< in the HTML report
+    Shown text;      ///< on the terminal
+    std::function<Json(const Row &, std::size_t)> value;
+
+    /// @param of  member, or function of the row, or of the row and its index
+    template <class Of>
+    Column(std::string json_key, std::string csv_heading, Shown on_page, Shown on_terminal, Of of)
+        : key(std::move(json_key)), csv(std::move(csv_heading)), page(std::move(on_page)),
+          text(std::move(on_terminal)),
+          value([of = std::move(of)](const Row &row, std::size_t index) -> Json {
+              if constexpr (std::is_invocable_v<Of, const Row &, std::size_t>)
+                  return std::invoke(of, row, index);
+              else
+                  return std::invoke(of, row);
+          }) {}
+};
+template <class Row> using Columns = std::vector<Column<Row>>;
+
+/// A table of texts, heading first.
+using Texts = std::vector<std::vector<std::string>>;
+
+/// A value for readers: `missing` for what is null or not a number.
+[[nodiscard]] std::string shown(const Json &value, const Shown &as, const std::string &missing);
+/// HTML; cells are escaped here.
+[[nodiscard]] std::string page_table(const Texts &table);
+/// Columns as wide as their widest entry: the first to the left, the others to the right.
+[[nodiscard]] std::string text_table(const Texts &table);
+
+/// The columns that a reader sees. @param reader  &Column<Row>::page or &Column<Row>::text
+template <class Row, class Rows>
+[[nodiscard]] Texts texts_of(const Columns<Row> &columns, const Rows &rows,
+                             Shown Column<Row>::*reader, const std::string &missing) {
+    Texts table(1);
+    for (const Column<Row> &column : columns)
+        if ((column.*reader).heading)
+            table[0].push_back(*(column.*reader).heading);
+    for (const Row &row : rows) {
+        std::vector<std::string> cells;
+        for (const Column<Row> &column : columns)
+            if ((column.*reader).heading)
+                cells.push_back(
+                    shown(column.value(row, table.size() - 1), column.*reader, missing));
+        table.push_back(std::move(cells));
+    }
+    return table;
+}
+template <class Row, class Rows>
+[[nodiscard]] std::string page_table(const Columns<Row> &columns, const Rows &rows) {
+    return page_table(texts_of(columns, rows, &Column<Row>::page, "–"));
+}
+template <class Row, class Rows>
+[[nodiscard]] std::string text_table(const Columns<Row> &columns, const Rows &rows) {
+    return text_table(texts_of(columns, rows, &Column<Row>::text, "-"));
+}
+
+/// What one row is, a line a column: headings in front of values.
+template <class Row>
+[[nodiscard]] Texts properties(const Columns<Row> &columns, const Row &row,
+                               Shown Column<Row>::*reader, const std::string &missing) {
+    Texts lines;
+    for (const Column<Row> &column : columns)
+        if (const Shown &as = column.*reader; as.heading)
+            lines.push_back({*as.heading, shown(column.value(row, 0), as, missing)});
+    return lines;
+}
+template <class Row>
+[[nodiscard]] std::string page_properties(const Columns<Row> &columns, const Row &row) {
+    Texts lines = properties(columns, row, &Column<Row>::page, "–");
+    lines.insert(lines.begin(), {"Quantity", "Value"});
+    return page_table(lines);
+}
+
+/// The row as an object.
+template <class Row>
+[[nodiscard]] Json json_row(const Columns<Row> &columns, const Row &row, std::size_t index = 0) {
+    Json object = Json::object();
+    for (const Column<Row> &column : columns)
+        if (!column.key.empty())
+            object[column.key] = column.value(row, index);
+    return object;
+}
+/// The rows as a list of objects.
+template <class Row, class Rows>
+[[nodiscard]] Json json_rows(const Columns<Row> &columns, const Rows &rows) {
+    Json items = Json::array();
+    for (const Row &row : rows)
+        items.push_back(json_row(columns, row, items.size()));
+    return items;
+}
+/// The rows as one object whose entries are lists over them.
+template <class Row, class Rows>
+[[nodiscard]] Json json_lists(const Columns<Row> &columns, const Rows &rows) {
+    Json object = Json::object();
+    for (const Column<Row> &column : columns) {
+        if (column.key.empty())
+            continue;
+        Json &list = object[column.key] = Json::array();
+        for (const Row &row : rows)
+            list.push_back(column.value(row, list.size()));
+    }
+    return object;
+}
+
+} // namespace whirl::report

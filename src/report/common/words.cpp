@@ -1,0 +1,54 @@
+#include "report/common/words.h"
+
+#include "results/formulation.h"
+#include "results/model_summary.h"
+
+#include <fmt/format.h>
+
+namespace whirl::report {
+
+std::string readable(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+
+std::string joined(const std::vector<std::string> &texts, const std::string &between) {
+    return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string title_of(const model::Case &scene) {
+    return scene.title.empty() ? scene.name : scene.title;
+}
+
+std::string place(const std::string &name, double z) {
+    const std::string at = fmt::format("z = {:.6g} m", z);
+    return name.empty() ? at : fmt::format("{} ({})", name, at);
+}
+
+std::string range_text(const std::vector<double> &speeds) {
+    if (speeds.empty())
+        return "no speed";
+    if (speeds.size() == 1)
+        return fmt::format("at {:.6g} rpm", speeds.front() * rpm);
+    return fmt::format("{:.6g} to {:.6g} rpm, {} speeds", speeds.front() * rpm, speeds.back() * rpm,
+                       speeds.size());
+}
+
+std::string heading(const model::Case &scene, const std::string &what) {
+    return fmt::format("{}\n{}\n\n", title_of(scene), what);
+}
+
+std::string model_text(const results::ModelSummary &model) {
+    const std::string kind =
+        model.order == 1 ? "the classical kind" : fmt::format("order {}", model.order);
+    return fmt::format("\nmodel: {} form ({})\n       {} elements of {}, {} unknowns, {:.3g} s\n",
+                       results::form_name(model.formulation.form), model.formulation.why,
+                       model.elements, kind, model.unknowns, model.seconds) +
+           notes_text(model);
+}
+
+std::string notes_text(const results::ModelSummary &model) {
+    std::string text;
+    for (const std::string &note : model.notes)
+        text += fmt::format("note: {}\n", note);
+    return text;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "model/case.h"
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace whirl::results {
+struct ModelSummary;
+} // namespace whirl::results
+
+namespace whirl::report {
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double rpm = 30 / pi;      ///< rev/min in one rad/s
+inline constexpr double hertz = 0.5 / pi;   ///< Hz in one rad/s
+inline constexpr double degrees = 180 / pi; ///< in one rad
+
+/// Number for readers, at most `digits` significant digits.
+[[nodiscard]] std::string readable(double value, int digits = 5);
+/// The texts one after another, with something between them.
+[[nodiscard]] std::string joined(const std::vector<std::string> &texts, const std::string &between);
+
+/// The title of a case, or its name.
+[[nodiscard]] std::string title_of(const model::Case &scene);
+/// One place of a rotor: its name, or where it is.
+[[nodiscard]] std::string place(const std::string &name, double z);
+/// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".
+[[nodiscard]] std::string range_text(const std::vector<double> &speeds);
+
+/// For the terminal: title of the case and what was computed.
+[[nodiscard]] std::string heading(const model::Case &scene, const std::string &what);
+/// For the terminal: the model behind a result, and its notes.
+[[nodiscard]] std::string model_text(const results::ModelSummary &model);
+/// For the terminal: the notes alone.
+[[nodiscard]] std::string notes_text(const results::ModelSummary &model);
+
+} // namespace whirl::report

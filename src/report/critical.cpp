@@ -1,0 +1,111 @@
+// Report of the command critical.
+
+#include "results/critical.h"
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/style.h"
+#include "report/reports.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+using results::CriticalResult;
+using results::CriticalSpeed;
+
+namespace {
+
+const Columns<CriticalSpeed> columns{
+    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
+    {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
+    {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
+    {"", "", {"Hz", "{:.10g}"}, {"Hz"}, [](const auto &c) { return c.speed * hertz; }},
+    {"whirl", "whirl", {"Whirl"}, {"whirl"}, &CriticalSpeed::whirl},
+    {"real", "real [1/s]", {"Real part (1/s)", "{:.5g}"}, {}, &CriticalSpeed::real},
+    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, &CriticalSpeed::error},
+    {"residual", "residual", {}, {}, &CriticalSpeed::residual}};
+
+std::string text_of(const model::Case &scene, const CriticalResult &result) {
+    return heading(scene, "Critical speeds") +
+           (result.critical_speeds.empty() ? "  none found\n"
+                                           : text_table(columns, result.critical_speeds)) +
+           model_text(result.model);
+}
+
+int row_of(results::Whirl whirl) {
+    switch (whirl) {
+    case results::Whirl::forward:
+        return 3;
+    case results::Whirl::mixed:
+        return 2;
+    case results::Whirl::backward:
+        break;
+    }
+    return 1;
+}
+
+/// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
+Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
+    Figure figure;
+    figure.width = 1080;
+    figure.height = 380;
+    double highest = 0;
+    for (const auto &critical : result.critical_speeds)
+        highest = std::max(highest, critical.speed * rpm);
+    figure.script =
+        figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
+        panel_margins(0.1, 0.965, 0.19, 0.8) +
+        fmt::format("set xrange [0:{}]\nset yrange [0.4:3.9]\n"
+                    "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
+                    "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
+                    "unset key\n",
+                    highest > 0 ? 1.06 * highest : 1);
+    std::string plots = "NaN notitle";
+    for (const auto sense :
+         {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
+        std::vector<PlotPoint> points;
+        int turn = 0;
+        for (const auto &critical : result.critical_speeds) {
+            if (critical.whirl != sense)
+                continue;
+            points.push_back({critical.speed * rpm, row_of(sense)});
+            // Neighbours write above and below their marks in turn, so close ones stay readable.
+            figure.script +=
+                fmt::format("set label '{:.0f}' at {},{} center font ',10'\n", critical.speed * rpm,
+                            critical.speed * rpm, row_of(sense) + (turn++ % 2 == 0 ? 0.36 : -0.36));
+        }
+        const LineStyle style = whirl_style(sense);
+        figure.script += data_block(style.name, {points});
+        plots += fmt::format(", ${} with points pt {} ps 1.5 lw 1.6 lc rgb '{}' notitle",
+                             style.name, style.point, style.colour);
+    }
+    figure.script += "plot " + plots + "\nunset multiplot\n";
+    return figure;
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const CriticalResult &result) {
+    const auto &speeds = result.critical_speeds;
+    return {.command = "critical",
+            .heading = "Critical speeds",
+            .scene = &scene,
+            .model = &result.model,
+            .json =
+                [&] {
+                    return Json{{"critical_speeds", json_rows(columns, speeds)}};
+                },
+            .csv = [&] { return csv_table(columns, speeds); },
+            .sections =
+                [&] {
+                    return std::vector{Section{"Table", page_table(columns, speeds)}};
+                },
+            .text = [&] { return text_of(scene, result); },
+            .figure = [&] { return critical_figure(scene, result); }};
+}
+
+} // namespace whirl::report

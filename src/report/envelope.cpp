@@ -1,0 +1,32 @@
+// What every result begins with in JSON.
+
+#include "report/common/json.h"
+#include "report/report.h"
+#include "results/model_summary.h"
+
+namespace whirl::report {
+
+std::string program_version() { return WHIRL_VERSION; }
+
+std::string to_json(const Report &report) {
+    const results::ModelSummary &model = *report.model;
+    Json json{{"program", "whirl"},
+              {"version", program_version()},
+              {"format", 1},
+              {"command", report.command},
+              {"case", report.scene->name},
+              {"title", report.scene->title},
+              {"formulation", model.formulation},
+              {"order", model.order},
+              {"elements", model.elements},
+              {"unknowns_count", model.unknowns},
+              {"seconds", model.seconds},
+              {"notes", model.notes}};
+    json["provenance"] = {{"version", program_version()},
+                          {"date", report.provenance.date},
+                          {"case", report.provenance.case_text}};
+    json.update(report.json());
+    return json_text(json);
+}
+
+} // namespace whirl::report

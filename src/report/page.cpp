@@ -1,0 +1,116 @@
+#include "report/common/html.h"
+#include "report/common/plotly.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/report.h"
+#include "results/formulation.h"
+#include "results/model_summary.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+namespace whirl::report {
+
+namespace {
+
+/// The equations of the form, as HTML.
+std::string form_formula(results::Form form) {
+    switch (form) {
+    case results::Form::planar:
+        return "<b>M</b> ẅ − iΩ<b>G</b> ẇ + <b>K</b> w = 0, w = x + iy; with w = ŵ "
+               "e<sup>iωt</sup>: (−ω²<b>M</b> + ωΩ<b>G</b> + <b>K</b>) ŵ = 0";
+    case results::Form::hyperbolic:
+        return "(ω²<b>M</b> + ωΩ<b>S</b> − <b>K</b>) q = 0, <b>S</b> = [0 <b>G</b>; <b>G</b> 0], "
+               "with λ = iω and y → iy";
+    case results::Form::rotating:
+        return "<b>M</b> q̈ + (<b>C</b> + Ω<b>C</b><sub>1</sub>) q̇ + (<b>K</b> + Ω<b>K</b>"
+               "<sub>1</sub> + Ω²<b>K</b><sub>2</sub>) q = 0 in axes that turn with the rotor";
+    case results::Form::hill:
+        return "the same in axes that turn with the rotor, with supports in cos 2Ωt and sin 2Ωt: "
+               "q = e<sup>λt</sup> Σ q<sub>k</sub> e<sup>2ikΩt</sup>";
+    case results::Form::general:
+        break;
+    }
+    return "<b>M</b> q̈ + (<b>C</b><sub>e</sub> + <b>C</b><sub>i</sub> + Ω<b>G</b>) q̇ + "
+           "(<b>K</b> + Ω<b>K</b><sub>c</sub>) q = 0, q = q̂ e<sup>λt</sup>";
+}
+
+/// "planar form, in the fixed frame: why", the equations and the mesh.
+std::string formulation(const results::ModelSummary &model) {
+    const results::Form form = model.formulation.form;
+    const std::string axes =
+        results::in_rotating_axes(form) ? "axes that turn with the rotor" : "the fixed frame";
+    return element("h2", "Formulation") +
+           element("p", fmt::format("{} form, in {}: {}.", results::form_name(form), axes,
+                                    model.formulation.why)) +
+           "<div class=\"formula\">" + form_formula(form) + "</div>\n" +
+           element("p", fmt::format("Shaft elements of order {}{}, {} of them, {} unknowns; "
+                                    "computed in {} s.",
+                                    model.order, model.order == 1 ? " (classical)" : "",
+                                    model.elements, model.unknowns, readable(model.seconds, 3)));
+}
+
+std::string sections_of(const Report &report, const std::string &pictures) {
+    std::vector<Section> sections = report.sections();
+    if (!pictures.empty())
+        sections.insert(sections.begin() + static_cast<std::ptrdiff_t>(report.pictures_after),
+                        {report.pictures_heading, pictures});
+    std::string html;
+    for (const Section &section : sections)
+        html += element("h2", section.heading) + section.html;
+    return html;
+}
+
+/// The text with its line ends, escaped.
+std::string escaped_lines(const std::string &text) {
+    std::istringstream lines(text);
+    std::string html;
+    for (std::string line; std::getline(lines, line);)
+        html += escaped(line) + "\n";
+    return html;
+}
+
+std::string script_element(std::string_view script) {
+    return std::string("<script>").append(script).append("</script>\n");
+}
+
+} // namespace
+
+std::string to_html(const Report &report, const std::string &still, const std::string &pictures) {
+    const std::string script = embedded(report.command + ".js");
+    const bool moves = !plotly_bundle().empty() && !script.empty();
+    std::string notes;
+    for (const std::string &note : report.model->notes)
+        notes += element("p", note, "note");
+    std::string plot = moves ? "<div id=\"plot\"></div>\n" : still;
+    if (!moves && !script.empty())
+        plot +=
+            element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
+    std::string scripts;
+    if (moves) // in a function of its own: names such as `top` belong to the window outside
+        scripts =
+            script_element(plotly_bundle()) +
+            script_element("(function () {\n" + embedded("common.js") +
+                           (report.script_data ? report.script_data() : "") + script + "})();\n");
+    const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
+    return filled(
+        embedded("page.html"),
+        {{"heading", escaped(report.heading)},
+         {"title", escaped(title_of(*report.scene))},
+         {"case", escaped(report.scene->name)},
+         {"command", report.command},
+         {"version", program_version()},
+         {"style", embedded("page.css")},
+         {"notes", notes},
+         {"rotor", is_drawing ? "" : element("h2", "Rotor") + to_svg(scene_drawing(*report.scene))},
+         {"plot", plot},
+         {"sections", sections_of(report, pictures)},
+         {"model", formulation(*report.model)},
+         {"date", report.provenance.date},
+         {"case_text", escaped_lines(report.provenance.case_text)},
+         {"json", json_for_script(to_json(report))},
+         {"scripts", scripts}});
+}
+
+} // namespace whirl::report

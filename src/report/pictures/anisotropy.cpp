@@ -1,0 +1,163 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+namespace {
+
+using results::AnisotropyChart;
+
+const char *const unstable_fill = "#F6D5D0";
+const char *const limit_colour = "#B00020";
+const char *const critical_colour = "#0072B2";
+
+/// Speed axis in rad/s on the left and rev/min on the right.
+std::string speed_axes(const AnisotropyChart &chart) {
+    return fmt::format("set yrange [0:{}]\nset ytics nomirror\nset ylabel 'Spin speed (rad/s)'\n"
+                       "set y2range [0:{}]\nset y2tics\nset y2label 'rpm'\n"
+                       "set grid lc rgb '#E4E4E4' lt 1\nset key bottom right opaque\n",
+                       chart.speed.back(), chart.speed.back() * rpm);
+}
+
+std::string mark(double x, double y, const char *text) {
+    return fmt::format("set label '{}' at {},{} center front font ',20' textcolor '#444444'\n",
+                       text, x, y);
+}
+
+/// Anisotropy up to which the axis runs: the case's and the permissible one in its middle.
+double widest_anisotropy(const AnisotropyChart &chart) {
+    return std::min(1.0, std::max({2.2 * chart.anisotropy, 3 * chart.permissible, 0.05}));
+}
+
+/// Where (+) and (-) stand in the panel over anisotropy.
+std::string signs_over_anisotropy(const AnisotropyChart &chart, double widest) {
+    std::string text = mark(0.12 * widest, 0.9 * chart.speed.back(), "+");
+    const double at = 0.85 * widest;
+    double low = 0;
+    double high = 0;
+    for (std::size_t i = 0; i < chart.speed.size(); ++i)
+        if (chart.limit[i] < at) {
+            low = low == 0 ? chart.speed[i] : low;
+            high = chart.speed[i];
+        }
+    return high > low ? text + mark(at, (low + high) / 2, "−") : text;
+}
+
+/// The region right of the limit curve is unstable.
+std::string anisotropy_panel(const AnisotropyChart &chart) {
+    const double widest = widest_anisotropy(chart);
+    std::string region = "$region << EOD\n";
+    std::vector<PlotPoint> limit;
+    std::vector<PlotPoint> critical;
+    for (std::size_t i = 0; i < chart.speed.size(); ++i) {
+        const double speed = chart.speed[i];
+        region += fmt::format("{} {}\n", std::min(chart.limit[i], widest), speed);
+        limit.push_back({chart.limit[i], speed});
+        critical.push_back({chart.undamped[i], speed});
+    }
+    region += fmt::format("{0} {1}\n{0} 0\nEOD\n", widest, chart.speed.back());
+    return region + data_block("limit", {limit}) + data_block("critical", {critical}) +
+           speed_axes(chart) + signs_over_anisotropy(chart, widest) +
+           fmt::format("set title 'C = {:.4g} (upright line: the case)'\nset xlabel 'Anisotropy, "
+                       "half the difference of the "
+                       "diametral inertias / A'\nset xrange [0:{}]\n"
+                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#444444' dt (6,4) "
+                       "front\n"
+                       "plot $region with filledcurves closed lc rgb '{}' title 'unstable (−)', "
+                       "$limit with lines lw 2 lc rgb '{}' title 'stability limit', "
+                       "$critical with lines lw 1.8 dt (12,5) lc rgb '{}' title 'critical speed'\n",
+                       chart.C, widest, chart.anisotropy, chart.anisotropy, unstable_fill,
+                       limit_colour, critical_colour);
+}
+
+/// Where (+) and (-) stand in the panel over C: (-) in the middle of the band where that is widest.
+std::string signs_over_polar(const AnisotropyChart &chart) {
+    const double top = chart.speed.back();
+    const double left = chart.polar.front();
+    const double width = chart.polar.back() - left;
+    double widest = 0;
+    double at = 0;
+    double middle = 0;
+    for (std::size_t i = 0; i < chart.polar.size(); ++i) {
+        const auto &band = chart.unstable_over_polar[i];
+        const double to = band ? std::min(top, band->to.value_or(top)) : 0;
+        if (!band || to - band->from <= widest)
+            continue;
+        widest = to - band->from;
+        at = chart.polar[i];
+        middle = (band->from + to) / 2;
+    }
+    std::string text =
+        mark(left + 0.12 * width, 0.9 * top, "+") + mark(left + 0.9 * width, 0.12 * top, "+");
+    return widest > 0.1 * top ? text + mark(at, middle, "−") : text;
+}
+
+/// Curves over C; a limit or critical speed above the axis leaves it at its upper edge.
+std::string polar_panel(const AnisotropyChart &chart) {
+    const double top = chart.speed.back();
+    std::string region = "$region << EOD\n";
+    std::vector<PlotPoint> lower;
+    std::vector<PlotPoint> upper;
+    std::vector<PlotPoint> first;
+    std::vector<PlotPoint> second;
+    for (std::size_t i = 0; i < chart.polar.size(); ++i) {
+        const double C = chart.polar[i];
+        const auto &band = chart.unstable_over_polar[i];
+        const auto &speeds = chart.critical_over_polar[i];
+        const bool seen = band && band->from < top;
+        region +=
+            seen ? fmt::format("{} {} {}\n", C, band->from, std::min(top, band->to.value_or(top)))
+                 : std::string("\n");
+        lower.push_back({C, band ? std::optional(band->from) : std::nullopt});
+        upper.push_back({C, band ? band->to : std::nullopt});
+        first.push_back({C, speeds.empty() ? std::nullopt : std::optional(speeds.front())});
+        second.push_back({C, speeds.size() < 2 ? std::nullopt : std::optional(speeds.back())});
+    }
+    return region + "NaN NaN NaN\nEOD\n" + data_block("lower", {lower, upper}) +
+           data_block("speeds", {first, second}) + speed_axes(chart) + signs_over_polar(chart) +
+           fmt::format("set title 'anisotropy {:.4g} (upright line: the case)'\nset xlabel 'Polar "
+                       "inertia C / A'\n"
+                       "set xrange [{}:{}]\n"
+                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#444444' dt (6,4) "
+                       "front\n"
+                       "plot $region using 1:2:3 with filledcurves lc rgb '{}' notitle, "
+                       "$lower with lines lw 2 lc rgb '{}' notitle, "
+                       "$speeds with lines lw 1.8 dt (12,5) lc rgb '{}' notitle\n",
+                       chart.anisotropy, chart.polar.front(), chart.polar.back(), chart.C, chart.C,
+                       unstable_fill, limit_colour, critical_colour);
+}
+
+std::string subtitle(const AnisotropyChart &chart) {
+    const std::string band = !chart.unstable ? "stable at every speed"
+                             : chart.unstable->to
+                                 ? fmt::format("unstable from {:.5g} to {:.5g} rad/s",
+                                               chart.unstable->from, *chart.unstable->to)
+                                 : fmt::format("unstable above {:.5g} rad/s", chart.unstable->from);
+    return fmt::format(
+        "tilt of the rigid rotor, p = {:.5g} rad/s, h = {:.5g} 1/s; {}; stable at every "
+        "speed up to anisotropy {:.5g}",
+        chart.p, chart.h, band, chart.permissible);
+}
+
+} // namespace
+
+Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart) {
+    Figure figure;
+    figure.width = 1180;
+    figure.height = 560;
+    figure.script = figure_head("Critical speeds and stability: " + title_of(scene),
+                                subtitle(chart), figure.height) +
+                    panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) +
+                    "unset label\n" + panel_margins(0.57, 0.925, 0.13, 0.8) + polar_panel(chart) +
+                    "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

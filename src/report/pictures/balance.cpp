@@ -1,0 +1,263 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/balance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::BalanceResult;
+
+namespace {
+
+constexpr const char *balanced_colour = "#007D5A";
+constexpr const char *rigid_colour = "#A9B4BF";
+constexpr const char *stable_colour = "#0072B2";
+constexpr const char *some_colour = "#A6CBE3";
+constexpr const char *unbalanced_colour = "#D55E00";
+
+/// plot_text without the word that tics do not take; they get it for all together.
+std::string quoted(const std::string &text) {
+    const std::string whole = plot_text(text);
+    return whole.substr(0, whole.rfind(' '));
+}
+
+/// A row of the upper panel.
+struct Row {
+    std::string name;
+    const results::BalanceBands *bands = nullptr; ///< of the criterion; else of `position`
+    const results::BalancedPosition *position = nullptr;
+    const std::vector<results::SimulatedSpeed> *simulated = nullptr;
+};
+
+std::vector<Row> rows_of(const BalanceResult &result) {
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < result.planes.size(); ++i) {
+        const auto &plane = result.planes[i];
+        const std::string name = plane.name.empty() ? "plane " + std::to_string(i + 1) : plane.name;
+        rows.push_back(
+            {name + ", z = " + readable(plane.z, 4) + " m", &plane.bands, nullptr, nullptr});
+    }
+    if (result.planes.size() > 1)
+        rows.push_back({"all planes together", &result.joint.bands, nullptr, nullptr});
+    if (result.balanced_position)
+        rows.push_back({"real balancers stable", nullptr, &*result.balanced_position, nullptr});
+    if (!result.simulated.empty())
+        rows.push_back({"motions in time", nullptr, nullptr, &result.simulated});
+    return rows;
+}
+
+std::string bars(const std::vector<results::SpeedBand> &bands, double low, double high,
+                 const char *colour) {
+    std::string out;
+    for (const auto &band : bands)
+        out += fmt::format("set object rectangle from first {:.9g},{} to first {:.9g},{} "
+                           "fillcolor rgb '{}' fillstyle solid noborder front\n",
+                           band.from * rpm, low, band.to * rpm, high, colour);
+    return out;
+}
+
+/// Ends of the bands as numbers above their bars, where neighbours leave room.
+std::string end_labels(const results::BalanceBands &bands, double y, double width) {
+    std::string out;
+    double last = -1e300;
+    for (const auto &end : bands.ends) {
+        const double x = end.speed * rpm;
+        if (x - last < 0.055 * width)
+            continue;
+        out +=
+            fmt::format("set label '{:.0f}' at first {:.9g},{} center font ',9' front\n", x, x, y);
+        last = x;
+    }
+    return out;
+}
+
+std::string critical_lines(const BalanceResult &result, double top) {
+    std::string out;
+    for (const double speed : result.critical_speeds)
+        out += fmt::format("set arrow from first {0:.9g},0 to first {0:.9g},{1} nohead "
+                           "dt (4,4) lc rgb '#777777' lw 1 back\n",
+                           speed * rpm, top);
+    return out;
+}
+
+/// A mark for each motion in time: a full one where it ends balanced, else a cross.
+std::string outcome_marks(const std::vector<results::SimulatedSpeed> &runs, double y) {
+    std::string out;
+    for (const auto &run : runs) {
+        const bool balanced = run.outcome == "balanced";
+        out += fmt::format("set label '' at first {:.9g},{} point pt {} ps 1.3 lc rgb '{}' front\n",
+                           run.speed * rpm, y, balanced ? 7 : 2,
+                           balanced ? stable_colour : unbalanced_colour);
+    }
+    return out;
+}
+
+/// What the marks of the upper panel mean: those that are drawn.
+std::string bands_key(const BalanceResult &result) {
+    const auto box = [](const char *colour, const char *title) {
+        return fmt::format("NaN with boxes fs solid lc rgb '{}' title '{}'", colour, title);
+    };
+    std::string key = box(balanced_colour, "criterion") + ", " + box(rigid_colour, "rigid form");
+    if (result.balanced_position)
+        key += ", " + box(stable_colour, "real balancers");
+    if (!result.simulated.empty())
+        key += fmt::format(", NaN with points pt 7 ps 1.3 lc rgb '{}' title 'in time: balanced', "
+                           "NaN with points pt 2 ps 1.3 lc rgb '{}' title 'not'",
+                           stable_colour, unbalanced_colour);
+    if (!result.critical_speeds.empty())
+        key += ", NaN with lines dt (4,4) lc rgb '#777777' title 'critical speed'";
+    return key;
+}
+
+/// The word `nowhere` at the left of a row without a bar.
+std::string nowhere(double y) {
+    return fmt::format("set label 'nowhere in this range' at graph 0.01,first {} left textcolor "
+                       "'#777777' font ',9' front\n",
+                       y);
+}
+
+std::string bands_panel(const BalanceResult &result, const std::vector<Row> &rows, double width) {
+    const auto count = static_cast<double>(rows.size());
+    std::string script = critical_lines(result, count);
+    std::string names;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double base = count - 1 - static_cast<double>(i);
+        names += fmt::format("{}{} {}", i == 0 ? "" : ", ", quoted(rows[i].name), base + 0.5);
+        if (rows[i].simulated) {
+            script += outcome_marks(*rows[i].simulated, base + 0.5);
+            continue;
+        }
+        if (rows[i].position) {
+            script += bars(rows[i].position->with_some, base + 0.42, base + 0.74, some_colour);
+            script += bars(rows[i].position->bands, base + 0.42, base + 0.74, stable_colour);
+            if (rows[i].position->with_some.empty() && rows[i].position->bands.empty())
+                script += nowhere(base + 0.58);
+            continue;
+        }
+        script += bars(rows[i].bands->bands, base + 0.42, base + 0.74, balanced_colour);
+        if (rows[i].bands->bands.empty())
+            script += nowhere(base + 0.58);
+        if (rows[i].bands->rigid_bands)
+            script += bars(*rows[i].bands->rigid_bands, base + 0.2, base + 0.36, rigid_colour);
+        script += end_labels(*rows[i].bands, base + 0.86, width);
+    }
+    return script +
+           fmt::format(
+               "set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
+               "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
+               "plot {2}\n",
+               count, names, bands_key(result));
+}
+
+/// Linear near zero, logarithmic in modulus beyond `unit`.
+double folded(double value, double unit) {
+    return std::copysign(std::log10(1 + std::abs(value) / unit), value);
+}
+
+/// The power of ten below the least of the largest eigenvalues that is worth seeing.
+double unit_of(const BalanceResult &result, double mass) {
+    double least = 1;
+    for (const auto &point : result.joint.signature)
+        for (const double value : point.eigenvalues)
+            if (std::abs(value) * mass > 1e-7)
+                least = std::min(least, std::abs(value) * mass);
+    return std::pow(10, std::floor(std::log10(least)));
+}
+
+std::string folded_tics(double unit, double largest) {
+    std::string tics = "'0' 0";
+    const int first = static_cast<int>(std::lround(std::log10(unit))) + 1;
+    const int last = static_cast<int>(std::ceil(std::log10(largest)));
+    const int step = std::max(1, (last - first) / 4);
+    for (int power = first; power <= last; power += step)
+        for (const double sign : {1.0, -1.0})
+            tics += fmt::format(", '{}10^{{{}}}' {:.6g}", sign < 0 ? "−" : "", power,
+                                folded(sign * std::pow(10, power), unit));
+    return tics;
+}
+
+enum class Sign { minus, plus, any };
+
+/// Polylines of the k-th eigenvalue, cut where a critical speed lies between two speeds.
+std::vector<std::vector<PlotPoint>> eigenvalue_lines(const BalanceResult &result, double factor,
+                                                     double unit, Sign sign) {
+    std::vector<std::vector<PlotPoint>> lines;
+    const auto &points = result.joint.signature;
+    for (std::size_t k = 0; k < result.planes.size(); ++k) {
+        lines.emplace_back();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool jump =
+                i > 0 && std::any_of(result.critical_speeds.begin(), result.critical_speeds.end(),
+                                     [&](double c) {
+                                         return c >= points[i - 1].speed && c < points[i].speed;
+                                     });
+            if (jump)
+                lines.emplace_back();
+            const double value = factor * points[i].eigenvalues[k];
+            const bool shown = sign == Sign::any || (sign == Sign::minus) == (value < 0);
+            lines.back().push_back(
+                {points[i].speed * rpm, shown ? std::optional(folded(value, unit)) : std::nullopt});
+        }
+    }
+    return lines;
+}
+
+std::string signature_panel(const BalanceResult &result) {
+    const double mass = result.rigid ? result.rigid->mass : 1;
+    const double unit = unit_of(result, mass);
+    double largest = 10 * unit;
+    for (const auto &point : result.joint.signature)
+        for (const double value : point.eigenvalues)
+            largest = std::max(largest, std::min(std::abs(value) * mass, 1e3));
+    const double top = 1.05 * folded(largest, unit);
+    return data_block("any", eigenvalue_lines(result, mass, unit, Sign::any)) +
+           data_block("minus", eigenvalue_lines(result, mass, unit, Sign::minus)) +
+           data_block("plus", eigenvalue_lines(result, mass, unit, Sign::plus)) +
+           fmt::format(
+               "unset object\nunset label\nunset arrow\nset yrange [{0}:{1}]\nset ytics ({2}) "
+               "enhanced\nset ylabel '{3}'\nset xlabel 'Spin speed (rpm)'\n"
+               "set key at graph 1,1.02 right bottom horizontal samplen 2\n"
+               "set arrow from graph 0,first 0 to graph 1,first 0 nohead lc rgb '#555555' lw 1 "
+               "back\n"
+               "plot $any with lines lw 1.2 lc rgb '#B5B5B5' notitle, $minus with linespoints pt 7 "
+               "ps 0.3 lw 2 lc rgb '{4}' title 'negative', "
+               "$plus with linespoints pt 7 ps 0.3 lw 2 lc rgb '{5}' title 'positive'\n",
+               -top, top, folded_tics(unit, largest),
+               result.rigid ? "Eigenvalues × mass of the rotor" : "Eigenvalues (1/kg)",
+               balanced_colour, unbalanced_colour);
+}
+
+} // namespace
+
+Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
+    const std::vector<Row> rows = rows_of(result);
+    if (rows.empty())
+        return {"set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n"};
+    const double bands_height = 60.0 + 62.0 * static_cast<double>(rows.size());
+    Figure figure;
+    figure.width = 1080;
+    figure.height = static_cast<int>(bands_height) + 520;
+    const double pixel = 1.0 / figure.height;
+    const Range x = range_of(result.speeds);
+    const double split = 1 - (100 + bands_height) * pixel;
+    figure.script =
+        figure_head(
+            "Where auto-balancers work: " + title_of(scene),
+            "the empirical criterion beside the rigid closed form, the real balancers at their "
+            "balanced position, and motions in time; numbers: ends in rpm",
+            figure.height) +
+        fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
+                    x.low * rpm, x.high * rpm) +
+        panel_margins(0.19, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
+        bands_panel(result, rows, (x.high - x.low) * rpm) + "set format x '%g'\n" +
+        panel_margins(0.19, 0.965, 70 * pixel, split - 55 * pixel) + signature_panel(result) +
+        "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,377 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/campbell.h"
+#include "results/formulation.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace whirl::report {
+
+using results::CampbellMode;
+using results::CampbellResult;
+using results::Whirl;
+
+namespace {
+
+constexpr Whirl senses[] = {Whirl::forward, Whirl::backward, Whirl::mixed};
+constexpr double label_strip = 0.07;  ///< of the speed range, right of the curves, for mode names
+constexpr double log_dec_limit = 6.3; ///< higher decrements (damping ratio > 0.7) are cut off
+
+template <class T>
+std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i) {
+    return i < list.size() ? list[i] : std::nullopt;
+}
+
+/// What a panel shows over the spin speed, and where.
+struct Panel {
+    std::string name; ///< prefix of its data blocks
+    bool damping = false;
+    Range x;                    ///< rpm
+    Range y;                    ///< Hz, or logarithmic decrement
+    double bottom = 0, top = 1; ///< fractions of the figure
+    double pixels_wide = 1, pixels_high = 1;
+
+    [[nodiscard]] std::optional<double> value(const CampbellMode &mode, std::size_t i) const {
+        const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
+        return value && !damping ? *value * hertz : value;
+    }
+    [[nodiscard]] double across(double rpm_value) const {
+        return (rpm_value - x.low) / (x.high - x.low);
+    }
+    [[nodiscard]] double up(double value) const { return (value - y.low) / (y.high - y.low); }
+};
+
+/// Polylines of the stretches between neighbouring speeds that belong to a class.
+std::vector<std::vector<PlotPoint>>
+stretches(const Panel &panel, const CampbellResult &result,
+          const std::function<bool(const CampbellMode &, std::size_t)> &belongs) {
+    std::vector<std::vector<PlotPoint>> lines;
+    for (const CampbellMode &mode : result.modes) {
+        std::vector<PlotPoint> line;
+        for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
+            const auto here = panel.value(mode, i);
+            const auto next = panel.value(mode, i + 1);
+            if (here && next && belongs(mode, i)) {
+                if (line.empty())
+                    line.push_back({result.speeds[i] * rpm, here});
+                line.push_back({result.speeds[i + 1] * rpm, next});
+            } else if (!line.empty()) {
+                lines.push_back(std::move(line));
+                line.clear();
+            }
+        }
+        if (!line.empty())
+            lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+/// Sparse markers, staggered from mode to mode; a lone point always gets one.
+std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
+    std::vector<PlotPoint> points;
+    const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+        const CampbellMode &mode = result.modes[m];
+        for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
+            const auto value = panel.value(mode, i);
+            const bool lone = (i == 0 || !panel.value(mode, i - 1)) &&
+                              (i + 1 >= result.speeds.size() || !panel.value(mode, i + 1));
+            if (value && mode.whirl[i] == sense && (lone || (i + m * step / 3) % step == step / 2))
+                points.push_back({result.speeds[i] * rpm, value});
+        }
+    }
+    return points;
+}
+
+bool has_sense(const CampbellResult &result, Whirl sense) {
+    return std::any_of(result.modes.begin(), result.modes.end(), [&](const CampbellMode &mode) {
+        return std::find(mode.whirl.begin(), mode.whirl.end(), sense) != mode.whirl.end();
+    });
+}
+
+bool has_growth(const CampbellResult &result) {
+    return std::any_of(result.modes.begin(), result.modes.end(), [&](const CampbellMode &mode) {
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            if (grows(mode, i))
+                return true;
+        return false;
+    });
+}
+
+std::string curve_data(const Panel &panel, const CampbellResult &result) {
+    std::string data;
+    for (const Whirl sense : senses) {
+        const std::string name = panel.name + whirl_style(sense).name;
+        data += data_block(name, stretches(panel, result, [&](const auto &mode, std::size_t i) {
+                               return i < mode.whirl.size() && mode.whirl[i] == sense;
+                           }));
+        data += data_block(name + "_points", {markers(panel, result, sense)});
+    }
+    return data + data_block(panel.name + "unstable",
+                             stretches(panel, result, [](const auto &mode, std::size_t i) {
+                                 return grows(mode, i) && grows(mode, i + 1);
+                             }));
+}
+
+/// Plot elements, each followed by a comma; `key` adds the legend entries.
+std::string curve_plots(const Panel &panel, const CampbellResult &result, bool key) {
+    std::string plots;
+    if (has_growth(result)) {
+        plots +=
+            fmt::format("${}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ", panel.name);
+        if (key)
+            plots += "keyentry with lines lw 9 lc rgb '#60E0208A' title 'unstable', ";
+    }
+    for (const Whirl sense : senses) {
+        if (!has_sense(result, sense))
+            continue;
+        const LineStyle style = whirl_style(sense);
+        const std::string look = fmt::format("lc rgb '{}' lw 1.8 dt {}", style.colour, style.dash);
+        const std::string mark = fmt::format("pt {} ps 0.8", style.point);
+        plots += fmt::format("${0}{1} with lines {2} notitle, ${0}{1}_points with points {3} "
+                             "lc rgb '{4}' lw 1.4 notitle, ",
+                             panel.name, style.name, look, mark, style.colour);
+        if (key)
+            plots +=
+                fmt::format("keyentry with linespoints {} {} title '{}', ", look, mark, style.name);
+    }
+    return plots;
+}
+
+std::vector<double> multiples_of(const model::Case &scene) {
+    std::vector<double> multiples = scene.campbell.multiples;
+    if (std::find(multiples.begin(), multiples.end(), 1.0) == multiples.end())
+        multiples.push_back(1.0);
+    return multiples;
+}
+
+/// Names of modes, and of multiples that leave the panel at the right, beside the curves' ends.
+std::string end_labels(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
+    struct End {
+        std::string text, colour;
+        double height;
+    };
+    std::vector<End> ends;
+    const double last = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
+    for (const CampbellMode &mode : result.modes) {
+        const auto value = panel.value(mode, result.speeds.size() - 1);
+        if (value && *value >= panel.y.low && *value <= panel.y.high && !mode.whirl.empty())
+            ends.push_back({mode.label, whirl_style(mode.whirl.back()).colour, panel.up(*value)});
+    }
+    if (!panel.damping)
+        for (const double multiple : multiples_of(scene))
+            if (multiple * last / 60 <= panel.y.high)
+                ends.push_back(
+                    {readable(multiple) + "×", "#555555", panel.up(multiple * last / 60)});
+    std::vector<double> wanted;
+    for (const End &end : ends)
+        wanted.push_back(end.height);
+    const auto places = spread(wanted, 17 / panel.pixels_high, {0.015, 0.985});
+    std::string script;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+        script += fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
+                              plot_text(ends[i].text), panel.across(last) + 0.012, places[i],
+                              ends[i].colour);
+    return script;
+}
+
+/// Lines y = multiple * speed; the name stands inside the top where the line leaves there.
+std::string multiple_lines(const Panel &panel, const model::Case &scene, double last) {
+    std::string script;
+    for (const double multiple : multiples_of(scene)) {
+        const double end = std::min(last, 60 * panel.y.high / multiple);
+        if (end <= panel.x.low)
+            continue;
+        const double start = std::max(panel.x.low, 0.0);
+        script += fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
+                              "lc rgb '#777777'\n",
+                              start, multiple * start / 60, end, multiple * end / 60);
+        if (end < last)
+            script += fmt::format("set label {} at {}, graph 0.975 right offset -1.2,0 "
+                                  "font ',11' textcolor '#555555'\n",
+                                  plot_text(readable(multiple) + "×"), end);
+    }
+    return script;
+}
+
+/// Keeps labels off the curves, the spin lines and the crossings themselves.
+LabelPlacer occupied(const Panel &panel, const model::Case &scene, const CampbellResult &result) {
+    LabelPlacer placer;
+    const auto block = [&](double rpm_value, double hertz_value, double pixels) {
+        const double width = pixels / panel.pixels_wide;
+        const double height = pixels / panel.pixels_high;
+        placer.block({panel.across(rpm_value) - width / 2, panel.up(hertz_value) - height / 2,
+                      width, height});
+    };
+    for (const CampbellMode &mode : result.modes)
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            if (const auto value = panel.value(mode, i))
+                block(result.speeds[i] * rpm, *value, 5);
+    for (const double multiple : multiples_of(scene))
+        for (int i = 0; i <= 120; ++i) {
+            const double speed = i / 120.0 * panel.x.high;
+            block(speed, multiple * speed / 60, 5);
+        }
+    for (const auto &crossing : result.crossings)
+        block(crossing.speed * rpm, crossing.frequency * hertz, 12);
+    placer.block({0.93, 0, 0.07, 1}); // the strip of the mode names
+    return placer;
+}
+
+/// Circles at the crossings, and from a frequency (Hz) on their speeds at places clear of curves.
+std::string crossing_marks(const Panel &panel, const model::Case &scene,
+                           const CampbellResult &result, double named_above) {
+    LabelPlacer placer = occupied(panel, scene, result);
+    std::string script;
+    std::vector<PlotPoint> points;
+    for (const auto &crossing : result.crossings) {
+        const double x = panel.across(crossing.speed * rpm);
+        const double y = panel.up(crossing.frequency * hertz);
+        if (y <= 0 || y >= 1)
+            continue;
+        points.push_back({crossing.speed * rpm, crossing.frequency * hertz});
+        if (crossing.frequency * hertz < named_above)
+            continue;
+        const std::string text = fmt::format("{:.0f} rpm", crossing.speed * rpm);
+        const auto box =
+            placer.place(x, y, (7.2 * static_cast<double>(text.size()) + 4) / panel.pixels_wide,
+                         17 / panel.pixels_high);
+        const double middle = box.y + box.height / 2;
+        script += fmt::format("set label {} at graph {},{} left font ',10'\n", plot_text(text),
+                              box.x, middle);
+        if (std::abs(middle - y) * panel.pixels_high > 22)
+            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
+                                  "lc rgb '#999999'\n",
+                                  x, y, std::clamp(x, box.x, box.x + box.width),
+                                  middle > y ? box.y : box.y + box.height);
+    }
+    return script + data_block(panel.name + "crossings", {points});
+}
+
+std::string axes(const Panel &panel, bool first, bool last) {
+    std::string script =
+        fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset xtics nomirror\nset ytics "
+                    "nomirror\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n",
+                    panel.x.low, panel.x.high, panel.y.low, panel.y.high);
+    script += last ? "set xlabel 'Spin speed (rpm)'\n" : "unset xlabel\n";
+    if (first)
+        script += fmt::format("set x2range [{}:{}]\nset x2tics\nset x2label 'Spin speed (rad/s)' "
+                              "offset 0,-0.4\n",
+                              panel.x.low / rpm, panel.x.high / rpm);
+    else
+        script += "unset x2tics\nunset x2label\n";
+    if (panel.damping)
+        return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
+                        "set ylabel 'Logarithmic decrement'\n";
+    return script +
+           fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel 'Whirl frequency (Hz)'\n"
+                       "set y2label 'Whirl frequency (cycles/min)'\n",
+                       60 * panel.y.low, 60 * panel.y.high);
+}
+
+std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
+                 bool first, bool last, double named_above) {
+    const double end = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
+    std::string script = panel_margins(0.075, 0.905, panel.bottom, panel.top);
+    script +=
+        axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
+    std::string plots = curve_plots(panel, result, first);
+    if (panel.damping) {
+        plots += "0 with lines lw 1 lc rgb '#555555' notitle, ";
+    } else {
+        script +=
+            multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
+        plots += fmt::format("${}crossings with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {}, ",
+                             panel.name,
+                             first && !result.crossings.empty() ? "title 'crossing'" : "notitle");
+    }
+    const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
+    script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
+                                  panel.top + 64 * pixel)
+                    : "unset key\n";
+    plots.resize(plots.size() - 2);
+    return script + "plot " + plots + "\nunset label\nunset arrow\n";
+}
+
+/// The panels this result needs, from top to bottom, without their places in the figure.
+std::vector<Panel> panels_of(const CampbellResult &result) {
+    double highest = 0;
+    double largest_decrement = 0;
+    double smallest_decrement = 0;
+    for (const CampbellMode &mode : result.modes) {
+        for (const auto &frequency : mode.frequency)
+            highest = std::max(highest, frequency.value_or(0) * hertz);
+        for (const auto &decrement : mode.log_dec) {
+            largest_decrement = std::max(largest_decrement, decrement.value_or(0));
+            smallest_decrement = std::min(smallest_decrement, decrement.value_or(0));
+        }
+    }
+    Range x = range_of(result.speeds);
+    x = {x.low * rpm, (x.high + label_strip * (x.high - x.low)) * rpm};
+    std::vector<Panel> panels{{"full", false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
+    const double spin = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
+    if (spin > 0 && spin < 0.22 * highest)
+        panels.push_back({"low", false, x, {0, 1.35 * spin}});
+    if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
+        const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
+        const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);
+        panels.push_back(
+            {"damping", true, x, {std::min(bottom, -0.04 * top), std::max(top, 0.02)}});
+    }
+    return panels;
+}
+
+} // namespace
+
+bool grows(const CampbellMode &mode, std::size_t index) {
+    const auto real = entry(mode.real, index);
+    if (!real || !std::isfinite(*real) || *real <= 0)
+        return false;
+    const double modulus = std::hypot(*real, entry(mode.frequency, index).value_or(0));
+    const double doubt =
+        entry(mode.error, index).value_or(0) + entry(mode.residual, index).value_or(0);
+    return *real > std::max(1e-9, doubt) * modulus;
+}
+
+Figure campbell_figure(const model::Case &scene, const CampbellResult &result) {
+    std::vector<Panel> panels = panels_of(result);
+    Figure figure;
+    figure.width = 1080;
+    const double head = 150;
+    const double foot = 62;
+    const double gap = 34;
+    const double first = 500;
+    const double other = 270;
+    figure.height = static_cast<int>(head + first + foot +
+                                     (static_cast<double>(panels.size()) - 1) * (other + gap));
+    double top = figure.height - head;
+    for (Panel &panel : panels) {
+        panel.pixels_high = &panel == &panels.front() ? first : other;
+        panel.pixels_wide = 0.83 * figure.width;
+        panel.top = top / figure.height;
+        panel.bottom = (top - panel.pixels_high) / figure.height;
+        top -= panel.pixels_high + gap;
+    }
+    figure.script =
+        figure_head("Campbell diagram: " + title_of(scene),
+                    fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
+                                results::form_name(result.model.formulation.form),
+                                result.model.order, result.model.elements, result.model.unknowns),
+                    figure.height);
+    // Crossings that the low panel shows larger get their names there.
+    const bool low = panels.size() > 1 && !panels[1].damping;
+    for (const Panel &panel : panels)
+        figure.script +=
+            draw(panel, scene, result, &panel == &panels.front(), &panel == &panels.back(),
+                 low && &panel == &panels.front() ? panels[1].y.high : 0);
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

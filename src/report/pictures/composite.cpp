@@ -1,0 +1,166 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+namespace {
+
+using results::BalancerNumbers;
+using results::CompositeCurves;
+using Values = std::vector<double>;
+
+std::string block(const std::string &name, const Values &x, const Values &y) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
+        points.push_back({x[i], y[i]});
+    return data_block(name, {points});
+}
+
+/// One line of a panel, with its data block.
+struct Line {
+    std::string name;
+    const Values &y;
+    LineStyle style;
+    std::string title;
+    double width = 2;
+};
+
+std::string plot_lines(const Values &x, const std::vector<Line> &lines,
+                       const std::string &first = "") {
+    std::string blocks;
+    std::string plots = first;
+    for (const Line &line : lines) {
+        blocks += block(line.name, x, line.y);
+        plots +=
+            fmt::format("{}${} with lines lw {} dt {} lc rgb '{}' {}", plots.empty() ? "" : ", ",
+                        line.name, line.width, line.style.dash, line.style.colour,
+                        line.title.empty() ? "notitle" : "title '" + line.title + "'");
+    }
+    return blocks + "plot " + plots + "\n";
+}
+
+const LineStyle grey{"", "#9A9A9A", "(3,4)", 7};
+
+/// Axes of a panel over the balls' mass, with a mark at the case's own.
+std::string mass_axes(const BalancerNumbers &balancer, const std::string &title) {
+    const double m = balancer.dimensionless.m;
+    return fmt::format("set title '{}'\nset xlabel 'n m / M_s'\nset xrange [0:{}]\n"
+                       "set yrange [0:*]\nset grid lc rgb '#E4E4E4' lt 1\n"
+                       "set arrow 1 from {},graph 0 to {},graph 1 nohead lc rgb '#B00020' lw 1 "
+                       "dt (6,4)\n",
+                       title, balancer.curves->m.back(), m, m);
+}
+
+/// The unsigned harmonic gives other curves.
+bool paper_differs(const BalancerNumbers &balancer) {
+    return std::abs(*balancer.D - std::abs(*balancer.D)) > 1e-9;
+}
+
+std::string inertia_panel(const BalancerNumbers &balancer) {
+    const CompositeCurves &c = *balancer.curves;
+    std::vector<Line> lines{{"am", c.A_m, series_style(2), "A_m"},
+                            {"ac1", c.A_C1, series_style(0), "A_{C1}"},
+                            {"ac2", c.A_C2, series_style(1), "A_{C2}"}};
+    if (paper_differs(balancer)) {
+        lines.push_back({"ac1p", c.A_C1_paper, grey, "A_{C1}, A_{C2} with |D|", 1.4});
+        lines.push_back({"ac2p", c.A_C2_paper, grey, "", 1.4});
+    }
+    return mass_axes(balancer, "Inertias of the balls and of the rotor / A_Σ") +
+           // Room for the legend above the curves.
+           fmt::format("set yrange [0:{}]\nset key top left opaque maxrows 2\n",
+                       1.45 * std::max({c.A_C1.back(), c.A_C2.back(), c.A_C1_paper.back(),
+                                        c.A_C2_paper.back(), c.A_m.back()})) +
+           plot_lines(c.m, lines) + "unset label\n"; // the heading is drawn
+}
+
+std::string anisotropy_panel(const BalancerNumbers &balancer) {
+    const CompositeCurves &c = *balancer.curves;
+    std::string text =
+        mass_axes(balancer, "Inertial anisotropy / A_Σ") + "set key left top opaque maxrows 4\n";
+    std::string band;
+    if (!c.A_least.empty() && std::abs(c.A_largest.back() - c.A_least.back()) > 1e-9) {
+        text += "$band << EOD\n";
+        for (std::size_t i = 0; i < c.m.size(); ++i)
+            text += fmt::format("{} {} {}\n", c.m[i], c.A_least[i], c.A_largest[i]);
+        text += "EOD\n";
+        band =
+            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions'";
+    }
+    LineStyle bound = grey;
+    bound.dash = "1";
+    std::vector<Line> lines{{"an0", c.A_without, bound, "D_A = 0 and 1", 1},
+                            {"an1", c.A_full, bound, "", 1}};
+    if (paper_differs(balancer))
+        lines.push_back({"anp", c.A_paper, series_style(1),
+                         fmt::format("unsigned D_A = {:.4g}", std::abs(*balancer.D))});
+    lines.push_back(
+        {"an", c.A, series_style(0),
+         std::abs(balancer.D->imag()) > 1e-12
+             ? fmt::format("D = {:.4g} {:+.4g} i", balancer.D->real(), balancer.D->imag())
+             : fmt::format("D_c = {:.4g}", balancer.D->real())});
+    return text + plot_lines(c.m, lines, band);
+}
+
+std::string polar_panel(const BalancerNumbers &balancer) {
+    const CompositeCurves &c = *balancer.curves;
+    return mass_axes(balancer, "Polar inertia C / A_Σ") + "unset key\nset yrange [*:*]\n" +
+           plot_lines(c.m, {{"c", c.C, series_style(0), ""}});
+}
+
+/// The curve with radius A_C in the direction of its axis.
+std::string hodograph_panel(const BalancerNumbers &balancer) {
+    const CompositeCurves &c = *balancer.curves;
+    const auto around = [&](const std::string &name, const Values &radius) {
+        std::vector<PlotPoint> points;
+        for (std::size_t i = 0; i < radius.size(); ++i)
+            points.push_back({radius[i] * std::cos(c.angle[i]), radius[i] * std::sin(c.angle[i])});
+        return data_block(name, {points});
+    };
+    const double reach = 1.15 * std::max(*std::max_element(c.A_C.begin(), c.A_C.end()),
+                                         *std::max_element(c.A_C_paper.begin(), c.A_C_paper.end()));
+    const Values ones(c.angle.size(), 1);
+    std::string text = around("hodograph", c.A_C) + around("paper", c.A_C_paper) +
+                       around("circle", ones) +
+                       fmt::format("unset arrow\nset title 'Diametral inertia / A_Σ about an axis, "
+                                   "by its direction'\nset size ratio -1\nset xlabel 'direction of "
+                                   "the imbalance'\nset xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"
+                                   "set key outside right center\n",
+                                   reach);
+    text += "plot $circle with lines lw 1 dt (2,3) lc rgb '#7A7A7A' title 'mean, A_Σ'";
+    if (paper_differs(balancer))
+        text += fmt::format(", $paper with lines lw 1.8 dt {} lc rgb '{}' title 'unsigned D_A'",
+                            series_style(1).dash, series_style(1).colour);
+    return text + fmt::format(", $hodograph with lines lw 2 lc rgb '{}' title 'A_C'\n",
+                              series_style(0).colour);
+}
+
+} // namespace
+
+Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
+                        std::size_t index) {
+    const BalancerNumbers &balancer = result.balancers.at(index);
+    Figure figure;
+    figure.width = 1180;
+    figure.height = 940;
+    const std::string name =
+        balancer.name.empty() ? fmt::format("balancer {}", index + 1) : balancer.name;
+    figure.script =
+        figure_head("Composite rotor: " + title_of(scene),
+                    fmt::format("{} at z = {} m, capacity E = {}; dashed upright line: the case",
+                                name, readable(balancer.z), readable(balancer.E)),
+                    figure.height) +
+        panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
+        panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
+        panel_margins(0.07, 0.47, 0.08, 0.43) + polar_panel(balancer) +
+        panel_margins(0.56, 0.97, 0.08, 0.43) + hodograph_panel(balancer) + "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

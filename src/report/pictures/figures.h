@@ -1,0 +1,121 @@
+#pragma once
+
+// The pictures of the reports, one source each; the small ones stand with their command.
+
+#include "model/case.h"
+#include "report/common/drawing.h"
+#include "report/common/gnuplot.h"
+
+#include <string>
+#include <vector>
+
+namespace whirl::results {
+struct AnisotropyChart;
+struct BalanceResult;
+struct CampbellMode;
+struct CampbellResult;
+struct ModeShape;
+struct ModesResult;
+struct PendulumBalance;
+struct Placement;
+struct ResponseResult;
+struct RigidLimitResult;
+struct ShowResult;
+struct SimulateResult;
+struct StabilityResult;
+} // namespace whirl::results
+
+namespace whirl::report {
+
+/// Campbell diagram: whirl frequencies over spin speed, with the lines of the multiples and their
+/// crossings; a second panel for the low range where the spin line would lie at the bottom, and one
+/// for the logarithmic decrements of a damped rotor.
+[[nodiscard]] Figure campbell_figure(const model::Case &scene,
+                                     const results::CampbellResult &result);
+
+/// Whether the mode grows at the index-th speed by more than its own error estimate.
+[[nodiscard]] bool grows(const results::CampbellMode &mode, std::size_t index);
+
+/// Unbalance response over spin speed: amplitudes (logarithmic), phases and bearing forces.
+[[nodiscard]] Figure response_figure(const model::Case &scene,
+                                     const results::ResponseResult &result);
+
+/// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
+/// with others that are spread along the shaft.
+[[nodiscard]] std::vector<std::size_t> drawn_nodes(const results::ResponseResult &result);
+
+/// Deflection of a mode in the two planes at the instants that tell its whirl: y a quarter period
+/// after x, so that circular forward whirl has equal and backward whirl opposite curves. Where the
+/// planes move rather in step, as in a straight orbit aslant, y would vanish then: both are at one
+/// instant. Of all instants the one with the largest sum of squares along the shaft.
+struct ModeCurves {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> envelope; ///< major semi-axis of the orbit at each station
+    bool at_one_instant = false;  ///< y not a quarter period later
+};
+[[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
+
+/// "1F · 13.97 Hz · forward", with the damping ratio where there is damping.
+[[nodiscard]] std::string mode_heading(const results::ModeShape &mode);
+
+/// One panel a mode: the orbits' envelope, the x and y curves and the rotor's outline.
+[[nodiscard]] Figure modes_figure(const model::Case &scene, const results::ModesResult &result);
+
+/// Growth over speed with the unstable bands shaded, critical and additional speeds marked, and
+/// the intervals over the arrangements of the balls as bars; with a map its picture below.
+[[nodiscard]] Figure stability_figure(const model::Case &scene,
+                                      const results::StabilityResult &result);
+
+/// Motion over time: amplitudes at the balancers, below them the angles of balls or pendulums in
+/// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it
+/// changes.
+[[nodiscard]] Figure simulate_figure(const model::Case &scene,
+                                     const results::SimulateResult &result);
+
+/// Relative differences between model and rigid closed forms, logarithmic: over the stiffness of
+/// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.
+[[nodiscard]] Figure rigid_limit_figure(const model::Case &scene,
+                                        const results::RigidLimitResult &result);
+
+/// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
+/// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away
+/// from zero.
+[[nodiscard]] Figure balance_figure(const model::Case &scene, const results::BalanceResult &result);
+
+/// Where along the shaft one balancer, and two, would work: the criterion over position and speed
+/// with the rotor below it, and over two positions at one speed.
+[[nodiscard]] Figure placement_figure(const model::Case &scene, const results::Placement &map);
+
+/// Efficiency of a four-pendulum balancer over spin speed: planar forms, and the steady motions on
+/// the flexible shaft by their stability.
+[[nodiscard]] Figure pendulum_figure(const model::Case &scene,
+                                     const results::PendulumBalance &balancer);
+
+/// Efficiency of the planar rotor over the speed ratio: designs of the balancer side by side, and
+/// its own design at several external dampings; exact by stability, and for small angles.
+[[nodiscard]] Figure pendulum_designs_figure(const model::Case &scene,
+                                             const results::PendulumBalance &balancer);
+
+/// The composite rotor over the mass of the balls at the case's capacity: inertia of the balls and
+/// diametral inertias, anisotropy, polar inertia, and the diametral inertia over the angle of its
+/// axis; with the signed D, and with the unsigned D_A of the paper beside it.
+///
+/// @param index  of a balancer with curves
+[[nodiscard]] Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
+                                      std::size_t index);
+
+/// Tilt of the rigid rotor: critical speeds, stability limits and the unstable region ("-") over
+/// the anisotropy, and over the polar inertia at the case's anisotropy.
+[[nodiscard]] Figure anisotropy_figure(const model::Case &scene,
+                                       const results::AnisotropyChart &chart);
+
+/// Side view of the rotor to scale: shaft with bores and cones, discs, bearings, balancers,
+/// correction planes and anisotropies. Diameters of very slender rotors are enlarged, and the
+/// drawing says so.
+[[nodiscard]] Drawing scene_drawing(const model::Case &scene);
+
+/// The same with a line of mass, centre of mass and inertias, and the centre of mass marked.
+[[nodiscard]] Drawing show_drawing(const model::Case &scene, const results::ShowResult &result);
+
+} // namespace whirl::report

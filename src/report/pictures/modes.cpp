@@ -1,0 +1,170 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::ModeShape;
+using results::ModesResult;
+
+namespace {
+
+/// Outline of shaft and discs as boxes (z, radius), the radii scaled so that the largest is 1/2.
+std::string outline(const model::Rotor &rotor) {
+    double largest = 1e-12;
+    for (const auto &segment : rotor.shaft.segments)
+        largest = std::max({largest, segment.outer_start / 2, segment.outer_end / 2});
+    for (const auto &disc : rotor.discs)
+        largest = std::max(largest, disc.outer / 2);
+    const double scale = 0.5 / largest;
+    std::string data = "$outline << EOD\n";
+    const auto box = [&](double a, double b, double ra, double rb) {
+        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n", a, b, scale * ra,
+                            scale * rb, -scale * ra, -scale * rb);
+    };
+    double z = 0;
+    for (const auto &segment : rotor.shaft.segments) {
+        box(z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2);
+        z += segment.length;
+    }
+    for (const auto &disc : rotor.discs) {
+        const double half = std::max(disc.width / 2, 0.004 * z);
+        const double radius = disc.outer > 0 ? disc.outer / 2 : 0.7 * largest;
+        box(disc.z - half, disc.z + half, radius, radius);
+    }
+    data += "EOD\n$bearings << EOD\n";
+    for (const auto &bearing : rotor.bearings)
+        data += fmt::format("{} -1.12\n", bearing.z);
+    return data + "NaN NaN\nEOD\n";
+}
+
+std::string mode_data(const std::string &name, const ModesResult &result,
+                      const ModeCurves &curves) {
+    std::string data = "$" + name + " << EOD\n";
+    const std::size_t count = std::min(result.z.size(), curves.x.size());
+    for (std::size_t i = 0; i < count; ++i)
+        data += fmt::format("{:.7g} {} {} {}\n", result.z[i], plot_number(curves.x[i]),
+                            plot_number(curves.y[i]), plot_number(curves.envelope[i]));
+    return data + (count == 0 ? "NaN NaN NaN NaN\n" : "") + "EOD\n";
+}
+
+/// The legend of all panels: an empty plot across the whole figure.
+std::string legend(double height) {
+    return panel_margins(0.05, 0.975, 0.01, 0.02) +
+           fmt::format("unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n"
+                       "set key at screen 0.5,{} center center horizontal samplen 4\n"
+                       "plot NaN notitle, keyentry with lines lw 2.2 lc rgb '#0072B2' title 'x', "
+                       "keyentry with lines lw 2.2 dt (10,6) lc rgb '#D55E00' title 'y', "
+                       "keyentry with lines lw 1 lc rgb '#888888' title 'envelope', "
+                       "keyentry with points pt 9 ps 1.4 lc rgb '#555555' title 'bearing'\n"
+                       "unset label\nunset key\nset border\nset tics\n",
+                       height);
+}
+
+} // namespace
+
+ModeCurves mode_curves(const ModeShape &mode) {
+    const std::complex<double> i(0, 1);
+    const std::size_t count = std::min(mode.x.size(), mode.y.size());
+    std::complex<double> xx = 0;
+    std::complex<double> yy = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        xx += mode.x[k] * mode.x[k];
+        yy += mode.y[k] * mode.y[k];
+    }
+    // sum Re(u exp(i p))^2 = (sum |u|^2 + Re(exp(2 i p) sum u^2)) / 2 over u = x and y, or i y, is
+    // largest at p = -arg(sum u^2) / 2. In one plane both ways are the same up to rounding.
+    constexpr double rounding = 1e-9;
+    ModeCurves curves;
+    curves.at_one_instant = std::abs(xx + yy) > (1 + rounding) * std::abs(xx - yy);
+    const std::complex<double> of_y = curves.at_one_instant ? 1.0 : i;
+    const std::complex<double> turn = std::polar(1.0, -std::arg(xx + of_y * of_y * yy) / 2);
+    double largest = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        curves.x.push_back((mode.x[k] * turn).real());
+        curves.y.push_back((mode.y[k] * turn * of_y).real());
+        for (const double value : {curves.x.back(), curves.y.back()})
+            if (std::abs(value) > std::abs(largest) * (1 + rounding))
+                largest = value;
+        // x + i y = f exp(iwt) + conj(b) exp(-iwt): the major semi-axis is |f| + |b|.
+        const double f = std::abs(mode.x[k] + i * mode.y[k]) / 2;
+        const double b = std::abs(mode.x[k] - i * mode.y[k]) / 2;
+        curves.envelope.push_back(f + b);
+    }
+    if (largest < 0) // of the two opposite instants
+        for (std::vector<double> *values : {&curves.x, &curves.y})
+            for (double &value : *values)
+                value = -value;
+    return curves;
+}
+
+std::string mode_heading(const ModeShape &mode) {
+    const double modulus = std::abs(mode.eigenvalue);
+    const double frequency = std::abs(mode.eigenvalue.imag());
+    std::string heading = mode.label;
+    heading += frequency > 1e-9 * modulus ? " · " + readable(frequency * hertz) + " Hz"
+                                          : " · no oscillation";
+    const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
+    if (std::abs(ratio) > 1e-9)
+        heading += " · damping ratio " + readable(ratio, 3);
+    return heading + " · " + whirl_style(mode.whirl).name;
+}
+
+Figure modes_figure(const model::Case &scene, const ModesResult &result) {
+    const std::size_t count = std::max<std::size_t>(1, result.modes.size());
+    const std::size_t columns = count > 1 ? 2 : 1;
+    const std::size_t rows = (count + columns - 1) / columns;
+    Figure figure;
+    figure.width = 1080;
+    figure.height = static_cast<int>(120 + 230 * rows + 40);
+    const double pixel = 1.0 / figure.height;
+    figure.script = figure_head(
+        "Mode shapes: " + title_of(scene),
+        fmt::format("at {} rpm; the orbits' envelope, x where most is seen, y a quarter period "
+                    "later (equal curves: forward, mirrored: backward)",
+                    readable(result.speed * rpm)),
+        figure.height);
+    const double length = std::max(scene.rotor.shaft.length(), 1e-9);
+    figure.script += legend(1 - 80 * pixel);
+    figure.script += outline(scene.rotor) +
+                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"
+                     "set ytics -1,1,1\n" +
+                     fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+        const ModeShape &mode = result.modes[m];
+        const double left = columns == 1 || m % 2 == 0 ? 0.05 : 0.545;
+        const double right = columns == 1 ? 0.975 : left + 0.43;
+        const std::size_t row = m / columns;
+        const double top = figure.height - 120.0 - 230.0 * static_cast<double>(row);
+        const std::string name = "m" + std::to_string(m);
+        const bool last = m + columns >= count;
+        const ModeCurves curves = mode_curves(mode);
+        figure.script +=
+            mode_data(name, result, curves) +
+            panel_margins(left, right, (top - 175) * pixel, top * pixel) +
+            fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
+                        plot_text(mode_heading(mode) +
+                                  (curves.at_one_instant ? " · y at the same instant" : "")),
+                        last ? "set xlabel 'z (m)'" : "unset xlabel");
+        figure.script += fmt::format(
+            "plot $outline with filledcurves closed fs solid 1 noborder fc rgb '#F0F1F3', "
+            "$outline with lines lw 0.7 lc rgb '#C8CDD2', "
+            "$bearings with points pt 9 ps 1.4 lc rgb '#555555', "
+            "${0} using 1:4 with lines lw 1 lc rgb '#888888', "
+            "${0} using 1:(-$4) with lines lw 1 lc rgb '#888888', "
+            "${0} using 1:2 with lines lw 2.2 lc rgb '#0072B2', "
+            "${0} using 1:3 with lines lw 2.2 dt (10,6) lc rgb '#D55E00'\n",
+            name);
+    }
+    figure.script += result.modes.empty() ? "plot NaN notitle\n" : "";
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,180 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/response.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::ResponseResult;
+
+namespace {
+
+constexpr std::size_t most_curves = 8;
+
+/// A curve of a panel: its name in the legend and its values over the speeds.
+struct Curve {
+    std::string name;
+    std::vector<PlotPoint> points;
+};
+
+std::string place_name(const std::string &name, double z) {
+    const std::string at = "z = " + readable(z, 4) + " m";
+    return name.empty() ? at : name + ", " + at;
+}
+
+std::vector<PlotPoint> over_speed(const ResponseResult &result, const std::vector<double> &values,
+                                  double factor) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < result.speeds.size() && i < values.size(); ++i) {
+        // A logarithmic axis has no place for zero, the response at rest.
+        const bool drawn = std::isfinite(values[i]) && values[i] > 0;
+        points.push_back(
+            {result.speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
+    }
+    return points;
+}
+
+/// Phase in degrees within (-180, 180], cut where it jumps from one end to the other.
+std::vector<PlotPoint> phase_points(const ResponseResult &result,
+                                    const std::vector<double> &phase) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < result.speeds.size() && i < phase.size(); ++i) {
+        if (!std::isfinite(phase[i])) { // none at a resonance without damping
+            points.push_back({result.speeds[i] * rpm, std::nullopt});
+            continue;
+        }
+        const double degrees = std::remainder(phase[i], 2 * pi) * 180 / pi;
+        if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
+            points.push_back({result.speeds[i] * rpm, std::nullopt});
+        points.push_back({result.speeds[i] * rpm, degrees});
+    }
+    return points;
+}
+
+std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend) {
+    std::string data;
+    std::string plots;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const LineStyle style = series_style(i);
+        const std::size_t count = curves[i].points.size();
+        const std::size_t step = std::max<std::size_t>(1, count / 9);
+        data += data_block(panel + std::to_string(i), {curves[i].points});
+        plots += fmt::format("${}{} with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 "
+                             "pointinterval {} {}, ",
+                             panel, i, style.colour, style.dash, style.point, step,
+                             legend ? "title " + plot_text(curves[i].name) : "notitle");
+    }
+    if (curves.empty())
+        plots = "NaN notitle, ";
+    plots.resize(plots.size() - 2);
+    return data + "plot " + plots + "\n";
+}
+
+/// Logarithmic axis over the curves, at most six powers of ten down from the largest value, so that
+/// the start from rest does not squeeze the peaks.
+std::string logarithmic_axis(const std::vector<Curve> &curves) {
+    double high = 0;
+    double low = HUGE_VAL;
+    for (const Curve &curve : curves)
+        for (const PlotPoint &point : curve.points)
+            if (point.y) {
+                high = std::max(high, *point.y);
+                low = std::min(low, *point.y);
+            }
+    if (high <= 0)
+        high = low = 1;
+    low = std::max(low, 1e-6 * high);
+    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset ytics auto\n"
+                       "set yrange [{}:{}]\n",
+                       std::pow(10, std::floor(std::log10(low))),
+                       std::pow(10, std::floor(std::log10(high)) + 1));
+}
+
+std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
+    const Range x = range_of(result.speeds);
+    return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\nset key at graph 1.02,1 left top "
+                       "reverse Left vertical samplen 3\n",
+                       x.low * rpm, x.high * rpm, plot_text(label),
+                       last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel");
+}
+
+/// At most `count` of a list, evenly spread, with its first and last.
+std::vector<std::size_t> spread_over(const std::vector<std::size_t> &list, std::size_t count) {
+    if (list.size() <= count)
+        return list;
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i)
+        chosen.push_back(list[count < 2 ? 0 : i * (list.size() - 1) / (count - 1)]);
+    return chosen;
+}
+
+} // namespace
+
+std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
+    std::vector<std::size_t> named;
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i)
+        (result.nodes[i].name.empty() ? others : named).push_back(i);
+    std::vector<std::size_t> chosen = spread_over(named, most_curves);
+    const auto more = spread_over(others, most_curves - chosen.size());
+    chosen.insert(chosen.end(), more.begin(), more.end());
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
+Figure response_figure(const model::Case &scene, const ResponseResult &result) {
+    std::vector<Curve> amplitude;
+    std::vector<Curve> phase;
+    std::vector<Curve> force;
+    for (const std::size_t i : drawn_nodes(result)) {
+        const auto &node = result.nodes[i];
+        amplitude.push_back(
+            {place_name(node.name, node.z), over_speed(result, node.amplitude, 1e6)});
+        phase.push_back({"", phase_points(result, node.phase)});
+    }
+    const std::size_t nodes = amplitude.size();
+    for (const auto &probe : result.probes)
+        if (amplitude.size() < 2 * most_curves) {
+            amplitude.push_back(
+                {fmt::format("{} at {}°",
+                             place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
+                             readable(probe.angle * 180 / pi, 4)),
+                 over_speed(result, probe.amplitude, 1e6)});
+            phase.push_back({"", phase_points(result, probe.phase)});
+        }
+    for (const auto &bearing : result.bearings)
+        if (force.size() < most_curves)
+            force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+                             over_speed(result, bearing.force, 1)});
+    Figure figure;
+    figure.width = 1080;
+    figure.height = force.empty() ? 780 : 1040;
+    const double pixel = 1.0 / figure.height;
+    figure.script =
+        figure_head("Unbalance response: " + title_of(scene),
+                    fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
+                    figure.height) +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(amplitude) +
+        panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        panel_axes(result, "Amplitude (µm)", false) + draw("a", amplitude, true) +
+        "unset label\nunset logscale y\nset format y '%g'\n"
+        "set yrange [-190:190]\nset ytics 90\n" +
+        panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
+        panel_axes(result,
+                   result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
+                   force.empty()) +
+        draw("p", phase, false);
+    if (!force.empty())
+        figure.script +=
+            logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
+            panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,185 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/rigid_limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace whirl::report {
+
+using results::RigidLimitResult;
+using results::RigidLimitRow;
+
+namespace {
+
+/// Differences below this are drawn here: zero has no logarithm.
+constexpr double least_shown = 1e-17;
+
+struct Series {
+    std::string block;
+    std::string title;
+    LineStyle style;
+    bool filled = true;
+};
+
+/// Quantities get their style by the order of their first row.
+class Styles {
+  public:
+    LineStyle of(const std::string &quantity) {
+        return series_style(_index.emplace(quantity, _index.size()).first->second);
+    }
+
+  private:
+    std::map<std::string, std::size_t> _index;
+};
+
+std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
+    std::vector<PlotPoint> points;
+    for (std::size_t k = 0; k < row.relative_difference.size(); ++k) {
+        const double x = row.elements.empty() ? row.stiffness[k] : row.elements[k];
+        if (std::isfinite(x) && row.relative_difference[k])
+            points.push_back({x, std::max(*row.relative_difference[k], least_shown)});
+    }
+    return points;
+}
+
+/// What a panel draws: its series, and their data blocks in front.
+struct Panel {
+    std::string prefix; ///< of the names of its data
+    std::string data;
+    std::vector<Series> series;
+    double least_x = INFINITY, largest_x = 0, largest_y = 0, least_y = INFINITY;
+
+    void add(const std::string &title, const LineStyle &style, bool filled,
+             const std::vector<PlotPoint> &points) {
+        if (points.empty())
+            return;
+        const std::string name = fmt::format("{}{}", prefix, series.size());
+        data += data_block(name, {points});
+        series.push_back({"$" + name, title, style, filled});
+        for (const PlotPoint &point : points) {
+            least_x = std::min(least_x, point.x);
+            largest_x = std::max(largest_x, point.x);
+            largest_y = std::max(largest_y, *point.y);
+            least_y = std::min(least_y, *point.y);
+        }
+    }
+};
+
+std::string plot_of(const Panel &panel, const std::string &more, bool legend) {
+    if (panel.series.empty())
+        return "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n";
+    std::string text = "plot " + more;
+    for (const Series &series : panel.series)
+        text += fmt::format("{} using 1:2 with linespoints lw {} dt {} pt {} ps 1 lc rgb '{}' {}, ",
+                            series.block, series.filled ? 1.8 : 1.0, series.filled ? "1" : "(4,4)",
+                            series.style.point, series.style.colour,
+                            legend && !series.title.empty() ? "title " + plot_text(series.title)
+                                                            : "notitle");
+    text.resize(text.size() - 2);
+    return text + "\n";
+}
+
+std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
+    Panel panel{"stiffness", {}, {}};
+    for (const RigidLimitRow &row : result.rows)
+        if (row.elements.empty())
+            panel.add(row.quantity, styles.of(row.quantity), true, points_of(row));
+    std::string text = panel.data;
+    std::string guide;
+    if (panel.largest_x > panel.least_x) {
+        text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", panel.least_x / 1.5,
+                            panel.largest_x * 1.5, std::max(panel.least_y / 10, 1e-13),
+                            std::min(10 * panel.largest_y, 1e3));
+        guide = fmt::format("{}/x with lines lw 1 dt (2,3) lc rgb '#7A7A7A' notitle, "
+                            "0.01 with lines lw 1 dt (8,4) lc rgb '#999999' notitle, ",
+                            3 * panel.largest_y * panel.least_x);
+    }
+    if (panel.series.empty())
+        text += "set label 1 'a rigid shaft: no stiffness to vary' at graph 0.5,0.5 center\n";
+    if (result.one_percent)
+        text += fmt::format(
+            "set arrow 1 from first {0},graph 0 to first {0},graph 1 nohead back lw 1 dt (8,4) "
+            "lc rgb '#999999'\n",
+            result.one_percent->stiffness);
+    return text +
+           "set xlabel 'Stiffness of the shaft, 48 EI/L^3 (N/m)'\n"
+           "set ylabel 'Relative difference from the closed form'\nunset key\n" +
+           plot_of(panel, guide, false) + "unset arrow\nunset label\nset autoscale\n";
+}
+
+/// Of the composite inertia the quantity that differs most, at every mesh.
+std::vector<PlotPoint> inertia_points(const RigidLimitResult &result, int order) {
+    std::map<double, double> largest;
+    for (const RigidLimitRow &row : result.rows)
+        if (row.inertia && row.order == order)
+            for (std::size_t k = 0; k < row.elements.size(); ++k)
+                if (row.relative_difference[k])
+                    largest[row.elements[k]] = std::max(
+                        {least_shown, largest[row.elements[k]], *row.relative_difference[k]});
+    std::vector<PlotPoint> points;
+    for (const auto &[x, y] : largest)
+        points.push_back({x, y});
+    return points;
+}
+
+std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
+    Panel panel{"mesh", {}, {}};
+    std::vector<int> orders;
+    for (const RigidLimitRow &row : result.rows) {
+        if (row.elements.empty())
+            continue;
+        if (std::find(orders.begin(), orders.end(), row.order) == orders.end())
+            orders.push_back(row.order);
+        const bool main = row.order == result.model.order;
+        if (!row.inertia)
+            panel.add(main ? row.quantity : "", styles.of(row.quantity), main, points_of(row));
+    }
+    for (const int order : orders) {
+        const bool main = order == result.model.order;
+        panel.add(main ? "composite inertia, largest" : "", {"", "#555555", "1", 2}, main,
+                  inertia_points(result, order));
+    }
+    // Lines of the other panel are explained here, where there is room.
+    std::string keys = "NaN with lines lw 1 dt (2,3) lc rgb '#7A7A7A' title 'slope -1', NaN with "
+                       "lines lw 1 dt (8,4) lc rgb '#999999' title '1 %', ";
+    if (orders.size() > 1)
+        keys += "NaN with lines lw 1 dt (4,4) lc rgb '#555555' title 'thin: classical elements', ";
+    std::string text = panel.data;
+    if (!panel.series.empty())
+        text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", 0.8 * panel.least_x,
+                            1.25 * panel.largest_x, least_shown / 2,
+                            std::max(1e-3, 10 * panel.largest_y));
+    return text +
+           "set xlabel 'Elements of the shaft'\nunset ylabel\nset xtics (1,2,3,4,6,8,12,16,24,32)\n"
+           "set format x '%g'\nset key at graph 1.04,1 left top reverse Left vertical samplen 3\n" +
+           plot_of(panel, keys, true);
+}
+
+} // namespace
+
+Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result) {
+    Figure figure;
+    figure.width = 1400;
+    figure.height = 620;
+    const std::string subtitle =
+        std::isfinite(result.mesh_factor)
+            ? fmt::format("left: while the shaft stiffens; right: while the mesh coarsens, E and G "
+                          "times {}",
+                          readable(result.mesh_factor))
+            : "the shaft is rigid";
+    figure.script = figure_head("Flexible model and rigid closed forms: " + title_of(scene),
+                                subtitle, figure.height);
+    Styles styles;
+    figure.script +=
+        "set logscale xy\nset format xy '10^{%L}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" +
+        panel_margins(0.07, 0.375, 0.115, 0.87) + stiffness_panel(result, styles) +
+        panel_margins(0.425, 0.7, 0.115, 0.87) + mesh_panel(result, styles) + "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,177 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/simulate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::MotionSeries;
+using results::SimulateResult;
+
+namespace {
+
+constexpr std::size_t most_curves = 16;
+
+struct Curve {
+    std::string name;
+    std::vector<std::vector<PlotPoint>> points;
+};
+
+std::string balancer_name(const results::BalancerMotion &b) {
+    const std::string at = "z = " + readable(b.z, 4) + " m";
+    return b.name.empty() ? at : b.name + ", " + at;
+}
+
+std::vector<Curve> amplitude_curves(const SimulateResult &result) {
+    std::vector<Curve> curves;
+    const std::vector<double> &time = result.series.time;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i) {
+        std::vector<PlotPoint> points;
+        for (std::size_t k = 1; k < time.size(); ++k) // at rest there is nothing to draw
+            points.push_back({time[k], result.series.amplitude[i][k] * 1e6});
+        curves.push_back({balancer_name(result.balancers[i]), {points}});
+    }
+    for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
+        const std::vector<double> &amplitude = result.other_starts[i].amplitude;
+        std::vector<PlotPoint> points;
+        for (std::size_t k = 1; k < std::min(time.size(), amplitude.size()); ++k)
+            points.push_back({time[k], amplitude[k] * 1e6});
+        curves.push_back({fmt::format("start {}: {}", i + 2,
+                                      results::outcome_name(result.other_starts[i].outcome)),
+                          {points}});
+    }
+    for (const results::BalancerMotion &b : result.balancers)
+        if (b.reference > 0 && !time.empty())
+            curves.push_back(
+                {"without balls",
+                 {{{time.front(), b.reference * 1e6}, {time.back(), b.reference * 1e6}}}});
+    return curves;
+}
+
+/// Degrees in (-180, 180], cut where they jump from one end to the other.
+std::vector<std::vector<PlotPoint>> wrapped(const std::vector<double> &time,
+                                            const std::vector<double> &angles) {
+    std::vector<std::vector<PlotPoint>> pieces(1);
+    for (std::size_t k = 0; k < time.size(); ++k) {
+        const double degrees = std::remainder(angles[k], 2 * pi) * 180 / pi;
+        if (!pieces.back().empty() && std::abs(degrees - *pieces.back().back().y) > 180)
+            pieces.emplace_back();
+        pieces.back().push_back({time[k], degrees});
+    }
+    return pieces;
+}
+
+/// Mean speed between output times over that of the rotor.
+std::vector<std::vector<PlotPoint>> relative_speed(const MotionSeries &series,
+                                                   const std::vector<double> &angles) {
+    std::vector<PlotPoint> points;
+    for (std::size_t k = 1; k < series.time.size(); ++k) {
+        const double span = series.time[k] - series.time[k - 1];
+        const double speed = series.speed[k];
+        if (speed != 0)
+            points.push_back({series.time[k], 1 + (angles[k] - angles[k - 1]) / (span * speed)});
+    }
+    return {points};
+}
+
+std::vector<Curve> angle_curves(const SimulateResult &result) {
+    const bool lagging = result.outcome == results::Outcome::lagging;
+    std::vector<Curve> curves;
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i)
+        for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
+            const std::vector<double> &angles = result.series.angles[number];
+            const bool ball = result.balancers[i].kind == "ball";
+            const std::string name =
+                (ball ? "ball " + std::to_string(j + 1) : (j == 0 ? "phi" : "psi")) +
+                (result.balancers.size() > 1 ? " of " + std::to_string(i + 1) : "");
+            if (curves.size() < most_curves)
+                curves.push_back({name, lagging ? relative_speed(result.series, angles)
+                                                : wrapped(result.series.time, angles)});
+        }
+    return curves;
+}
+
+std::string draw(const std::string &panel, const std::vector<Curve> &curves, std::size_t solid) {
+    std::string data;
+    std::string plots;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const LineStyle style = series_style(i < solid ? i : i - solid);
+        data += data_block(panel + std::to_string(i), curves[i].points);
+        plots += fmt::format("{}${}{} with lines lc rgb '{}' lw {} dt {} title {}",
+                             i == 0 ? "plot " : ", ", panel, i, style.colour, i < solid ? 1.4 : 1,
+                             i < solid ? "1" : "(3,4)", plot_text(curves[i].name));
+    }
+    return data + (curves.empty() ? "plot NaN notitle" : plots) + "\n";
+}
+
+std::string logarithmic_axis(const std::vector<Curve> &curves) {
+    double high = 0;
+    double low = HUGE_VAL;
+    for (const Curve &curve : curves)
+        for (const auto &piece : curve.points)
+            for (const PlotPoint &point : piece)
+                if (point.y && *point.y > 0) {
+                    high = std::max(high, *point.y);
+                    low = std::min(low, *point.y);
+                }
+    if (high <= 0)
+        high = low = 1;
+    low = std::max(low, 1e-6 * high);
+    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:{}]\n",
+                       std::pow(10, std::floor(std::log10(low))),
+                       std::pow(10, std::floor(std::log10(high)) + 1));
+}
+
+std::string axes(const std::string &label, bool last) {
+    return fmt::format("set ylabel {}\n{}\nset key at graph 1.02,1 left top reverse Left vertical "
+                       "samplen 3\n",
+                       plot_text(label), last ? "set xlabel 'Time (s)'" : "unset xlabel");
+}
+
+} // namespace
+
+Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
+    const std::vector<Curve> amplitude = amplitude_curves(result);
+    const std::vector<double> &speed = result.series.speed;
+    const bool constant = std::all_of(speed.begin(), speed.end(),
+                                      [&](double value) { return value == speed.front(); });
+    const bool lagging = result.outcome == results::Outcome::lagging;
+    Figure figure;
+    figure.width = 1080;
+    figure.height = constant ? 780 : 960;
+    const double pixel = 1.0 / figure.height;
+    const auto panel = [&](int top, int bottom) {
+        return panel_margins(0.085, 0.8, 1 - bottom * pixel, 1 - top * pixel);
+    };
+    figure.script =
+        figure_head("Motion in time: " + title_of(scene),
+                    fmt::format("outcome: {}, at the end {} rpm",
+                                results::outcome_name(result.outcome),
+                                readable(result.speed * rpm)),
+                    figure.height) +
+        fmt::format("set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [0:{}]\n", result.time) +
+        logarithmic_axis(amplitude) + panel(75, 400) + axes("Amplitude (µm)", false) +
+        draw("a", amplitude, result.balancers.size() + result.other_starts.size()) +
+        "unset label\nunset logscale y\nset format y '%g'\n" +
+        (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
+        panel(430, 715) +
+        axes(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)", constant) +
+        draw("g", angle_curves(result), most_curves);
+    if (!constant) {
+        std::vector<PlotPoint> points;
+        for (std::size_t k = 0; k < speed.size(); ++k)
+            points.push_back({result.series.time[k], speed[k] * rpm});
+        figure.script += "set yrange [*:*]\nset ytics auto\n" + panel(745, 895) +
+                         axes("Speed (rpm)", true) + draw("s", {{"rotor", {points}}}, 1);
+    }
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

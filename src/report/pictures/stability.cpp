@@ -1,0 +1,164 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/stability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::StabilityResult;
+
+namespace {
+
+using Bands = std::vector<std::pair<double, double>>;
+
+constexpr const char *shade = "#F4B6C8";
+constexpr const char *shade_some = "#FBE3EA";
+
+/// Bands over the whole height of a panel, behind everything.
+std::string shaded(const Bands &bands, const char *colour) {
+    std::string text;
+    for (const auto &[from, to] : bands)
+        text += fmt::format("set object rectangle from first {},graph 0 to first {},graph 1 behind "
+                            "fs solid noborder fc rgb '{}'\n",
+                            from * rpm, to * rpm, colour);
+    return text;
+}
+
+std::string marks(const std::vector<double> &speeds, const char *colour, int dash) {
+    std::string text;
+    for (const double speed : speeds)
+        text += fmt::format("set arrow from first {0},graph 0 to first {0},graph 1 nohead back lw "
+                            "1.3 dt {1} lc rgb '{2}'\n",
+                            speed * rpm, dash, colour);
+    return text;
+}
+
+/// One row of bars below the growth: intervals over the arrangements.
+std::string bars(const Bands &bands, double row, const char *colour) {
+    std::string text;
+    for (const auto &[from, to] : bands) // with a line, which shows where the bar is too thin
+        text += fmt::format("set object rectangle from first {0},first {1} to first {2},first {3} "
+                            "fs solid noborder fc rgb '{4}'\nset arrow from first {0},first {1} "
+                            "to first {0},first {3} nohead lw 2 lc rgb '{4}'\n",
+                            from * rpm, row - 0.3, to * rpm, row + 0.3, colour);
+    return text;
+}
+
+std::string growth_panel(const StabilityResult &result) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < result.speeds.size(); ++i)
+        points.push_back({result.speeds[i] * rpm, result.growth[i]});
+    // Ends are exact, so the curve may start and stop there even between grid speeds.
+    std::string text = data_block("growth", {points});
+    if (result.family)
+        text += shaded(result.family->unstable, shade_some);
+    text += shaded(result.unstable, shade);
+    text +=
+        marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
+    std::string keys;
+    if (!result.unstable.empty())
+        keys += fmt::format(", NaN with boxes fs solid fc rgb '{}' title 'unstable'", shade);
+    if (result.family && !result.family->unstable.empty())
+        keys += fmt::format(
+            ", NaN with boxes fs solid fc rgb '{}' title 'unstable with some arrangement'",
+            shade_some);
+    if (!result.critical_speeds.empty())
+        keys += ", NaN with lines dt 2 lw 1.3 lc rgb '#0072B2' title 'critical, balls held'";
+    if (!result.additional_speeds.empty())
+        keys += ", NaN with lines dt 4 lw 1.3 lc rgb '#D55E00' title 'additional speed'";
+    double low = HUGE_VAL; // of the speeds with an answer
+    double high = -HUGE_VAL;
+    for (const double growth : result.growth)
+        if (std::isfinite(growth)) {
+            low = std::min(low, growth);
+            high = std::max(high, growth);
+        }
+    const bool flat = high <= low;
+    text += fmt::format("set xrange [{}:{}]\n", result.speeds.front() * rpm,
+                        result.speeds.size() > 1 ? result.speeds.back() * rpm
+                                                 : result.speeds.front() * rpm + 1);
+    if (flat)
+        text += "set yrange [-1:1]\n";
+    return text +
+           "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
+           "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
+           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 2\n"
+           "plot $growth using 1:2 with lines lw 2 lc rgb '#222222' title 'growth'" +
+           keys + "\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
+}
+
+std::string family_panel(const StabilityResult &result) {
+    const auto &family = *result.family;
+    return bars(family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
+           bars(family.always_unstable, 3, "#B0305C") + bars(family.critical_speeds, 2, "#0072B2") +
+           bars(family.additional_speeds, 1, "#D55E00") +
+           "set yrange [0.3:4.7]\nset ytics ('unstable, some' 4, 'unstable, every' 3, 'critical' "
+           "2, 'additional' 1)\nunset ylabel\nset xlabel 'Spin speed (rpm)'\nunset key\n"
+           "plot NaN notitle\nunset object\nunset arrow\nset ytics auto\nset autoscale y\n";
+}
+
+std::string axis_title(const model::MapAxis &axis) {
+    return axis.path == "speed" ? "Spin speed (rpm)" : axis.path;
+}
+
+std::string map_panel(const results::StabilityMap &map) {
+    const auto scale = [](const model::MapAxis &axis) { return axis.path == "speed" ? rpm : 1.0; };
+    double largest = 0;
+    std::string text = "$map << EOD\n";
+    for (std::size_t j = 0; j < map.growth.size(); ++j) {
+        for (std::size_t i = 0; i < map.growth[j].size(); ++i) {
+            largest = std::max(largest, std::abs(map.growth[j][i]));
+            text += fmt::format("{} {} {}\n", map.x_values[i] * scale(map.x),
+                                map.y_values[j] * scale(map.y), plot_number(map.growth[j][i]));
+        }
+        text += "\n";
+    }
+    if (largest == 0)
+        largest = 1;
+    return text + "EOD\n" +
+           fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n"
+                       "set palette defined (-1 '#2166AC', -0.001 '#E8F1F8', 0 '#FFFFFF', 0.001 "
+                       "'#FBE3EA', 1 '#B0305C')\nset cblabel 'Growth (1/s)'\n"
+                       "set xlabel {}\nset ylabel {}\nunset key\nunset grid\nset pm3d map\n"
+                       "plot $map using 1:2:3 with image notitle\n",
+                       map.x_values.front() * scale(map.x), map.x_values.back() * scale(map.x),
+                       map.y_values.front() * scale(map.y), map.y_values.back() * scale(map.y),
+                       -largest, largest, plot_text(axis_title(map.x)),
+                       plot_text(axis_title(map.y)));
+}
+
+} // namespace
+
+Figure stability_figure(const model::Case &scene, const StabilityResult &result) {
+    Figure figure;
+    figure.width = 1180;
+    const int panels = 1 + (result.family ? 1 : 0) + (result.map ? 1 : 0);
+    figure.height = 520 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
+    const auto share = [&figure](double pixels) { return pixels / figure.height; };
+    figure.script = figure_head("Stability: " + title_of(scene),
+                                panels > 1 ? "over spin speed, and what the case asks for below"
+                                           : "over spin speed",
+                                figure.height);
+    double top = 1 - share(105);
+    double bottom = top - share(345);
+    figure.script += panel_margins(0.125, 0.95, bottom, top) + growth_panel(result);
+    if (result.family) {
+        top = bottom - share(75);
+        bottom = top - share(165);
+        figure.script += panel_margins(0.125, 0.95, bottom, top) + family_panel(result);
+    }
+    if (result.map) {
+        top = bottom - share(95);
+        bottom = top - share(410);
+        figure.script += panel_margins(0.125, 0.85, bottom, top) + map_panel(*result.map);
+    }
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

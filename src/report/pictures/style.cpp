@@ -1,0 +1,148 @@
+#include "report/pictures/style.h"
+
+#include "report/common/gnuplot.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace whirl::report {
+
+LineStyle whirl_style(results::Whirl whirl) {
+    switch (whirl) {
+    case results::Whirl::forward:
+        return {"forward", "#0072B2", "1", 7};
+    case results::Whirl::backward:
+        return {"backward", "#D55E00", "(12,6)", 6};
+    case results::Whirl::mixed:
+        break;
+    }
+    return {"mixed", "#007D5A", "(14,5,3,5)", 8};
+}
+
+LineStyle series_style(std::size_t index) {
+    static const std::array<LineStyle, 8> styles{{{"", "#0072B2", "1", 7},
+                                                  {"", "#D55E00", "(12,5)", 6},
+                                                  {"", "#007D5A", "(3,4)", 9},
+                                                  {"", "#A8527F", "(14,5,3,5)", 4},
+                                                  {"", "#B77F00", "1", 5},
+                                                  {"", "#3C97CF", "(12,5)", 8},
+                                                  {"", "#000000", "(3,4)", 11},
+                                                  {"", "#7A7A7A", "(14,5,3,5)", 12}}};
+    return styles[index % styles.size()];
+}
+
+std::string plot_number(std::optional<double> value) {
+    return value && std::isfinite(*value) ? fmt::format("{:.9g}", *value) : "NaN";
+}
+
+std::string data_block(const std::string &name,
+                       const std::vector<std::vector<PlotPoint>> &polylines) {
+    std::string block = "$" + name + " << EOD\n";
+    for (const auto &polyline : polylines) {
+        for (const PlotPoint &point : polyline)
+            block += fmt::format("{:.9g} {}\n", point.x, plot_number(point.y));
+        block += "\n";
+    }
+    // gnuplot refuses an empty block; a point without a value draws nothing.
+    return block + "NaN NaN\nEOD\n";
+}
+
+std::string figure_head(const std::string &title, const std::string &subtitle, int height) {
+    const double pixel = 1.0 / height;
+    return fmt::format("set multiplot\n"
+                       "set label 101 {} at screen 0.5,{} center font ',15'\n"
+                       "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n",
+                       plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel);
+}
+
+std::string panel_margins(double left, double right, double bottom, double top) {
+    return fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n"
+                       "set bmargin at screen {}\nset tmargin at screen {}\n",
+                       left, right, bottom, top);
+}
+
+Range range_of(const std::vector<double> &values) {
+    if (values.empty())
+        return {0, 1};
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    if (*high > *low)
+        return {*low, *high};
+    const double half = *low == 0 ? 1 : 0.1 * std::abs(*low);
+    return {*low - half, *high + half};
+}
+
+std::vector<double> spread(const std::vector<double> &wanted, double gap, Range range) {
+    std::vector<std::size_t> order(wanted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return wanted[a] < wanted[b]; });
+    std::vector<double> places = wanted;
+    for (int sweep = 0; sweep < 200; ++sweep)
+        for (std::size_t i = 1; i < order.size(); ++i) {
+            const double missing = gap - (places[order[i]] - places[order[i - 1]]);
+            if (missing <= 0)
+                continue;
+            places[order[i - 1]] -= missing / 2;
+            places[order[i]] += missing / 2;
+        }
+    // Bounds that are themselves a gap apart keep the gaps.
+    const double count = static_cast<double>(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const double rank = static_cast<double>(i);
+        double &place = places[order[i]];
+        place = std::min(std::max(place, range.low + rank * gap),
+                         range.high - (count - 1 - rank) * gap);
+    }
+    return places;
+}
+
+namespace {
+
+double overlap(const LabelPlacer::Box &a, const LabelPlacer::Box &b) {
+    const double width = std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x);
+    const double height = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+    return width > 0 && height > 0 ? width * height : 0;
+}
+
+} // namespace
+
+LabelPlacer::Box LabelPlacer::place(double x, double y, double width, double height) {
+    const double off = 0.45 * height;
+    Box best;
+    double least = 1e300;
+    for (int ring = 0; ring < 4; ++ring)
+        for (int side = 0; side < 8; ++side) {
+            const double reach = off + ring * 0.9 * height;
+            const double angle = -pi / 4 + side * pi / 4;
+            const double c = std::cos(angle);
+            const double s = std::sin(angle);
+            // The label's nearest edge or corner sits `reach` away from the point.
+            const Box box{x + reach * 0.6 * c +
+                              (c > 0.1    ? 0
+                               : c < -0.1 ? -width
+                                          : -width / 2),
+                          y + reach * s +
+                              (s > 0.1    ? 0
+                               : s < -0.1 ? -height
+                                          : -height / 2),
+                          width, height};
+            double cost = 1e-6 * (ring * 8 + side);
+            if (box.x < 0 || box.x + width > 1 || box.y < 0 || box.y + height > 1)
+                cost += 1;
+            for (const Box &other : _boxes)
+                cost += overlap(box, other) / (width * height);
+            if (cost < least) {
+                least = cost;
+                best = box;
+            }
+        }
+    block(best);
+    return best;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "report/common/words.h"
+#include "results/whirl.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::report {
+
+/// Colour, dash and marker of a sense of whirl. The colours are of Okabe and Ito's set, which
+/// colour-blind readers tell apart; dash and marker carry the same information without colour.
+struct LineStyle {
+    std::string name;   ///< for legends
+    std::string colour; ///< #rrggbb
+    std::string dash;   ///< gnuplot's dash type
+    int point = 7;      ///< gnuplot's point type
+};
+
+[[nodiscard]] LineStyle whirl_style(results::Whirl whirl);
+/// The index-th of a row of styles that differ in colour, dash and marker.
+[[nodiscard]] LineStyle series_style(std::size_t index);
+
+/// Number for gnuplot data; NaN where it is missing or not finite, which leaves a gap.
+[[nodiscard]] std::string plot_number(std::optional<double> value);
+
+/// One point of a polyline; a gap where y is missing.
+struct PlotPoint {
+    double x = 0;
+    std::optional<double> y;
+};
+/// Named data block; each polyline is set apart from the next by an empty line.
+[[nodiscard]] std::string data_block(const std::string &name,
+                                     const std::vector<std::vector<PlotPoint>> &polylines);
+
+/// `set multiplot`, the bold heading and the grey line under it.
+[[nodiscard]] std::string figure_head(const std::string &title, const std::string &subtitle,
+                                      int height);
+/// Margins of a panel in fractions of the figure.
+[[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
+
+/// Smallest and largest of the values, widened by `share` where they are equal.
+struct Range {
+    double low = 0;
+    double high = 1;
+};
+[[nodiscard]] Range range_of(const std::vector<double> &values);
+
+/// Positions near the wanted ones that keep the gap and stay in the range; order is kept.
+[[nodiscard]] std::vector<double> spread(const std::vector<double> &wanted, double gap,
+                                         Range range);
+
+/// Boxes in fractions of a panel; finds a free place for a label beside its point.
+class LabelPlacer {
+  public:
+    struct Box {
+        double x = 0, y = 0, width = 0, height = 0; ///< lower left corner and size
+    };
+    void block(const Box &box) { _boxes.push_back(box); }
+    /// Least covered place of a label of this size around (x, y); the place is taken from then on.
+    Box place(double x, double y, double width, double height);
+
+  private:
+    std::vector<Box> _boxes;
+};
+
+} // namespace whirl::report

@@ -1,0 +1,359 @@
+// Report of the command show.
+
+#include "results/show.h"
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/reports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+using results::AnisotropyChart;
+using results::BalancerNumbers;
+using results::CompositeCurves;
+using results::DimensionlessNumbers;
+using results::ShowResult;
+
+namespace {
+
+const Columns<ShowResult> columns{
+    {"mass", "mass [kg]", {"Mass", "{:.8g} kg"}, {"mass", "{:.6g} kg"}, &ShowResult::mass},
+    {"",
+     "",
+     {"of it the shaft", "{:.8g} kg"},
+     {"of the shaft", "{:.6g} kg"},
+     &ShowResult::shaft_mass},
+    {"", "", {"Length of the shaft", "{:.8g} m"}, {"length", "{:.6g} m"}, &ShowResult::length},
+    {"center_of_mass",
+     "center_of_mass [m]",
+     {"Centre of mass, z", "{:.8g} m"},
+     {"centre of mass", "z = {:.6g} m"},
+     &ShowResult::center_of_mass},
+    {"Id",
+     "Id [kg m2]",
+     {"Diametral inertia about it", "{:.8g} kg m²"},
+     {"diametral inertia Id", "{:.6g} kg m2"},
+     &ShowResult::Id},
+    {"Ip",
+     "Ip [kg m2]",
+     {"Polar inertia", "{:.8g} kg m²"},
+     {"polar inertia Ip", "{:.6g} kg m2"},
+     &ShowResult::Ip},
+    {"type", "type", {"Type"}, {}, &ShowResult::type},
+    {"shaft_mass", "shaft_mass [kg]", {}, {}, &ShowResult::shaft_mass},
+    {"length", "length [m]", {}, {}, &ShowResult::length},
+    {"dI", "", {}, {}, &ShowResult::dI},
+    {"dI_angle", "", {}, {}, &ShowResult::dI_angle}};
+
+/// Two ends in one cell.
+std::string interval(const std::optional<results::Interval> &of, const char *format) {
+    return of ? fmt::format(fmt::runtime(format), of->first, of->second) : "";
+}
+
+/// A column of ends, for the page and for the terminal.
+auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *format) {
+    return [of, format](const BalancerNumbers &b) {
+        return b.*of ? Json(interval(b.*of, format)) : Json();
+    };
+}
+
+std::string name_of(const BalancerNumbers &balancer, std::size_t index) {
+    return balancer.name.empty() ? std::to_string(index + 1) : balancer.name;
+}
+
+std::string position_text(const BalancerNumbers &balancer) {
+    std::string text;
+    for (const double angle : balancer.position) {
+        if (text.size() > 200)
+            return text + " …";
+        text += fmt::format("{}{:.5g}°", text.empty() ? "" : ", ", angle * degrees);
+    }
+    return text.empty() ? "–" : text;
+}
+
+const Columns<BalancerNumbers> balancer_columns{
+    {"", "", {}, {"balancer"}, name_of},
+    {"name", "", {}, {}, &BalancerNumbers::name},
+    {"z", "", {"Place, z", "{:.8g} m"}, {"z (m)"}, &BalancerNumbers::z},
+    {"E", "", {"Capacity E", "{:.8g}", "∞"}, {"E", "{:.6g}", "infinite"}, &BalancerNumbers::E},
+    {"", "", {"Balanced position of the balls"}, {}, position_text},
+    {"D_c",
+     "",
+     {"Second harmonic D: cosine part", "{:.8g}"},
+     {"D_c"},
+     [](const auto &b) { return b.D ? Json(b.D->real()) : Json(); }},
+    {"D_s",
+     "",
+     {"Second harmonic D: sine part", "{:.8g}"},
+     {"D_s"},
+     [](const auto &b) { return b.D ? Json(b.D->imag()) : Json(); }},
+    {"D_interval", "", {}, {}, &BalancerNumbers::D_interval},
+    {"",
+     "",
+     {"|D| over all balanced positions"},
+     {},
+     ends(&BalancerNumbers::D_interval, "{:.8g} … {:.8g}")},
+    {"", "", {}, {"|D| of the family"}, ends(&BalancerNumbers::D_interval, "{:.6g} ... {:.6g}")},
+    {"dA",
+     "",
+     {"Anisotropy |A_m0 + A_m D|/2", "{:.8g} kg m²", "∞"},
+     {"dA (kg m2)"},
+     &BalancerNumbers::dA},
+    {"dA_interval", "", {}, {}, &BalancerNumbers::dA_interval},
+    {"",
+     "",
+     {"over all balanced positions"},
+     {},
+     ends(&BalancerNumbers::dA_interval, "{:.8g} … {:.8g} kg m²")},
+    {"", "", {}, {"dA of the family"}, ends(&BalancerNumbers::dA_interval, "{:.6g} ... {:.6g}")},
+    {"dA_paper",
+     "",
+     {"with the unsigned |D|", "{:.8g} kg m²", "∞"},
+     {},
+     &BalancerNumbers::dA_paper},
+    {"",
+     "",
+     {"Mass of the rest of the rotor", "{:.8g} kg"},
+     {},
+     [](const auto &b) { return b.bare.mass; }},
+    {"",
+     "",
+     {"its diametral inertia", "{:.8g} kg m²"},
+     {},
+     [](const auto &b) { return b.bare.Id; }},
+    {"", "", {"its polar inertia", "{:.8g} kg m²"}, {}, [](const auto &b) { return b.bare.Ip; }},
+    {"",
+     "",
+     {"from its centre of mass to the balancer", "{:.8g} m"},
+     {},
+     [](const auto &b) { return b.bare.z_GA; }},
+    {"position", "", {}, {}, &BalancerNumbers::position}};
+
+/// @param on_terminal  empty: on the page alone
+Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
+                                      auto DimensionlessNumbers::*of) {
+    const bool there = *on_terminal != '\0';
+    return {key,
+            "",
+            {on_page, "{:.8g}", "∞"},
+            there ? Shown(on_terminal, "{:.6g}", "infinite") : Shown(),
+            [of](const BalancerNumbers &b) { return b.dimensionless.*of; }};
+}
+
+const Columns<BalancerNumbers> dimensionless_columns{
+    {"", "", {}, {"balancer"}, name_of},
+    dimensionless("C", "C", "C", &DimensionlessNumbers::C),
+    dimensionless("A", "A", "A", &DimensionlessNumbers::A),
+    dimensionless("A_m", "A_m", "A_m", &DimensionlessNumbers::A_m),
+    dimensionless("A_m0", "A_m0", "A_m0", &DimensionlessNumbers::A_m0),
+    dimensionless("m", "m", "m", &DimensionlessNumbers::m),
+    dimensionless("z_A", "z_A", "z_A", &DimensionlessNumbers::z_A),
+    dimensionless("p2", "p²", "p2", &DimensionlessNumbers::p2),
+    dimensionless("c_y", "c_y", "c_y", &DimensionlessNumbers::c_y),
+    dimensionless("h_x", "h_x", "h_x", &DimensionlessNumbers::h_x),
+    dimensionless("h_beta", "h_β", "", &DimensionlessNumbers::h_beta),
+    dimensionless("h_y", "h_y", "", &DimensionlessNumbers::h_y),
+    dimensionless("h_s", "h_s", "h_s", &DimensionlessNumbers::h_s)};
+
+/// The anisotropy alone, before and after what there may be several of.
+const Columns<AnisotropyChart> chart_columns{
+    {"C", "", {"Polar over mean diametral inertia, C", "{:.8g}", "∞"}, {}, &AnisotropyChart::C},
+    {"A",
+     "",
+     {"Anisotropy over the mean diametral inertia", "{:.8g}", "∞"},
+     {},
+     &AnisotropyChart::anisotropy},
+    {"p",
+     "",
+     {"Natural frequency of tilt at rest, p", "{:.8g} rad/s", "∞"},
+     {},
+     &AnisotropyChart::p},
+    {"h",
+     "",
+     {"Tilt damping over the mean diametral inertia, h", "{:.8g} 1/s", "∞"},
+     {},
+     &AnisotropyChart::h},
+    {"critical_speeds", "", {}, {}, &AnisotropyChart::critical_speeds},
+    {"permissible", "", {}, {}, &AnisotropyChart::permissible},
+    {"permissible_speed", "", {}, {}, &AnisotropyChart::permissible_speed}};
+
+Texts chart_lines(const AnisotropyChart &chart) {
+    const auto number = [](double value) { return shown(value, {"", "{:.8g}", "∞"}, "–"); };
+    Texts lines = properties(chart_columns, chart, &Column<AnisotropyChart>::page, "–");
+    lines.insert(lines.begin(), {"Quantity", "Value"});
+    for (const double speed : chart.critical_speeds)
+        lines.push_back({"Critical speed without damping", number(speed) + " rad/s"});
+    if (chart.unstable)
+        lines.push_back({"Unstable", number(chart.unstable->from) + " … " +
+                                         (chart.unstable->to ? number(*chart.unstable->to) : "∞") +
+                                         " rad/s"});
+    lines.push_back({"Largest anisotropy stable at every speed", number(chart.permissible)});
+    lines.push_back({"least at", chart.permissible_speed
+                                     ? number(*chart.permissible_speed) + " rad/s"
+                                     : "infinite speed"});
+    return lines;
+}
+
+std::string chart_text(const AnisotropyChart &chart) {
+    std::string text = "  tilt as a rigid rotor: critical speeds";
+    for (const double speed : chart.critical_speeds)
+        text += fmt::format(" {:.7g}", speed);
+    text += chart.critical_speeds.empty() ? " none" : " rad/s";
+    if (!chart.unstable)
+        text += ", stable at every speed";
+    else if (chart.unstable->to)
+        text += fmt::format(", unstable from {:.7g} to {:.7g} rad/s", chart.unstable->from,
+                            *chart.unstable->to);
+    else
+        text += fmt::format(", unstable above {:.7g} rad/s", chart.unstable->from);
+    return text + fmt::format("\n  largest anisotropy dI/Id stable at every speed: {:.5g} (the "
+                              "case has {:.5g})\n\n",
+                              chart.permissible, chart.anisotropy);
+}
+
+/// Curves as a table, a column a list.
+std::string
+curves_csv(const std::vector<std::pair<std::string, const std::vector<double> *>> &curves) {
+    Columns<std::size_t> all;
+    for (const auto &[name, values] : curves)
+        all.push_back({"", name, {}, {}, [list = values](const std::size_t &, std::size_t i) {
+                           return i < list->size() ? Json((*list)[i]) : Json();
+                       }});
+    return csv_table(all, std::vector<std::size_t>(curves.front().second->size()));
+}
+
+std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &result) {
+    std::vector<Picture> pictures;
+    for (std::size_t i = 0; i < result.balancers.size(); ++i) {
+        if (!result.balancers[i].curves)
+            continue;
+        const CompositeCurves &c = *result.balancers[i].curves;
+        pictures.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
+                            composite_figure(scene, result, i),
+                            curves_csv({{"n m/M_s", &c.m},
+                                        {"A_m", &c.A_m},
+                                        {"A_C1", &c.A_C1},
+                                        {"A_C2", &c.A_C2},
+                                        {"A", &c.A},
+                                        {"C", &c.C},
+                                        {"A_C1 with |D|", &c.A_C1_paper},
+                                        {"A_C2 with |D|", &c.A_C2_paper},
+                                        {"A with |D|", &c.A_paper},
+                                        {"A least", &c.A_least},
+                                        {"A largest", &c.A_largest}})});
+    }
+    if (const auto &chart = result.anisotropy)
+        pictures.push_back({"anisotropy", anisotropy_figure(scene, *chart),
+                            curves_csv({{"speed [rad/s]", &chart->speed},
+                                        {"anisotropy at the stability limit", &chart->limit},
+                                        {"anisotropy at a critical speed", &chart->undamped}})});
+    return pictures;
+}
+
+Json balancer_json(const BalancerNumbers &balancer) {
+    Json json = json_row(balancer_columns, balancer);
+    json["bare_rotor"] = {{"mass", balancer.bare.mass},
+                          {"Id", balancer.bare.Id},
+                          {"Ip", balancer.bare.Ip},
+                          {"Ip_over_Id", balancer.bare.Ip / balancer.bare.Id},
+                          {"z_GA", balancer.bare.z_GA}};
+    json["dimensionless"] = json_row(dimensionless_columns, balancer);
+    return json;
+}
+
+Json chart_json(const AnisotropyChart &chart) {
+    Json json = json_row(chart_columns, chart);
+    json["unstable"] = Json::array();
+    if (chart.unstable)
+        json["unstable"].push_back(Json::array({chart.unstable->from, chart.unstable->to}));
+    return json;
+}
+
+Json json_of(const ShowResult &result) {
+    Json json = json_row(columns, result);
+    json["balancers"] = json_list(result.balancers, balancer_json);
+    json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy) : Json();
+    json["formulations"] = json_list(result.formulations, [](const auto &entry) {
+        Json form{{"command", entry.first}};
+        form.update(Json(entry.second));
+        return form;
+    });
+    return json;
+}
+
+std::vector<Section> sections_of(const ShowResult &result) {
+    std::vector<Section> sections{{"Rigid body", page_properties(columns, result)}};
+    for (std::size_t i = 0; i < result.balancers.size(); ++i) {
+        const BalancerNumbers &balancer = result.balancers[i];
+        const std::string name =
+            balancer.name.empty() ? fmt::format("balancer {}", i + 1) : balancer.name;
+        sections.push_back({"Composite rotor: " + name,
+                            page_properties(balancer_columns, balancer) +
+                                page_table(dimensionless_columns, std::vector{balancer})});
+    }
+    if (result.anisotropy)
+        sections.push_back(
+            {"Anisotropy: tilt of the rigid rotor", page_table(chart_lines(*result.anisotropy))});
+    Texts forms{{"Command", "Form", "Why"}};
+    for (const auto &[command, used] : result.formulations)
+        forms.push_back({command, results::form_name(used.form), used.why});
+    sections.push_back({"Form each analysis uses", page_table(forms)});
+    return sections;
+}
+
+/// Commands that use the same form for the same reason share a line.
+std::string forms_text(const ShowResult &result) {
+    std::vector<std::pair<std::string, std::string>> forms;
+    for (const auto &[command, used] : result.formulations) {
+        const std::string what =
+            fmt::format("{} form ({})", results::form_name(used.form), used.why);
+        const auto same = std::find_if(forms.begin(), forms.end(),
+                                       [&what](const auto &form) { return form.second == what; });
+        if (same == forms.end())
+            forms.emplace_back(command, what);
+        else
+            same->first += ", " + command;
+    }
+    std::string text;
+    for (const auto &[commands, what] : forms)
+        text += fmt::format("  {}: {}\n", commands, what);
+    return text;
+}
+
+std::string text_of(const model::Case &scene, const ShowResult &result) {
+    Texts lines = properties(columns, result, &Column<ShowResult>::text, "-");
+    if (result.dI.value_or(0) > 0)
+        lines.push_back({"anisotropy dI", fmt::format("{:.6g} kg m2", *result.dI)});
+    std::string text =
+        heading(scene, fmt::format("A {} rotor", result.type)) + text_table(lines) + "\n";
+    if (!result.balancers.empty())
+        text += text_table(balancer_columns, result.balancers) + "\n" +
+                text_table(dimensionless_columns, result.balancers) + "\n";
+    if (result.anisotropy)
+        text += chart_text(*result.anisotropy);
+    return text + forms_text(result) + notes_text(result.model);
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const ShowResult &result) {
+    return {.command = "show",
+            .heading = "Scene",
+            .scene = &scene,
+            .model = &result.model,
+            .json = [&] { return json_of(result); },
+            .csv = [&] { return csv_table(columns, std::vector{result}); },
+            .sections = [&] { return sections_of(result); },
+            .text = [&] { return text_of(scene, result); },
+            .drawing = [&] { return show_drawing(scene, result); },
+            .pictures = [&] { return pictures_of(scene, result); },
+            .pictures_heading = "Curves of the rigid rotor",
+            .pictures_after = 1 + result.balancers.size() + (result.anisotropy ? 1 : 0)};
+}
+
+} // namespace whirl::report

@@ -1,0 +1,290 @@
+// Report of the command simulate.
+
+#include "results/simulate.h"
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/reports.h"
+
+#include <fmt/format.h>
+
+namespace whirl::report {
+
+using results::BalancerMotion;
+using results::MotionAudit;
+using results::OtherStart;
+using results::SimulateResult;
+
+namespace {
+
+/// Angles in degrees, such as "10, -20".
+std::string in_degrees(const std::vector<double> &angles, const char *format, const char *between) {
+    std::vector<std::string> texts;
+    for (const double angle : angles)
+        texts.push_back(fmt::format(fmt::runtime(format), angle * degrees));
+    return joined(texts, between);
+}
+std::string page_angles(const std::vector<double> &angles) {
+    return in_degrees(angles, "{:.6g}", ", ");
+}
+std::string text_angles(const std::vector<double> &angles) {
+    return in_degrees(angles, "{:.2f}", " ");
+}
+
+/// The motion as a whole.
+const Columns<SimulateResult> columns{
+    {"outcome",
+     "",
+     {"Outcome"},
+     {},
+     [](const auto &result) { return results::outcome_name(result.outcome); }},
+    {"evidence", "", {"Evidence"}, {}, &SimulateResult::evidence},
+    {"residual_ratio",
+     "",
+     {"Amplitude left over that without balls", "{:.5g}"},
+     {},
+     &SimulateResult::residual_ratio},
+    {"trend",
+     "",
+     {"Growth of the amplitude over the last half (1/s)", "{:.4g}"},
+     {},
+     &SimulateResult::trend},
+    {"linear_growth",
+     "",
+     {"Growth at the balanced position by its eigenvalues (1/s)", "{:.4g}"},
+     {},
+     &SimulateResult::linear_growth},
+    {"decision_time",
+     "",
+     {"Time that would decide (s)", "{:.3g}"},
+     {},
+     &SimulateResult::decision_time},
+    {"time", "", {}, {}, &SimulateResult::time},
+    {"speed", "", {}, {}, &SimulateResult::speed},
+    {"revolutions", "", {}, {}, &SimulateResult::revolutions},
+    {"start_angles", "", {}, {}, &SimulateResult::start_angles},
+    {"",
+     "",
+     {"Time"},
+     {},
+     [](const auto &result) {
+         return fmt::format("{:.6g} s, {:.6g} revolutions", result.time, result.revolutions);
+     }},
+    {"", "", {"Speed at the end", "{:.7g} rpm"}, {}, [](const auto &result) {
+         return result.speed * rpm;
+     }}};
+
+const Columns<BalancerMotion> balancer_columns{
+    {"",
+     "",
+     {},
+     {"balancer"},
+     [](const auto &b) { return b.name.empty() ? place("", b.z) : b.name; }},
+    {"name", "", {"Name"}, {}, &BalancerMotion::name},
+    {"z", "", {"z (m)", "{:.5g}"}, {}, &BalancerMotion::z},
+    {"kind", "", {"Kind"}, {"kind"}, &BalancerMotion::kind},
+    {"E", "", {"Capacity E", "{:.5g}"}, {"capacity E", "{:.4g}"}, &BalancerMotion::capacity},
+    {"angles", "", {}, {}, &BalancerMotion::angles},
+    {"rates", "", {}, {}, &BalancerMotion::rates},
+    {"swing", "", {}, {}, &BalancerMotion::swing},
+    {"", "", {"Final angles (deg)"}, {}, [](const auto &b) { return page_angles(b.angles); }},
+    {"amplitude", "", {}, {"amplitude m", "{:.4g}"}, &BalancerMotion::amplitude},
+    {"amplitude_without_balls", "", {}, {"without balls m", "{:.4g}"}, &BalancerMotion::reference},
+    {"",
+     "",
+     {"Amplitude at the end (µm)", "{:.5g}"},
+     {},
+     [](const auto &b) { return b.amplitude * 1e6; }},
+    {"", "", {"without balls (µm)", "{:.5g}"}, {}, [](const auto &b) { return b.reference * 1e6; }},
+    {"", "", {}, {"final angles in the rotor, deg"}, [](const auto &b) {
+         return text_angles(b.angles);
+     }}};
+
+const Columns<OtherStart> start_columns{
+    {"start_angles", "", {}, {}, &OtherStart::start_angles},
+    {"",
+     "",
+     {"Start (deg)"},
+     {},
+     [](const auto &start) { return page_angles(start.start_angles); }},
+    {"outcome",
+     "",
+     {"Outcome"},
+     {},
+     [](const auto &start) { return results::outcome_name(start.outcome); }},
+    {"evidence", "", {}, {}, &OtherStart::evidence},
+    {"residual_ratio",
+     "",
+     {"Amplitude left over that without balls", "{:.5g}"},
+     {},
+     &OtherStart::residual_ratio},
+    {"balls", "", {}, {}, &OtherStart::angles},
+    {"amplitude", "", {}, {}, &OtherStart::amplitude},
+    {"", "", {"Final angles (deg)"}, {}, [](const auto &start) {
+         std::vector<std::string> texts;
+         for (const std::vector<double> &angles : start.angles)
+             texts.push_back(page_angles(angles));
+         return joined(texts, "; ");
+     }}};
+
+/// The first motion and those from other starts, side by side.
+std::vector<OtherStart> all_starts(const SimulateResult &result) {
+    OtherStart first{
+        result.start_angles, result.outcome, result.evidence, result.residual_ratio, {}, {}};
+    for (const BalancerMotion &b : result.balancers)
+        first.angles.push_back(b.angles);
+    std::vector<OtherStart> all{first};
+    all.insert(all.end(), result.other_starts.begin(), result.other_starts.end());
+    return all;
+}
+
+/// How good the numbers are.
+const Columns<SimulateResult> quality_columns{
+    {"",
+     "",
+     {"Shapes of the shaft"},
+     {},
+     [](const auto &result) {
+         return fmt::format("{}, with the lowest {} modes", result.shapes, result.modes);
+     }},
+    {"",
+     "",
+     {"Relative error by it: steady response", "{:.2g}"},
+     {},
+     &SimulateResult::response_error},
+    {"",
+     "",
+     {"Relative error by it: whirl speeds", "{:.2g}"},
+     {},
+     &SimulateResult::frequency_error},
+    {"", "", {"Integrator"}, {}, &SimulateResult::integrator},
+    {"",
+     "",
+     {"Steps, evaluations"},
+     {},
+     [](const auto &result) {
+         return fmt::format("{}, {}", result.steps, result.rate_evaluations);
+     }},
+    {"",
+     "",
+     {"Energy missing in the balance (J)"},
+     {},
+     [](const auto &result) {
+         return fmt::format("{:.2g} of {:.4g}", result.audit.energy_error,
+                            result.audit.energy_scale);
+     }},
+    {"", "", {"Angular momentum missing (kg m²/s)"}, {}, [](const auto &result) {
+         return fmt::format("{:.2g} of {:.4g}", result.audit.momentum_error,
+                            result.audit.momentum_scale);
+     }}};
+
+Json json_of(const SimulateResult &result) {
+    const MotionAudit &audit = result.audit;
+    Json json = json_row(columns, result);
+    json["balls"] = json_list(result.balancers, [](const auto &b) { return b.angles; });
+    json["balancers"] = json_rows(balancer_columns, result.balancers);
+    json["other_starts"] = json_rows(start_columns, result.other_starts);
+    json["reduction"] = {{"modes", result.modes},
+                         {"shapes", result.shapes},
+                         {"response_error", result.response_error},
+                         {"frequency_error", result.frequency_error}};
+    json["integration"] = {{"method", result.integrator},
+                           {"steps", result.steps},
+                           {"rate_evaluations", result.rate_evaluations}};
+    json["audit"] = {{"energy_error", audit.energy_error},
+                     {"energy_scale", audit.energy_scale},
+                     {"momentum_error", audit.momentum_error},
+                     {"momentum_scale", audit.momentum_scale}};
+    json["series"] = {{"time", result.series.time},
+                      {"speed", result.series.speed},
+                      {"amplitude", result.series.amplitude},
+                      {"angles", result.series.angles}};
+    return json;
+}
+
+/// The time series; a column for each plane and each ball.
+std::string csv_of(const SimulateResult &result) {
+    const results::MotionSeries &series = result.series;
+    const auto column = [](const std::string &name, const std::vector<double> &values) {
+        return Column<std::size_t>(
+            "", name, {}, {}, [&values](const std::size_t &, std::size_t i) { return values[i]; });
+    };
+    Columns<std::size_t> all{column("time [s]", series.time),
+                             column("speed [rad/s]", series.speed)};
+    for (std::size_t i = 0; i < series.amplitude.size(); ++i) {
+        all.push_back(column(fmt::format("amplitude_{} [m]", i), series.amplitude[i]));
+        all.push_back(column(fmt::format("x_{} [m]", i), series.x[i]));
+        all.push_back(column(fmt::format("y_{} [m]", i), series.y[i]));
+    }
+    for (std::size_t i = 0; i < series.angles.size(); ++i)
+        all.push_back(column(fmt::format("angle_{} [rad]", i), series.angles[i]));
+    return csv_table(all, std::vector<std::size_t>(series.time.size()));
+}
+
+std::vector<Section> sections_of(const SimulateResult &result) {
+    std::vector<Section> sections{{"How it ended", page_properties(columns, result)},
+                                  {"Balancers", page_table(balancer_columns, result.balancers)}};
+    if (!result.other_starts.empty())
+        sections.push_back({"From other starts", page_table(start_columns, all_starts(result))});
+    sections.push_back({"How good the numbers are", page_properties(quality_columns, result)});
+    return sections;
+}
+
+std::string outcome_text(const SimulateResult &result) {
+    std::string text =
+        fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome), result.evidence);
+    if (result.residual_ratio)
+        text +=
+            fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);
+    if (result.linear_growth)
+        text += fmt::format("  by its eigenvalues the balanced position is {}: {:.4g} 1/s\n",
+                            *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
+                            *result.linear_growth);
+    if (result.decision_time)
+        text += fmt::format("  a motion of {:.3g} s would decide\n", *result.decision_time);
+    return text;
+}
+
+std::string quality_text(const SimulateResult &result) {
+    const MotionAudit &audit = result.audit;
+    return fmt::format("\nmodel: {} shapes of the shaft with its lowest {} modes (order {}, {} "
+                       "elements); relative error by it {:.1e} in response, {:.1e} in whirl "
+                       "speeds\n",
+                       result.shapes, result.modes, result.model.order, result.model.elements,
+                       result.response_error, result.frequency_error) +
+           fmt::format("       {}, {} steps, {:.3g} s; energy missing {:.1e} J of {:.3g} J, "
+                       "angular momentum {:.1e} of {:.3g} kg m2/s\n",
+                       result.integrator, result.steps, result.model.seconds, audit.energy_error,
+                       audit.energy_scale, audit.momentum_error, audit.momentum_scale);
+}
+
+std::string text_of(const model::Case &scene, const SimulateResult &result) {
+    std::string text =
+        heading(scene, fmt::format("Motion in time, {:.6g} s, {:.6g} revolutions, {:.6g} rpm at "
+                                   "the end",
+                                   result.time, result.revolutions, result.speed * rpm)) +
+        outcome_text(result) + "\n" + text_table(balancer_columns, result.balancers);
+    for (const OtherStart &start : result.other_starts)
+        text += fmt::format(
+            "from another start ({}): {}{}\n", text_angles(start.start_angles),
+            results::outcome_name(start.outcome),
+            start.residual_ratio ? fmt::format(", residual {:.4g}", *start.residual_ratio) : "");
+    return text + quality_text(result) + notes_text(result.model);
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const SimulateResult &result) {
+    return {.command = "simulate",
+            .heading = "Motion in time",
+            .scene = &scene,
+            .model = &result.model,
+            .json = [&] { return json_of(result); },
+            .csv = [&] { return csv_of(result); },
+            .sections = [&] { return sections_of(result); },
+            .text = [&] { return text_of(scene, result); },
+            .figure = [&] { return simulate_figure(scene, result); }};
+}
+
+} // namespace whirl::report

@@ -1,0 +1,58 @@
+const traces = [], speeds = result.speeds.map(s => s * rpm), named = {};
+const damped = result.modes.some(m => m.log_dec.some(d => d !== null && Math.abs(d) > 1e-9));
+const hover = (m, i) => `<b>${m.label}</b> at ${short(speeds[i], 7)} rpm<br>frequency ` +
+  (m.frequency[i] === null ? `none (${m.absent[i]})` : `${short(m.frequency[i], 10)} rad/s = ${short(m.frequency[i] * hertz, 10)} Hz`) +
+  `<br>real part ${short(m.real[i], 5)} 1/s<br>damping ratio ${short(m.damping_ratio[i], 5)}, log. decrement ${short(m.log_dec[i], 5)}` +
+  `<br>${m.whirl[i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
+  `<br>error ${short(m.error[i], 2)}, residual ${short(m.residual[i], 2)}`;
+function stretches(mode, values, panel) {
+  let from = 0;
+  for (let i = 1; i <= speeds.length; ++i) {
+    if (i < speeds.length && mode.whirl[i] === mode.whirl[from]) continue;
+    const sense = mode.whirl[from], s = look[sense], x = [], y = [], text = [];
+    for (let k = from; k <= Math.min(i, speeds.length - 1); ++k) {
+      x.push(speeds[k]); y.push(values[k]); text.push(hover(mode, k));
+    }
+    traces.push({x, y, text, hoverinfo: "text", mode: "lines+markers", name: sense, legendgroup: sense,
+      showlegend: !named[sense], yaxis: panel, line: {color: s.color, dash: s.dash, width: 2},
+      marker: {color: s.color, symbol: s.symbol, size: 6, maxdisplayed: Math.max(1, Math.ceil(10 * x.length / speeds.length))}});
+    named[sense] = true; from = i;
+  }
+}
+const notes = [];
+const last = speeds.length - 1;
+result.modes.forEach(m => {
+  stretches(m, m.frequency.map(f => f === null ? null : f * hertz), "y");
+  if (damped) stretches(m, m.log_dec, "y2");
+  if (m.frequency[last] !== null) notes.push({x: speeds[last], y: m.frequency[last] * hertz, text: m.label,
+    showarrow: false, xanchor: "left", xshift: 6, font: {color: look[m.whirl[last]].color}});
+});
+const top = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => (f || 0) * hertz))) * 1.05 || 1;
+const pixels = (damped ? 0.62 * 770 : 530) / top;
+let below = -1e9;
+notes.sort((a, b) => a.y - b.y).forEach(n => {
+  const height = Math.max(n.y * pixels, below + 13);
+  n.yshift = height - n.y * pixels; below = height;
+});
+const grows = (m, i) => m.real[i] !== null && m.frequency[i] !== null &&
+  m.real[i] > Math.max(1e-9, (m.error[i] || 0) + (m.residual[i] || 0)) * Math.hypot(m.real[i], m.frequency[i]);
+const ux = [], uy = [], ut = [];
+result.modes.forEach(m => {
+  speeds.forEach((s, i) => { ux.push(s); uy.push(grows(m, i) ? m.frequency[i] * hertz : null); ut.push(hover(m, i)); });
+  ux.push(null); uy.push(null); ut.push("");
+});
+if (uy.some(y => y !== null)) traces.unshift({x: ux, y: uy, text: ut, hoverinfo: "text", mode: "lines+markers",
+  name: "unstable", line: {color: "rgba(224,32,138,0.45)", width: 9}, marker: {size: 3, color: "#E0208A"}});
+const multiples = [...new Set([1, ...result.crossings.map(c => c.multiple)])];
+multiples.forEach(k => {
+  const end = Math.min(speeds[last], 60 * top / k);
+  traces.push({x: [speeds[0], end], y: [k * speeds[0] / 60, k * end / 60], mode: "lines", name: k + "×",
+    hoverinfo: "name", line: {color: "#777", dash: "dot", width: 1.5}});
+});
+if (result.crossings.length) traces.push({x: result.crossings.map(c => c.speed * rpm), y: result.crossings.map(c => c.frequency * hertz),
+  text: result.crossings.map(c => `crossing of ${result.modes[c.mode].label} with ${c.multiple}×<br>${short(c.speed * rpm, 9)} rpm = ${short(c.speed, 10)} rad/s`),
+  hoverinfo: "text", mode: "markers", name: "crossing", marker: {symbol: "circle-open", size: 13, color: "#000", line: {width: 2}}});
+draw(traces, {annotations: notes, height: damped ? 860 : 620,
+  xaxis: axis("Spin speed (rpm)", {anchor: damped ? "y2" : "y", range: [speeds[0], speeds[last] + 0.05 * (speeds[last] - speeds[0]) || 1]}),
+  yaxis: axis("Whirl frequency (Hz)", {range: [0, top], domain: damped ? [0.38, 1] : [0, 1]}),
+  ...(damped ? {yaxis2: axis("Logarithmic decrement", {domain: [0, 0.3]})} : {})});

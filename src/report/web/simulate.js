@@ -1,0 +1,28 @@
+const traces = [], time = result.series.time, lagging = result.outcome === "lagging";
+const turn = angle => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+result.balancers.forEach((b, i) => {
+  const name = `${b.name || "balancer"} at z = ${short(b.z, 5)} m`, line = {color: colours[i % 8], width: 1.5};
+  traces.push({x: time.slice(1), y: result.series.amplitude[i].slice(1).map(a => a * 1e6), name, line, mode: "lines",
+    hovertemplate: "%{x:.6g} s: %{y:.5g} µm<extra>" + name + "</extra>"});
+  if (b.amplitude_without_balls > 0)
+    traces.push({x: [0, time[time.length - 1]], y: [1, 1].map(one => one * b.amplitude_without_balls * 1e6),
+      name: "without balls", showlegend: i === 0, line: {color: colours[i % 8], dash: "dot", width: 1}, mode: "lines", hoverinfo: "y"});
+});
+result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplitude.slice(1).map(a => a * 1e6), mode: "lines",
+  name: `start ${i + 2}: ${s.outcome}`, line: {color: colours[(result.balancers.length + i) % 8], dash: "dash", width: 1.5}, hoverinfo: "x+y+name"}));
+let number = 0;
+result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
+  const angles = result.series.angles[number], k = number++, y = [];
+  for (let n = 0; n < time.length; ++n)
+    y.push(!lagging ? turn(angles[n]) * 180 / Math.PI
+      : n === 0 ? null : 1 + (angles[n] - angles[n - 1]) / ((time[n] - time[n - 1]) * result.series.speed[n]));
+  if (!lagging)
+    for (let n = time.length - 1; n > 0; --n)
+      if (Math.abs(y[n] - y[n - 1]) > 180) y[n - 1] = null;
+  traces.push({x: time, y, yaxis: "y2", mode: "lines", name: `${b.kind === "ball" ? "ball " + (j + 1) : ["phi", "psi"][j]} of ${i + 1}`,
+    line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}});
+}));
+draw(traces, {height: 760, xaxis: axis("Time (s)", {anchor: "y2"}),
+  yaxis: axis("Amplitude (µm)", {type: "log", dtick: 1, exponentformat: "power", domain: [0.52, 1]}),
+  yaxis2: axis(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)",
+    lagging ? {domain: [0, 0.44]} : {domain: [0, 0.44], range: [-190, 190], dtick: 90})});
