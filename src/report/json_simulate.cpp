@@ -16,6 +16,7 @@ Json balancer(const results::BalancerMotion &b) {
     return {{"z", b.z},
             {"name", b.name},
             {"kind", b.kind},
+            {"coordinates", b.coordinates},
             {"E", json_number(b.capacity)},
             {"angles", b.angles},
             {"rates", b.rates},

@@ -9,8 +9,16 @@ inline std::vector<BrokenCase> broken_attachments() {
     const std::string &base = sound_case;
     const std::string bearing = base + "[[bearing]]\nz = 0\n"; // its keys start on line 10
     const std::string ball = base + "[[balancer]]\nz = 0\nmass = 0.1\nradius = 0.1\n"; // on 12
+    const std::string rows = base + "[[balancer]]\nz = 0\nrows = [";                   // on line 10
     const std::string table = bearing + "table = \"b.csv\"\n";
     return {
+        {"rows and a mass", 11, "balancer[0].mass", "expected either rows or n, mass",
+         rows + "{mass = 0.1, radius = 0.1}]\nmass = 1\n"},
+        {"no rows", 10, "balancer[0].rows", "at least one row", rows + "]\n"},
+        {"row without a radius", 10, "balancer[0].rows[0].radius", "missing, expected a length",
+         rows + "{mass = 0.1}]\n"},
+        {"row of a colour", 10, "balancer[0].rows[0].colour", "unknown",
+         rows + "{mass = 0.1, radius = 0.1, colour = 1}]\n"},
         {"stiffness in kg", 10, "bearing[0].kxx", "expected a stiffness in N/m, got \"5 kg\"",
          bearing + "kxx = \"5 kg\"\n"},
         {"tilt stiffness", 11, "bearing[0].kt", "expected a tilt stiffness in N m/rad",
