@@ -2,6 +2,7 @@
 
 #include "balancers/ball.h"
 #include "balancers/pendulum4.h"
+#include "balancers/ring.h"
 
 #include <algorithm>
 
@@ -12,6 +13,7 @@ namespace {
 // A new kind: its line here.
 std::unique_ptr<Kind> made(const model::Balls &b) { return std::make_unique<BallKind>(b); }
 std::unique_ptr<Kind> made(const model::Pendulums &p) { return std::make_unique<PendulumKind>(p); }
+std::unique_ptr<Kind> made(const model::Rings &r) { return std::make_unique<RingKind>(r); }
 
 } // namespace
 

@@ -67,6 +67,47 @@ void read_pendulum(CheckedTable &table, model::Balancer &balancer) {
     balancer.parts = pendulums;
 }
 
+/// About its own axis, kg m2: as given, or of a homogeneous ring out to outer_radius.
+double read_ring_inertia(CheckedTable &table, const model::Rings &rings) {
+    const double bore = rings.bore_radius();
+    if (table.has("inertia") == table.has("outer_radius")) {
+        table.fail(table.has("inertia") ? "inertia" : "outer_radius",
+                   fmt::format("expected either outer_radius of a homogeneous ring or its inertia, "
+                               "got {}",
+                               table.has("inertia") ? "both" : "neither"));
+        return 0;
+    }
+    if (table.has("outer_radius")) {
+        const double outer = table.number("outer_radius", Quantity::length, Range::positive());
+        if (outer <= bore)
+            table.fail("outer_radius", fmt::format("expected a radius above that of the bore, "
+                                                   "journal_radius + clearance = {} m, got {} m",
+                                                   bore, outer));
+        return rings.mass * (outer * outer + bore * bore) / 2;
+    }
+    const double inertia = table.number("inertia", Quantity::inertia, Range::positive());
+    const double least = rings.mass * bore * bore;
+    constexpr double rounding = 1e-9; // of inputs with nine digits or more
+    if (inertia < least * (1 - rounding))
+        table.fail("inertia", fmt::format("expected at least mass (journal_radius + clearance)^2 = "
+                                          "{} kg m2, as all mass lies outside the bore, got {}",
+                                          least, inertia));
+    return inertia;
+}
+
+void read_ring(CheckedTable &table, model::Balancer &balancer) {
+    model::Rings rings;
+    rings.n = table.whole_or("n", rings.n, 1, largest_count);
+    rings.mass = table.number("mass", Quantity::mass, Range::positive());
+    rings.journal_radius = table.number("journal_radius", Quantity::length, Range::positive());
+    rings.clearance = table.number("clearance", Quantity::length, Range::positive());
+    rings.inertia = read_ring_inertia(table, rings);
+    rings.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
+    rings.drag = table.number_or("drag", 0, Quantity::tilt_damping, Range::not_negative());
+    read_position(table, "ring", rings.n, balancer);
+    balancer.parts = rings;
+}
+
 struct KindOfTable {
     std::string name;
     std::vector<std::string> keys; ///< those that not every kind has
@@ -77,6 +118,9 @@ struct KindOfTable {
 const std::array kinds{
     KindOfTable{"ball", {"n", "radius", "position", "rows"}, read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
+    KindOfTable{"ring",
+                {"n", "position", "journal_radius", "clearance", "outer_radius", "inertia", "drag"},
+                read_ring},
 };
 
 bool has_key(const KindOfTable &kind, const std::string &key) {

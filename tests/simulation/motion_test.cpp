@@ -14,6 +14,7 @@
 #include "stability/motions.h"
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
+#include "support/ring_scenes.h"
 #include "support/rotating_rates.h"
 
 #include <Eigen/Eigenvalues>
@@ -236,9 +237,24 @@ model::Case heavy_pendulums(bool motor) {
     return motor ? driven(scene) : scene;
 }
 
+/// Rings away from the middle, two of different weight, and rows of balls in one balancer.
+model::Case rings_and_rows() {
+    model::Case scene = flexible_rotor(260);
+    scene.rotor.balancers[0].parts = tests::ring_balancer(0, 2, 0).parts;
+    model::Balls balls;
+    balls.rows = {{2, 0.03, 0.07, 0.4}, {1, 0.05, 0.05, 0.1}};
+    scene.rotor.balancers[1].parts = balls;
+    scene.simulate.ball_angles = {{1, -0.6}, {1, -1, 2}};
+    scene.simulate.gravity = 9.81;
+    return scene;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Balance,
-    testing::Values(Audited{"conservative", conservative(flexible_rotor(260))},
+    testing::Values(Audited{"rings_and_rows", rings_and_rows()},
+                    Audited{"rings_and_rows_driven", driven(rings_and_rows())},
+                    Audited{"rings_and_rows_coasting", coasting(conservative(rings_and_rows()))},
+                    Audited{"conservative", conservative(flexible_rotor(260))},
                     Audited{"coasting", coasting(conservative(flexible_rotor(260)))},
                     Audited{"everything", with_everything()},
                     Audited{"everything_driven", driven(with_everything())},

@@ -24,8 +24,10 @@ inline void set_damping(model::Balancer &balancer, double damping) {
     if (auto *balls = std::get_if<model::Balls>(&balancer.parts))
         for (model::BallRow &one : balls->rows)
             one.damping = damping;
+    else if (auto *pendulums = std::get_if<model::Pendulums>(&balancer.parts))
+        pendulums->damping = damping;
     else
-        std::get<model::Pendulums>(balancer.parts).damping = damping;
+        std::get<model::Rings>(balancer.parts).damping = damping;
 }
 
 /// The same parts in other units: lengths, masses and times times these factors.
@@ -42,6 +44,14 @@ inline void scale_parts(model::Balancer &balancer, double length, double mass, d
         pendulums->arm *= length;
         pendulums->pivot *= length;
         pendulums->damping *= inertia / time;
+    } else {
+        auto &rings = std::get<model::Rings>(balancer.parts);
+        rings.mass *= mass;
+        rings.journal_radius *= length;
+        rings.clearance *= length;
+        rings.inertia *= inertia;
+        rings.damping *= mass / time;
+        rings.drag *= inertia / time;
     }
 }
 
