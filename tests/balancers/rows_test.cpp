@@ -23,7 +23,7 @@ model::Balancer two_rows() {
 
 TEST(RowsOfBalls, SmallMotionsAreThoseOfTheLinearElement) {
     for (const double speed : {30.0, 90.0, 150.0, 400.0})
-        expect_same_motions(tilting(two_rows(), speed), 1e-8, 1000);
+        expect_same_motions(tilting(two_rows(), speed), 1e-10, 1000);
 }
 
 TEST(RowsOfBalls, EqualRowsAreOneRow) {

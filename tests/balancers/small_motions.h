@@ -31,12 +31,17 @@ inline Spectrum element_eigenvalues(const model::Case &scene,
     const assembly::RotatingSystem s =
         assembly::assemble_rotating(d, 0, balancers::balancer_elements(scene.rotor, arrangement));
     const auto n = static_cast<Eigen::Index>(s.M.size());
-    const Eigen::MatrixXd M(s.M.view());
+    // Unknowns in units of their inertia, and states (speed q, q'): rates of one size.
+    const Eigen::VectorXd unit =
+        Eigen::MatrixXd(s.M.view()).diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+    const auto scaled = [&unit](const linalg::Matrix &matrix) -> Eigen::MatrixXd {
+        return unit.asDiagonal() * Eigen::MatrixXd(matrix.view()) * unit.asDiagonal();
+    };
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    A.topRightCorner(n, n).setIdentity();
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(M);
-    A.bottomLeftCorner(n, n) = -factors.solve(Eigen::MatrixXd(s.stiffness(speed).view()));
-    A.bottomRightCorner(n, n) = -factors.solve(Eigen::MatrixXd(s.damping(speed).view()));
+    A.topRightCorner(n, n) = speed * Eigen::MatrixXd::Identity(n, n);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(scaled(s.M));
+    A.bottomLeftCorner(n, n) = -factors.solve(scaled(s.stiffness(speed))) / speed;
+    A.bottomRightCorner(n, n) = -factors.solve(scaled(s.damping(speed)));
     const Eigen::VectorXcd values = A.eigenvalues();
     return {values.begin(), values.end()};
 }
@@ -66,7 +71,10 @@ inline void expect_same_motions(const model::Case &scene, double tolerance, doub
     const double speed = scene.speeds->from;
     const Eigen::VectorXd still = rates.at(Eigen::VectorXd::Zero(rates.size()));
     EXPECT_LT(still.cwiseAbs().maxCoeff(), 1e-9 * speed * speed);
-    const Eigen::VectorXcd found = rates.jacobian().eigenvalues();
+    Eigen::MatrixXd J = rates.jacobian();
+    J.rightCols(J.cols() / 2) *= speed; // states (speed q, q')
+    J.bottomRows(J.rows() / 2) /= speed;
+    const Eigen::VectorXcd found = J.eigenvalues();
     const Spectrum values(found.begin(), found.end());
     const double size = found.cwiseAbs().maxCoeff();
     int compared = 0;
