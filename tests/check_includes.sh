@@ -12,8 +12,8 @@ rooms=(model results mesh elements balancers linalg process assembly reduction r
 declare -A allowed=(
   [main]="analyses cli input model process report"
   [cli]="analyses input model process report results"
-  [report]="model results"
-  [input]="model"
+  [report]="balancers model results"
+  [input]="balancers model"
   [closed_form]=""
   [eigen]="" # comes with the precompiled header, not by name
 )

@@ -1,5 +1,6 @@
 #include "analyses/simulate.h"
 
+#include "balancers/kind.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/interruption.h"
@@ -58,8 +59,7 @@ Scales scales_of(const simulation::MotionScene &motion) {
     double moment = 0;
     for (const simulation::FixedMass &mass : motion.parts.fixed)
         moment += std::abs(mass.mass.moment);
-    for (const simulation::FreeMass &mass : motion.parts.free)
-        moment += mass.pendulums ? mass.pair.mass * mass.pair.arm : mass.ball.moment;
+    moment += motion.moment;
     const double mass = motion.parts.rotor.mass;
     const double speed = motion.fastest;
     return {0.01 * moment / std::sqrt(mass), speed, moment * moment / mass * speed * speed};
@@ -172,8 +172,9 @@ void Run::begin(const model::Restart *from) {
     if (from) {
         _t = from->time;
         state = simulation::state_of(*from, _scene, _motion);
-        _recorder.resume(*from, simulation::series_of(*from, _prepared.plane_of.size(),
-                                                      _motion.parts().free.size()));
+        _recorder.resume(
+            *from, simulation::series_of(*from, _prepared.plane_of.size(),
+                                         static_cast<std::size_t>(_motion.parts().free_angles())));
         _energy = from->energy;
         _momentum = from->momentum;
     } else {
@@ -266,7 +267,7 @@ void describe_model(const model::Case &scene, const simulation::MotionScene &mot
                                 "the shaft in x and y, an angle for each ball"};
     result.model.order = motion.order;
     result.model.elements = motion.elements;
-    result.model.unknowns = 2 * rotor.size() + static_cast<int>(motion.parts.free.size());
+    result.model.unknowns = 2 * rotor.size() + motion.parts.free_angles();
     result.model.notes = motion.notes;
     result.modes = rotor.modes;
     result.shapes = rotor.size();
@@ -286,7 +287,7 @@ std::vector<std::vector<double>> last_angles(const model::Case &scene,
     std::size_t next = 0;
     for (const model::Balancer &b : scene.rotor.balancers) {
         angles.emplace_back();
-        for (int j = 0; j < (b.kind == model::BalancerKind::ball ? b.n : 2); ++j)
+        for (std::size_t j = 0; j < balancers::kind_of(b)->coordinates().size(); ++j)
             angles.back().push_back(series.angles[next++].back());
     }
     return angles;
@@ -357,9 +358,7 @@ results::OtherStart other_start(const results::SimulateResult &motion) {
 void add_other_starts(const model::Case &scene, simulation::MotionScene &motion,
                       results::SimulateResult &result) {
     for (const auto &start : scene.simulate.other_starts) {
-        motion.start_angles.clear();
-        for (const std::vector<double> &angles : start)
-            motion.start_angles.insert(motion.start_angles.end(), angles.begin(), angles.end());
+        motion.start_angles = simulation::start_of(scene.rotor, start);
         const results::SimulateResult other = motion_from(scene, motion, nullptr);
         if (other.restart) {
             result.model.notes.push_back(

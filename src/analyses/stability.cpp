@@ -2,6 +2,7 @@
 
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
+#include "balancers/kind.h"
 #include "linalg/check.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -172,12 +173,15 @@ std::vector<double> described(const std::vector<double> &speeds,
     return forward.size() >= backward.size() ? forward : backward;
 }
 
-/// Beyond two, each ball of a balancer adds a pair 0, -h that the motion of the rotor does not see.
+/// Beyond two, each ball or ring of a balancer adds a pair of roots for each of its coordinates,
+/// one of them 0, that the motion of the rotor does not see.
 int neutral_pairs(const model::Rotor &rotor) {
     int pairs = 0;
-    for (const model::Balancer &balancer : rotor.balancers)
-        if (balancer.kind == model::BalancerKind::ball)
-            pairs += std::max(0, balancer.n - 2);
+    for (const model::Balancer &balancer : rotor.balancers) {
+        const auto kind = balancers::kind_of(balancer);
+        if (const auto masses = static_cast<int>(kind->circled().size()); masses > 2)
+            pairs += (masses - 2) * static_cast<int>(kind->coordinates().size()) / masses;
+    }
     return pairs;
 }
 

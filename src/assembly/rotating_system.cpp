@@ -108,7 +108,38 @@ Directions directions(const Eigen::Matrix2d &k) {
             {(k(0, 0) - k(1, 1)) / 2, (k(1, 0) + k(0, 1)) / 2}};
 }
 
-void add_balancer(const Discretization &d, const balancers::BalancerElement &b, int sigma,
+/// Entry of a column of small motions: M l^2 + C l, or, where its rate alone matters,
+/// (M l + C)(l/drift + 1).
+void add_column(int row, int column, double m, double c, double drift, RotatingEntries &out) {
+    if (drift == 0) {
+        out.M.add(row, column, m);
+        out.C.add(row, column, c);
+        return;
+    }
+    out.M.add(row, column, m / drift);
+    out.C.add(row, column, m + c / drift);
+    out.K.add(row, column, c);
+}
+
+/// @param first  unknown of the first of its small motions
+void add_small_motions(const Combination &w, const balancers::SmallMotions &parts, int first,
+                       RotatingEntries &out) {
+    const auto n = static_cast<int>(parts.pull.size());
+    for (int j = 0; j < n; ++j) {
+        for (const auto &[i, v] : w) {
+            out.inertia(i, first + j, parts.pull(j) * v);
+            out.inertia(first + j, i, parts.pull(j) * v / 2);
+            out.conjugate_inertia(first + j, i, -v / 2 * parts.conjugate(j));
+        }
+        for (int k = 0; k < n; ++k)
+            add_column(first + j, first + k, parts.inertia(j, k), parts.damping(j, k),
+                       parts.drift(k), out);
+        out.Kss.add(first + j, first + j, parts.restoring(j));
+    }
+}
+
+/// @param first  unknown of the first of its small motions; -1: held
+void add_balancer(const Discretization &d, const balancers::BalancerElement &b, int first,
                   RotatingEntries &out) {
     const Combination w = d.deflection_at(b.z);
     const Combination phi = d.slope_at(b.z);
@@ -121,17 +152,8 @@ void add_balancer(const Discretization &d, const balancers::BalancerElement &b, 
             out.gyroscopic(i, j, b.polar_inertia * vi * vj);
             out.anisotropy(i, j, b.anisotropy * vi * vj);
         }
-    if (sigma < 0)
-        return;
-    const double m = b.moving_mass; // of the row of sigma too, so that M is nearly symmetric
-    for (const auto &[i, v] : w) {
-        out.inertia(i, sigma, m * v);
-        out.inertia(sigma, i, m * v / 2);
-        out.conjugate_inertia(sigma, i, -m * v / 2 * b.second_harmonic);
-    }
-    out.M.add(sigma, sigma, m);
-    out.C.add(sigma, sigma, m * b.damping);
-    out.Kss.add(sigma, sigma, m * b.restoring);
+    if (first >= 0)
+        add_small_motions(w, b.parts, first, out);
 }
 
 } // namespace
@@ -160,8 +182,10 @@ RotatingSystem assemble_rotating(const Discretization &discretization, double be
                               out.external_damping(i, j, round);
                       });
     int unknowns = discretization.planar_size();
-    for (const balancers::BalancerElement &balancer : balancers)
-        add_balancer(discretization, balancer, frozen ? -1 : unknowns++, out);
+    for (const balancers::BalancerElement &balancer : balancers) {
+        add_balancer(discretization, balancer, frozen ? -1 : unknowns, out);
+        unknowns += frozen ? 0 : balancer.unknowns();
+    }
     const int n = 2 * unknowns;
     return {out.M.matrix(n), out.C.matrix(n),  out.Cs.matrix(n),
             out.K.matrix(n), out.Ks.matrix(n), out.Kss.matrix(n)};

@@ -2,7 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "assembly/system.h"
-#include "balancers/element.h"
+#include "balancers/linear_element.h"
 #include "linalg/matrix.h"
 
 #include <vector>
@@ -13,8 +13,9 @@ namespace whirl::assembly {
 ///
 ///     M q'' + (C + speed Cs) q' + (K + speed Ks + speed^2 Kss) q = 0
 ///
-/// Unknowns: those of the discretization, then one pair sigma for each balancer (elements/
-/// balancer.h). A type of its own: it cannot be taken for a system in the fixed frame.
+/// Unknowns: those of the discretization, then pairs for the small motions of the balancers
+/// (balancers/linear_element.h). A type of its own: it cannot be taken for a system in the fixed
+/// frame.
 template <> struct RealSystem<Frame::rotating> {
     linalg::Matrix M;
     linalg::Matrix C, Cs;
@@ -37,7 +38,7 @@ struct TurningSupports {
 /// Bearings as at `bearing_speed` (rad/s); only the part of them that is the same from every
 /// direction, see turning_supports for the rest.
 /// @param balancers  elements at their balanced positions, any number; with `frozen` their masses
-///                   are held in place: no unknowns sigma
+///                   are held in place: no unknowns of their own
 [[nodiscard]] RotatingSystem
 assemble_rotating(const Discretization &discretization, double bearing_speed,
                   const std::vector<balancers::BalancerElement> &balancers, bool frozen = false);

@@ -10,8 +10,8 @@ namespace whirl::balancers {
 
 namespace {
 
-bool has_balls(const model::Balancer &balancer) {
-    return balancer.kind == model::BalancerKind::ball;
+bool has_positions(const model::Balancer &balancer) {
+    return !kind_of(balancer)->circled().empty();
 }
 
 std::vector<double> in_the_rotor(const std::vector<double> &from_the_imbalance,
@@ -26,8 +26,8 @@ std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", ind
 Arrangement arrangement_at_balance(const model::Rotor &rotor) {
     Arrangement out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
-        out.push_back(has_balls(rotor.balancers[i])
-                          ? in_the_rotor(ball_angles_at_balance(rotor.balancers[i], label_of(i)),
+        out.push_back(has_positions(rotor.balancers[i])
+                          ? in_the_rotor(angles_at_balance(rotor.balancers[i], label_of(i)),
                                          rotor.balancers[i])
                           : std::vector<double>{});
     return out;
@@ -36,11 +36,8 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
 std::vector<BalancerElement> balancer_elements(const model::Rotor &rotor,
                                                const Arrangement &arrangement) {
     std::vector<BalancerElement> out;
-    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
-        const auto &angles = arrangement[i];
-        out.push_back(balancer_element(rotor.balancers[i],
-                                       angles.empty() ? 0.0 : second_harmonic_of(angles)));
-    }
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
+        out.push_back(balancer_element(rotor.balancers[i], arrangement[i]));
     return out;
 }
 
@@ -48,7 +45,7 @@ std::vector<Arrangement> sampled_arrangements(const model::Rotor &rotor, int cou
     std::vector<Arrangement> choices; // of each balancer
     std::size_t most = 1;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
-        choices.push_back(has_balls(rotor.balancers[i])
+        choices.push_back(has_positions(rotor.balancers[i])
                               ? sampled_positions(rotor.balancers[i], count, label_of(i))
                               : Arrangement{{}});
         most = std::max(most, choices.back().size());

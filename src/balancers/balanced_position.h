@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model/attachments.h"
+#include "model/balancer.h"
 
 #include <complex>
 #include <optional>
@@ -9,36 +9,41 @@
 
 namespace whirl::balancers {
 
-// Where the balls of a balancer stand when they balance its imbalance: angles from the imbalance
-// (angles in the rotor less imbalance_phase; class Arrangement holds those in the rotor) with sum
-// exp(i a_j) = -n/E (docs/theory.md, "Composite rotor"). Balls only: no position of balls stands
-// for the pendulums of a pendulum4.
+// Where the masses of a balancer (balls, centres of rings) stand when they balance its imbalance:
+// angles from the imbalance (angles in the rotor less imbalance_phase; class Arrangement holds
+// those in the rotor) with sum m_j R_j exp(i a_j) = -m0 R0 (docs/theory.md, "Composite rotor").
+// Pendulums have no such angles.
 
-/// Capacity E = n m R/(m0 R0), infinite without an imbalance. For a pendulum4 the largest imbalance
-/// that one tied pair can take, 2 m arm, over the imbalance.
+/// Capacity E: the largest imbalance that the parts can balance over the imbalance, infinite
+/// without one. Balls: n m R/(m0 R0); pendulum4: 2 m arm, by one tied pair; rings: n m e.
 [[nodiscard]] double capacity(const model::Balancer &balancer);
 
-/// The position that the case gives, else the symmetric one; without an imbalance a regular
-/// polygon (two balls: opposite each other). One angle a ball, rad.
+/// The position that the case gives, else the usual one: symmetric, without an imbalance a regular
+/// polygon (two masses: opposite each other). One angle a mass, rad.
 ///
 /// @param label  the balancer's path in the case, for messages: "balancer[0]"
 /// @throws model::BadInput where there is none: E < 1, one ball with E != 1, a pendulum4.
-[[nodiscard]] std::vector<double> ball_angles_at_balance(const model::Balancer &balancer,
-                                                         const std::string &label);
+[[nodiscard]] std::vector<double> angles_at_balance(const model::Balancer &balancer,
+                                                    const std::string &label);
 
-/// Ball angles from the imbalance as angles in the rotor, with by = imbalance_phase.
+/// Angles from the imbalance as angles in the rotor, with by = imbalance_phase.
 [[nodiscard]] std::vector<double> turned(std::vector<double> angles, double by);
 
-/// Second harmonic D = (1/n) sum exp(2 i a_j) of ball angles.
-[[nodiscard]] std::complex<double> second_harmonic_of(const std::vector<double> &angles);
+/// Second harmonic D = sum m_j R_j^2 exp(2 i a_j) / sum m_j R_j^2, of equal masses their mean; 0
+/// without masses on circles.
+[[nodiscard]] std::complex<double> second_harmonic_of(const model::Balancer &balancer,
+                                                      const std::vector<double> &angles);
 
-/// Moments of inertia A_m = n m R^2 and A_m0 = m0 R0^2 (0 without imbalance_radius), kg m2.
-/// For a pendulum4 R is the pendulums' radius at rest, pivot + arm. Zero with tilt_inertia = false.
+/// Moments of inertia, kg m2. Zero with tilt_inertia = false.
 struct AddedInertias {
-    double balls = 0;
-    double imbalance = 0;
+    double parts = 0;     ///< A_m = sum m R^2; pendulum4: R their radius at rest, pivot + arm
+    double imbalance = 0; ///< A_m0 = m0 R0^2; 0 without imbalance_radius
+    double own = 0;       ///< of parts about axes of their own
 };
 [[nodiscard]] AddedInertias added_inertias(const model::Balancer &balancer);
+
+/// Mass of the parts and, where it is a point mass, of the imbalance, kg.
+[[nodiscard]] double mass_of(const model::Balancer &balancer);
 
 /// Least and largest value over all balanced positions, with positions that attain them.
 struct PositionInterval {
@@ -48,11 +53,12 @@ struct PositionInterval {
     std::vector<double> largest_position;
 };
 
-/// Most balls for which the intervals over the family are searched; the time grows as n^3.
+/// Most masses for which the intervals over the family are searched; the time grows as n^3.
 inline constexpr int largest_searched_count = 40;
 
 /// Interval of |D| over all balanced positions; none without a balanced position or beyond
-/// largest_searched_count balls.
+/// largest_searched_count masses. Global for equal masses; of masses that differ the best of a
+/// search from many starts (balance_family.h).
 [[nodiscard]] std::optional<PositionInterval>
 second_harmonic_interval(const model::Balancer &balancer);
 
@@ -60,10 +66,10 @@ second_harmonic_interval(const model::Balancer &balancer);
 [[nodiscard]] std::optional<PositionInterval> anisotropy_interval(const model::Balancer &balancer);
 
 /// At most `count` balanced positions with different D, the same on every call: first
-/// ball_angles_at_balance, then those of least and largest anisotropy, then a low-discrepancy
-/// sample of the family. Two balls or fewer, and E = 1: the one position there is.
+/// angles_at_balance, then those of least and largest anisotropy, then a low-discrepancy sample of
+/// the family. Where there is one position only (two masses or fewer, E = 1): that one.
 ///
-/// @throws model::BadInput as ball_angles_at_balance
+/// @throws model::BadInput as angles_at_balance
 [[nodiscard]] std::vector<std::vector<double>>
 sampled_positions(const model::Balancer &balancer, int count,
                   const std::string &label = "balancer");

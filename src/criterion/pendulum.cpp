@@ -24,25 +24,20 @@ namespace {
 
 using closed_form::PendulumRotor;
 
-std::vector<model::Balancer> pendulums_of(const model::Case &scene) {
-    std::vector<model::Balancer> out;
-    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
-        const model::Balancer &balancer = scene.rotor.balancers[i];
-        if (balancer.kind != model::BalancerKind::pendulum4)
-            continue;
-        if (!(balancer.pivot > 0))
+std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
+    std::vector<balancers::PlacedPendulums> out = balancers::pendulums_in(scene.rotor);
+    for (const balancers::PlacedPendulums &pendulums : out)
+        if (!(pendulums.pivot > 0))
             throw model::BadInput(
                 fmt::format("{}: balancer[{}].pivot: expected a radius above 0 m (the pendulums "
                             "stand still nowhere else), got {} m",
-                            scene.file.string(), i, balancer.pivot));
-        out.push_back(balancer);
-    }
+                            scene.file.string(), pendulums.index, pendulums.pivot));
     return out;
 }
 
 /// What the pendulums are to balance, at the right places.
 std::vector<model::Imbalance> drive_of(const model::Case &scene,
-                                       const std::vector<model::Balancer> &pendulums,
+                                       const std::vector<balancers::PlacedPendulums> &pendulums,
                                        std::vector<std::string> &notes) {
     std::vector<model::Imbalance> drive;
     for (const model::Balancer &balancer : scene.rotor.balancers)
@@ -52,7 +47,7 @@ std::vector<model::Imbalance> drive_of(const model::Case &scene,
     if (drive.empty()) {
         notes.emplace_back("pendulums without an imbalance to balance (balancer.imbalance or "
                            "[[imbalance]]): their efficiency is that of small angles");
-        const model::Balancer &first = pendulums.front();
+        const balancers::PlacedPendulums &first = pendulums.front();
         drive.push_back({"", first.z, 1e-6 * first.mass * first.arm, 0});
     }
     return drive;
@@ -68,7 +63,7 @@ struct PlanarEquivalent {
 PlanarEquivalent planar_equivalent(const PendulumShaft &shaft, std::size_t index,
                                    double bearing_speed) {
     const assembly::Discretization &d = shaft.rotor();
-    const model::Balancer &p = shaft.pendulums()[index];
+    const balancers::PlacedPendulums &p = shaft.pendulums()[index];
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
     const Eigen::MatrixXd M = system.M.view();
     const Eigen::MatrixXd G = system.G.view();
@@ -157,7 +152,7 @@ results::PendulumCurve efficiency_curve(const PendulumRotor &rotor,
 }
 
 /// The planar rotor with pendulums of another design, of the same masses, hinges and imbalance.
-PendulumRotor redesigned(PendulumRotor rotor, const model::Balancer &own,
+PendulumRotor redesigned(PendulumRotor rotor, const balancers::PlacedPendulums &own,
                          const model::PendulumDesign &design) {
     const double arms = own.arm / design.arm;
     rotor.pivot_ratio = design.pivot / design.arm;
@@ -166,7 +161,7 @@ PendulumRotor redesigned(PendulumRotor rotor, const model::Balancer &own,
     return rotor;
 }
 
-void compare_designs(const model::BalanceSettings &wanted, const model::Balancer &own,
+void compare_designs(const model::BalanceSettings &wanted, const balancers::PlacedPendulums &own,
                      const PlanarEquivalent &planar, results::PendulumBalance &out) {
     if (wanted.designs.empty() && wanted.external_damping.empty())
         return;
@@ -236,7 +231,7 @@ void fill_states(PendulumShaft &shaft, double bearing_speed, const std::vector<d
 std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
                                                        const BalanceScene &shared,
                                                        std::vector<std::string> &notes) {
-    const std::vector<model::Balancer> pendulums = pendulums_of(scene);
+    const std::vector<balancers::PlacedPendulums> pendulums = pendulums_of(scene);
     std::vector<results::PendulumBalance> out;
     if (pendulums.empty())
         return out;

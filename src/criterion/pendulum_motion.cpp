@@ -17,8 +17,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// At phi = psi = 0 the four masses are a ring as far as the tilt of the shaft is concerned.
-model::Rotor with_rings(model::Rotor rotor, const std::vector<model::Balancer> &pendulums) {
-    for (const model::Balancer &pendulum : pendulums) {
+model::Rotor with_rings(model::Rotor rotor,
+                        const std::vector<balancers::PlacedPendulums> &pendulums) {
+    for (const balancers::PlacedPendulums &pendulum : pendulums) {
         const double radius = pendulum.pivot + pendulum.arm;
         model::Disc ring;
         ring.z = pendulum.z;
@@ -31,11 +32,12 @@ model::Rotor with_rings(model::Rotor rotor, const std::vector<model::Balancer> &
 }
 
 /// Places of the balancers, then of the imbalances. The mesh has nodes at all of them.
-std::vector<assembly::Combination> places_of(const assembly::Discretization &d,
-                                             const std::vector<model::Balancer> &pendulums,
-                                             const std::vector<model::Imbalance> &drive) {
+std::vector<assembly::Combination>
+places_of(const assembly::Discretization &d,
+          const std::vector<balancers::PlacedPendulums> &pendulums,
+          const std::vector<model::Imbalance> &drive) {
     std::vector<assembly::Combination> places;
-    for (const model::Balancer &pendulum : pendulums)
+    for (const balancers::PlacedPendulums &pendulum : pendulums)
         places.push_back(d.deflection_at(pendulum.z));
     for (const model::Imbalance &imbalance : drive)
         places.push_back(d.deflection_at(imbalance.z));
@@ -49,7 +51,8 @@ model::Rotor with_imbalances(model::Rotor rotor, const std::vector<model::Imbala
 
 } // namespace
 
-PendulumShaft::PendulumShaft(model::Rotor rotor, int order, std::vector<model::Balancer> pendulums,
+PendulumShaft::PendulumShaft(model::Rotor rotor, int order,
+                             std::vector<balancers::PlacedPendulums> pendulums,
                              std::vector<model::Imbalance> drive)
     : _pendulums(std::move(pendulums)), _drive(std::move(drive)),
       _d(with_imbalances(with_rings(std::move(rotor), _pendulums), _drive), order),
@@ -85,7 +88,7 @@ bool PendulumShaft::newton(Eigen::VectorXcd &u) const {
         Eigen::VectorXcd force(n);
         Eigen::VectorXd slope(2 * n);
         for (Eigen::Index j = 0; j < n; ++j) {
-            const model::Balancer &p = _pendulums[static_cast<std::size_t>(j)];
+            const balancers::PlacedPendulums &p = _pendulums[static_cast<std::size_t>(j)];
             const double x = std::hypot(p.pivot, u(j).real());
             const double y = std::hypot(p.pivot, u(j).imag());
             const double size = 2 * p.mass * p.arm;
@@ -114,7 +117,7 @@ bool PendulumShaft::newton(Eigen::VectorXcd &u) const {
 /// whose 1 - R_w^2 and R_w H have the ratio of Re D and Im D.
 std::vector<Eigen::VectorXcd> PendulumShaft::closed_form_starts() const {
     std::vector<Eigen::VectorXcd> starts;
-    const model::Balancer &p = _pendulums.front();
+    const balancers::PlacedPendulums &p = _pendulums.front();
     const Complex D = 1.0 / _R(0, 0);
     if (!std::isfinite(D.real()) || !std::isfinite(D.imag()))
         return starts;
@@ -146,7 +149,7 @@ PendulumShaft::motions(double speed, const std::vector<PendulumSteadyMotion> &gi
     const Eigen::Index n = _held.size();
     Eigen::VectorXd small(n); // force over deflection of small angles
     for (Eigen::Index j = 0; j < n; ++j) {
-        const model::Balancer &p = _pendulums[static_cast<std::size_t>(j)];
+        const balancers::PlacedPendulums &p = _pendulums[static_cast<std::size_t>(j)];
         small(j) = 2 * p.mass * p.arm / p.pivot;
     }
     const Eigen::MatrixXcd linear =

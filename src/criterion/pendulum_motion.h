@@ -1,5 +1,6 @@
 #pragma once
 
+#include "balancers/pendulum4.h"
 #include "model/rotor.h"
 #include "synchronous/receptance.h"
 
@@ -29,7 +30,7 @@ class PendulumShaft {
   public:
     /// @param rotor      isotropic bearings, without balancers
     /// @param pendulums  of kind pendulum4, pivot > 0
-    PendulumShaft(model::Rotor rotor, int order, std::vector<model::Balancer> pendulums,
+    PendulumShaft(model::Rotor rotor, int order, std::vector<balancers::PlacedPendulums> pendulums,
                   std::vector<model::Imbalance> drive);
 
     /// Deflections with the pendulums held at phi = psi = 0.
@@ -42,11 +43,13 @@ class PendulumShaft {
 
     /// Rotor with the pendulums' rings, as it is discretised.
     [[nodiscard]] const assembly::Discretization &rotor() const { return _d; }
-    [[nodiscard]] const std::vector<model::Balancer> &pendulums() const { return _pendulums; }
+    [[nodiscard]] const std::vector<balancers::PlacedPendulums> &pendulums() const {
+        return _pendulums;
+    }
     [[nodiscard]] const std::vector<model::Imbalance> &drive() const { return _drive; }
 
   private:
-    std::vector<model::Balancer> _pendulums;
+    std::vector<balancers::PlacedPendulums> _pendulums;
     std::vector<model::Imbalance> _drive;
     assembly::Discretization _d;
     synchronous::ForwardReceptance _receptance;

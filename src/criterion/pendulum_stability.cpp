@@ -72,7 +72,7 @@ Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
 } // namespace
 
 struct PendulumStability::Data {
-    std::vector<model::Balancer> pendulums;
+    std::vector<balancers::PlacedPendulums> pendulums;
     Eigen::MatrixXd M, G, K, Ce, Ci; ///< of the kept motions
     Eigen::MatrixXd places;          ///< deflections of the kept motions at the balancers, rows
     double stiffest = 0;             ///< highest frequency kept, rad/s
@@ -122,7 +122,7 @@ double PendulumStability::growth(double speed, const PendulumSteadyMotion &motio
     K.topLeftCorner(2 * k, 2 * k) = real_form(d.K - W * W * (d.M - d.G), W * d.Ce);
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * k, 2 * n); // shaft forces of the pendulums
     for (Eigen::Index j = 0; j < n; ++j) {
-        const model::Balancer &p = d.pendulums[static_cast<std::size_t>(j)];
+        const balancers::PlacedPendulums &p = d.pendulums[static_cast<std::size_t>(j)];
         const double cos_phi = std::cos(motion.phi(j));
         const double cos_psi = std::cos(motion.psi(j));
         const double force = std::sqrt(2 * p.mass);

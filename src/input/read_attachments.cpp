@@ -14,12 +14,6 @@ std::vector<std::string> given(CheckedTable &table, const std::vector<std::strin
     return found;
 }
 
-/// Collects a mistake at each of the keys that the table has.
-void refuse(CheckedTable &table, const std::vector<std::string> &keys, const std::string &text) {
-    for (const std::string &key : given(table, keys))
-        table.fail(key, text);
-}
-
 model::Disc read_disc_of_geometry(CheckedTable &table, const Materials &materials, double z) {
     const double outer = table.number("outer", Quantity::length, Range::positive());
     const double inner = table.number_or("inner", 0, Quantity::length, Range::not_negative());
@@ -44,35 +38,6 @@ model::Disc read_disc_of_inertias(CheckedTable &table) {
     disc.Id = table.number("Id", Quantity::inertia, Range::not_negative());
     disc.Ip = table.number("Ip", Quantity::inertia, Range::not_negative());
     return disc;
-}
-
-void read_ball(CheckedTable &table, model::Balancer &balancer) {
-    balancer.n = table.whole_or("n", balancer.n, 1, largest_count);
-    balancer.radius = table.number("radius", Quantity::length, Range::positive());
-    balancer.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
-    refuse(table, {"arm", "pivot"}, "expected only with kind = \"pendulum4\", got a ball");
-    const Node *entry = table.find("position");
-    if (!entry || (entry->kind == Node::Kind::text && entry->text == "symmetric"))
-        return;
-    if (entry->kind != Node::Kind::list) {
-        table.fail("position",
-                   "expected \"symmetric\" or a list of ball angles, got " + shown(*entry));
-        return;
-    }
-    balancer.position = table.numbers("position", Quantity::angle);
-    if (std::ssize(balancer.position) != balancer.n)
-        table.fail("position", fmt::format("expected {} angles, one for each ball, got {}",
-                                           balancer.n, balancer.position.size()));
-}
-
-void read_pendulum(CheckedTable &table, model::Balancer &balancer) {
-    balancer.kind = model::BalancerKind::pendulum4;
-    balancer.n = 4;
-    balancer.arm = table.number("arm", Quantity::length, Range::positive());
-    balancer.pivot = table.number("pivot", Quantity::length, Range::not_negative());
-    balancer.damping = table.number_or("damping", 0, Quantity::tilt_damping, Range::not_negative());
-    refuse(table, {"n", "radius", "position"},
-           "expected only with kind = \"ball\", got a pendulum4");
 }
 
 } // namespace
@@ -109,27 +74,6 @@ void read_anisotropies(CheckedTable &root, model::Rotor &rotor) {
         anisotropy.angle = table.number_or("angle", 0, Quantity::angle);
         table.refuse_unknown();
         rotor.anisotropies.push_back(anisotropy);
-    }
-}
-
-void read_balancers(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("balancer")) {
-        model::Balancer balancer;
-        balancer.name = table.text("name").value_or("");
-        balancer.z = table.number("z", Quantity::length);
-        balancer.mass = table.number("mass", Quantity::mass, Range::positive());
-        if (table.choice("kind", {"ball", "pendulum4"}, 0) == 0)
-            read_ball(table, balancer);
-        else
-            read_pendulum(table, balancer);
-        balancer.imbalance =
-            table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
-        balancer.imbalance_phase = table.number_or("imbalance_phase", 0, Quantity::angle);
-        balancer.imbalance_radius =
-            table.optional_number("imbalance_radius", Quantity::length, Range::positive());
-        balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
-        table.refuse_unknown();
-        rotor.balancers.push_back(balancer);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "input/sections.h"
 
+#include "balancers/pendulum4.h"
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -221,9 +222,7 @@ void read_balance(CheckedTable &root, model::Case &scene) {
     if (table->has("external_damping"))
         scene.balance.external_damping =
             table->numbers("external_damping", Quantity::dimensionless, Range::not_negative());
-    const bool pendulums = std::any_of(
-        scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
-        [](const model::Balancer &b) { return b.kind == model::BalancerKind::pendulum4; });
+    const bool pendulums = !balancers::pendulums_in(scene.rotor).empty();
     for (const char *key : {"designs", "external_damping"})
         if (table->has(key) && !pendulums)
             table->fail(key, "expected only with a balancer of kind = \"pendulum4\", got none");

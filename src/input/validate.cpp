@@ -1,5 +1,6 @@
 #include "input/validate.h"
 
+#include "balancers/kind.h"
 #include "input/validate_rotating.h"
 
 #include <fmt/core.h>
@@ -53,21 +54,23 @@ void check_disc(const model::Disc &disc, const std::string &path, const Check &c
 /// One list of angles for each balancer, one angle for each ball.
 void check_ball_angles(const model::Case &scene, const std::vector<std::vector<double>> &angles,
                        const std::string &path, const Check &check) {
-    const auto &balancers = scene.rotor.balancers;
+    const auto &rotor_balancers = scene.rotor.balancers;
     if (angles.empty())
         return;
-    if (angles.size() != balancers.size()) {
+    if (angles.size() != rotor_balancers.size()) {
         check.fail(path, fmt::format("expected {} lists, one for each balancer, got {}",
-                                     balancers.size(), angles.size()));
+                                     rotor_balancers.size(), angles.size()));
         return;
     }
     for (std::size_t i = 0; i < angles.size(); ++i) {
-        const bool tied = balancers[i].kind == model::BalancerKind::pendulum4;
-        const int expected = tied ? 2 : balancers[i].n;
-        if (std::ssize(angles[i]) != expected)
+        const auto kind = balancers::kind_of(rotor_balancers[i]);
+        const bool masses = !kind->circled().empty();
+        if (angles[i].size() != kind->start_angles())
             check.fail(fmt::format("{}[{}]", path, i),
-                       fmt::format("expected {} angles, one for each {}, got {}", expected,
-                                   tied ? "pair of tied pendulums" : "ball", angles[i].size()));
+                       fmt::format("expected {} angles, one for each {}, got {}",
+                                   kind->start_angles(),
+                                   masses ? kind->name() : "pair of tied " + kind->parts(),
+                                   angles[i].size()));
     }
 }
 

@@ -1,5 +1,8 @@
 #include "input/validate_rotating.h"
 
+#include "balancers/balanced_position.h"
+#include "balancers/kind.h"
+
 #include <fmt/core.h>
 
 #include <cmath>
@@ -39,12 +42,8 @@ double polar_inertia(const model::Rotor &rotor) {
     for (const model::Disc &disc : rotor.discs)
         Ip += disc.Ip;
     for (const model::Balancer &balancer : rotor.balancers) {
-        if (!balancer.tilt_inertia)
-            continue;
-        const double R = balancer.kind == model::BalancerKind::ball ? balancer.radius
-                                                                    : balancer.pivot + balancer.arm;
-        Ip += balancer.n * balancer.mass * R * R;
-        Ip += balancer.imbalance * balancer.imbalance_radius.value_or(0);
+        const balancers::AddedInertias added = balancers::added_inertias(balancer);
+        Ip += added.parts + added.imbalance + added.own;
     }
     return Ip;
 }
@@ -114,18 +113,24 @@ void check_place(const Place &place, double whole_Ip, const Node &root, Problems
                  fmt::format("expected at most {}, got {}", limit, amount(place)));
 }
 
-/// The case asks for one ball; a count that was refused also reads as 1.
-bool asks_for_one_ball(const model::Balancer &balancer, const std::string &path, const Node &root) {
+/// The case asks for one ball or ring; a count that was refused also reads as 1.
+bool asks_for_one(const std::string &path, const Node &root) {
     const Node *entry = find_path(root, path);
-    return balancer.n == 1 && entry && entry->is_number() && entry->number == 1;
+    return entry && entry->is_number() && entry->number == 1;
 }
 
-/// Sum of the ball angles' unit vectors over n, plus 1/E; angles from the imbalance.
-std::complex<double> balance_defect(const model::Balancer &balancer, double inverse_capacity) {
+/// Mean of the unit vectors of the masses, weighted with their moments, plus 1/E; angles from the
+/// imbalance.
+std::complex<double> balance_defect(const model::Balancer &balancer,
+                                    const std::vector<balancers::CircledMass> &masses,
+                                    double inverse_capacity) {
     std::complex<double> sum = 0;
-    for (const double angle : balancer.position)
-        sum += std::polar(1.0, angle - balancer.imbalance_phase);
-    return sum / static_cast<double>(balancer.position.size()) + inverse_capacity;
+    double all = 0;
+    for (std::size_t j = 0; j < masses.size(); ++j) {
+        sum += std::polar(masses[j].moment, balancer.position[j] - balancer.imbalance_phase);
+        all += masses[j].moment;
+    }
+    return sum / all + inverse_capacity;
 }
 
 } // namespace
@@ -140,30 +145,32 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
     constexpr double tolerance = 1e-6; // angles as printed with six or seven digits
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const model::Balancer &balancer = rotor.balancers[i];
-        if (balancer.kind != model::BalancerKind::ball)
+        const auto kind = balancers::kind_of(balancer);
+        const std::vector<balancers::CircledMass> masses = kind->circled();
+        if (masses.empty())
             continue;
-        const double inverse =
-            balancer.imbalance / (balancer.n * balancer.mass * balancer.radius); // 1/E
+        const double inverse = balancer.imbalance / kind->reach().imbalance; // 1/E
         const std::string count = fmt::format("balancer[{}].n", i);
-        if (asks_for_one_ball(balancer, count, root) && std::abs(inverse - 1) > rounding) {
+        if (masses.size() == 1 && asks_for_one(count, root) && std::abs(inverse - 1) > rounding) {
             problems.add(origin_of(root, count), count,
-                         fmt::format("expected 2 balls or more, or a capacity E = m R/(m0 R0) of "
-                                     "exactly 1 for one ball, got E = {}",
+                         fmt::format("expected 2 {} or more, or a capacity E = {} of exactly 1 for "
+                                     "one {}, got E = {}",
+                                     kind->parts(), kind->reach().formula, kind->name(),
                                      1 / inverse));
             continue;
         }
-        if (balancer.position.empty() || std::ssize(balancer.position) != balancer.n)
+        if (balancer.position.empty() || balancer.position.size() != masses.size())
             continue;
-        const std::complex<double> defect = balance_defect(balancer, inverse);
+        const std::complex<double> defect = balance_defect(balancer, masses, inverse);
         if (!(std::abs(defect) > tolerance))
             continue;
         const std::string path = fmt::format("balancer[{}].position", i);
         const std::complex<double> mean = defect - inverse;
         problems.add(origin_of(root, path), path,
-                     fmt::format("expected ball angles that balance the imbalance: mean of cosines "
+                     fmt::format("expected {} angles that balance the imbalance: mean of cosines "
                                  "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
                                  "{:.8g}",
-                                 0 - inverse, mean.real(), mean.imag()));
+                                 kind->name(), 0 - inverse, mean.real(), mean.imag()));
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/attachments.h"
+#include "model/balancer.h"
 #include "model/bearing.h"
 #include "model/disc.h"
 #include "model/shaft.h"

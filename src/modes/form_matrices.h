@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "balancers/element.h"
+#include "balancers/linear_element.h"
 #include "modes/biorthogonal.h"
 #include "results/formulation.h"
 

@@ -1,5 +1,6 @@
 #include "modes/orbits.h"
 
+#include "balancers/balanced_position.h"
 #include "elements/section.h"
 #include "results/whirl.h"
 
@@ -35,13 +36,6 @@ std::vector<double> kinks(const model::Rotor &rotor) {
         out.push_back(balancer.z);
     std::sort(out.begin(), out.end());
     return out;
-}
-
-/// Of the balls or the four pendulums, and of the imbalance where it is a point mass.
-double mass_of(const model::Balancer &balancer) {
-    const int parts = balancer.kind == model::BalancerKind::ball ? balancer.n : 4;
-    return parts * balancer.mass +
-           (balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0);
 }
 
 } // namespace
@@ -96,7 +90,7 @@ Stations Stations::for_orbits(const assembly::Discretization &d) {
     for (const model::Disc &disc : d.rotor().discs)
         out.add(disc.z, d.deflection_at(disc.z), disc.mass, masses);
     for (const model::Balancer &balancer : d.rotor().balancers)
-        out.add(balancer.z, d.deflection_at(balancer.z), mass_of(balancer), masses);
+        out.add(balancer.z, d.deflection_at(balancer.z), balancers::mass_of(balancer), masses);
     out._masses = Eigen::Map<const Eigen::VectorXd>(masses.data(), std::ssize(masses));
     return out;
 }

@@ -37,14 +37,12 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
                                   : Stations::for_orbits(discretization)) {
     if (shapes != nullptr)
         _method = linalg::QuadraticMethod::dense;
-    // |D| = 1: both balls on one diameter, whose motion along it moves nothing: roots 0 and -h.
     for (const balancers::BalancerElement &balancer : balancers)
-        if (balancer.restoring == 0 && std::abs(std::abs(balancer.second_harmonic) - 1) < 1e-12)
-            _zeros += balancer.damping > 0 ? 1 : 2;
+        _zeros += balancer.parts.zero_roots;
     if (harmonics > 0)
         _supports = reduced(assembly::turning_supports(discretization, bearing_speed,
                                                        2 * (discretization.planar_size() +
-                                                            static_cast<int>(balancers.size()))),
+                                                            balancers::unknowns_of(balancers))),
                             shapes);
 }
 

@@ -84,6 +84,7 @@ const Columns<BalancerMotion> balancer_columns{
     {"name", "", {"Name"}, {}, &BalancerMotion::name},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &BalancerMotion::z},
     {"kind", "", {"Kind"}, {"kind"}, &BalancerMotion::kind},
+    {"coordinates", "", {}, {}, &BalancerMotion::coordinates},
     {"E", "", {"Capacity E", "{:.5g}"}, {"capacity E", "{:.4g}"}, &BalancerMotion::capacity},
     {"angles", "", {}, {}, &BalancerMotion::angles},
     {"rates", "", {}, {}, &BalancerMotion::rates},

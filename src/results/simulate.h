@@ -35,13 +35,14 @@ struct MotionSeries {
 struct BalancerMotion {
     double z = 0; ///< m
     std::string name;
-    std::string kind;               ///< "ball" or "pendulum4"
-    std::optional<double> capacity; ///< E = n m R / (m0 R0), where it has an imbalance
-    std::vector<double> angles;     ///< in the rotor, (-pi, pi], rad; pairs of pendulums: phi, psi
-    std::vector<double> rates;      ///< mean over the last tenth of the time, rad/s
-    std::vector<double> swing;      ///< greatest less least angle over the same window, rad
-    double amplitude = 0;           ///< largest |w| over the last 2.5 % of the time, m
-    double reference = 0;           ///< largest |w| of the steady motion without balls, m
+    std::string kind;                     ///< as in the case: "ball", "pendulum4", "ring"
+    std::vector<std::string> coordinates; ///< names of its angles
+    std::optional<double> capacity;       ///< E = n m R / (m0 R0), where it has an imbalance
+    std::vector<double> angles;           ///< in the rotor, (-pi, pi], rad; one a coordinate
+    std::vector<double> rates;            ///< mean over the last tenth of the time, rad/s
+    std::vector<double> swing;            ///< greatest less least angle over the same window, rad
+    double amplitude = 0;                 ///< largest |w| over the last 2.5 % of the time, m
+    double reference = 0;                 ///< largest |w| of the steady motion without balls, m
 };
 
 /// How well energy and angular momentum were kept: what is missing in the books.

@@ -1,6 +1,7 @@
 #include "rigid/composite_rotor.h"
 
 #include "balancers/balanced_position.h"
+#include "balancers/kind.h"
 #include "closed_form/composite_rotor_parameters.h"
 #include "model/errors.h"
 #include "rigid/supports.h"
@@ -32,14 +33,18 @@ struct Parts {
 };
 
 Parts parts_of(const model::Balancer &balancer, const Inertia &whole) {
+    const auto kind = balancers::kind_of(balancer);
+    const balancers::PartsInertia masses = kind->inertia();
     Inertia rest = whole;
     rest -= inertia_of(balancer);
+    if (balancer.tilt_inertia) // of bodies about axes of their own: the closed forms know points
+        rest += {0, 0, masses.own / 2, masses.own};
     Parts parts;
     parts.center = whole.center();
     parts.rest = {rest.mass, rest.diametral(), rest.polar, balancer.z - rest.center()};
-    const bool ball = balancer.kind == model::BalancerKind::ball;
-    parts.balls = {balancer.n, balancer.mass,
-                   ball ? balancer.radius : balancer.pivot + balancer.arm, balancer.damping};
+    // One ball that stands for all of them.
+    parts.balls = {1, masses.mass, std::sqrt(masses.on_circle / masses.mass),
+                   kind->rate().value_or(0) * masses.mass};
     const double mass =
         balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
     parts.imbalance = {balancer.imbalance, mass};
@@ -74,7 +79,7 @@ results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
     numbers.h_x = d.h_x;
     numbers.h_beta = d.h_beta;
     numbers.h_y = d.h_y;
-    if (balancer.kind == model::BalancerKind::ball)
+    if (balancers::kind_of(balancer)->rate())
         numbers.h_s = d.h_s;
     return numbers;
 }
@@ -169,33 +174,35 @@ std::optional<results::Interval> ends(const std::optional<balancers::PositionInt
 /// Everything that depends on the balanced position.
 void add_position(results::BalancerNumbers &numbers, const model::Balancer &balancer,
                   const Parts &parts, const std::string &label, std::vector<std::string> &notes) {
-    if (balancer.kind == model::BalancerKind::pendulum4) {
+    const auto kind = balancers::kind_of(balancer);
+    const bool positions = !kind->circled().empty();
+    if (!positions) {
         numbers.D = 0;
-        notes.push_back(label +
-                        ": inertias are those of the pendulums at rest; E = 2 m arm/(m0 R0)");
+        notes.push_back(fmt::format("{}: inertias are those of the {} at rest; E = {}", label,
+                                    kind->parts(), kind->reach().formula));
     } else {
         try {
-            numbers.position = balancers::ball_angles_at_balance(balancer, label);
+            numbers.position = balancers::angles_at_balance(balancer, label);
         } catch (const model::BadInput &none) {
             notes.emplace_back(none.what());
             return;
         }
-        numbers.D = balancers::second_harmonic_of(numbers.position);
+        numbers.D = balancers::second_harmonic_of(balancer, numbers.position);
         if (without_rounding(std::abs(numbers.D->imag()), 1) == 0)
             numbers.D = numbers.D->real();
         numbers.position = balancers::turned(numbers.position, balancer.imbalance_phase);
     }
-    const auto [A_m, A_m0] = balancers::added_inertias(balancer);
+    const auto [A_m, A_m0, own] = balancers::added_inertias(balancer);
     numbers.dA = without_rounding(std::abs(A_m0 + A_m * *numbers.D) / 2, A_m0 + A_m);
     numbers.dA_paper = (A_m0 + A_m * std::abs(*numbers.D)) / 2;
-    if (balancer.kind == model::BalancerKind::pendulum4)
+    if (!positions)
         return;
     numbers.D_interval = ends(balancers::second_harmonic_interval(balancer), 1);
     numbers.dA_interval = ends(balancers::anisotropy_interval(balancer), A_m0 + A_m);
     if (!numbers.D_interval)
         notes.push_back(fmt::format("{}: the intervals over all balanced positions are searched "
-                                    "for up to {} balls",
-                                    label, balancers::largest_searched_count));
+                                    "for up to {} {}",
+                                    label, balancers::largest_searched_count, kind->parts()));
     numbers.curves = composite_curves(parts, *numbers.D, numbers.dA_interval);
 }
 
@@ -234,7 +241,7 @@ anisotropy_of(const model::Rotor &rotor, const std::vector<results::BalancerNumb
         if (!balancers[i].D)
             return std::nullopt;
         const model::Balancer &balancer = rotor.balancers[i];
-        const auto [A_m, A_m0] =
+        const auto [A_m, A_m0, own] =
             balancers::added_inertias(balancer); // D is measured from the imbalance
         a += (A_m0 + A_m * *balancers[i].D) / 2.0 * std::polar(1.0, 2 * balancer.imbalance_phase);
     }

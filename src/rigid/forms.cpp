@@ -49,10 +49,9 @@ RigidInertia inertia_of_all(const model::Rotor &rotor) {
     const balancers::Arrangement arrangement = balancers::arrangement_at_balance(rotor);
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         sum += inertia_of(rotor.balancers[i]);
-        const auto [A_m, A_m0] = balancers::added_inertias(rotor.balancers[i]);
-        if (!arrangement[i].empty()) // pendulums at rest stand evenly
-            a += A_m / 2 * balancers::second_harmonic_of(arrangement[i]);
-        a += std::polar(A_m0 / 2, 2 * rotor.balancers[i].imbalance_phase);
+        const balancers::AddedInertias own = balancers::added_inertias(rotor.balancers[i]);
+        a += own.parts / 2 * balancers::second_harmonic_of(rotor.balancers[i], arrangement[i]);
+        a += std::polar(own.imbalance / 2, 2 * rotor.balancers[i].imbalance_phase);
     }
     // What balls and imbalance leave of each other by rounding is no anisotropy.
     if (std::abs(a) < 1e-14 * sum.polar)

@@ -51,11 +51,9 @@ Inertia inertia_of(const model::Disc &disc) {
 
 Inertia inertia_of(const model::Balancer &balancer) {
     const balancers::AddedInertias own = balancers::added_inertias(balancer);
-    const double imbalance_mass =
-        balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
-    const double mass = balancer.n * balancer.mass + imbalance_mass;
-    const double polar = own.balls + own.imbalance;
-    // Point masses in one plane: the mean diametral inertia is half the polar one.
+    const double mass = balancers::mass_of(balancer);
+    const double polar = own.parts + own.imbalance + own.own;
+    // Point masses and thin rings in one plane: the mean diametral inertia is half the polar one.
     return {mass, mass * balancer.z, mass * balancer.z * balancer.z + polar / 2, polar};
 }
 

@@ -40,15 +40,10 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
         loss += slip.col(0).dot(rotor.internal * slip.col(0)) +
                 slip.col(1).dot(rotor.internal * slip.col(1));
     }
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const double angle = state[first_angle() + static_cast<int>(i)];
-        const double rate = state[n + first_angle() + static_cast<int>(i)];
-        loss += (mass.pendulums ? 2 * mass.pair.damping : mass.drag) * rate * rate;
-        if (mass.pendulums)
-            impulse -= mass.pair.gravity * mass.pair.offset({spin.angle, spin.speed}, angle)(0);
-        else if (mass.ball.weight != 0)
-            impulse -= mass.ball.weight * std::cos(spin.angle + angle);
+    const double *rate = state + n + first_angle();
+    for (const balancers::MassEquation &e : _free_equations) { // as at this state
+        loss += e.friction * *rate++;
+        impulse += e.weight;
     }
     for (const FixedMass &mass : _parts.fixed)
         if (mass.mass.weight != 0)
@@ -74,20 +69,16 @@ double RotorMotion::energy(double t, const double *state) const {
     energy += (x.col(0).dot(rotor.elastic * x.col(0)) + x.col(1).dot(rotor.elastic * x.col(1)) +
                p.dot(rotor.supports_at(now.speed).stiffness * p)) /
               2;
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const double angle = state[first_angle() + static_cast<int>(i)];
-        const double rate = state[n + first_angle() + static_cast<int>(i)];
-        const balancers::PlaneVector velocity = at_plane(mass.plane, state + n);
-        const balancers::MassMomenta part =
-            mass.pendulums ? mass.pair.momenta({now.angle, now.speed}, velocity, angle, rate)
-                           : mass.ball.momenta(at_plane(mass.plane, state), velocity,
-                                               now.angle + angle, now.speed + rate);
+    const double *angles = state + first_angle();
+    for (const FreeParts &parts : _parts.free) {
+        const balancers::MassMomenta part = parts.motion->momenta(
+            motion_of(parts.plane, state), {now.angle, now.speed}, angles, angles + n);
         energy += part.kinetic + part.potential;
+        angles += parts.motion->size();
     }
     for (const FixedMass &mass : _parts.fixed) {
         const balancers::MassMomenta part =
-            mass.mass.momenta(fixed_motion(mass, state), fixed_motion(mass, state + n),
+            mass.mass.momenta({fixed_motion(mass, state), fixed_motion(mass, state + n)},
                               now.angle + mass.phase, now.speed);
         energy += part.kinetic + part.potential;
     }
@@ -112,22 +103,17 @@ double RotorMotion::momentum(double t, const double *state) const {
     momentum -=
         now.speed / 2 *
         (x.col(0).dot(rotor.gyroscopic * x.col(0)) + x.col(1).dot(rotor.gyroscopic * x.col(1)));
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const double angle = state[first_angle() + static_cast<int>(i)];
-        const double rate = state[n + first_angle() + static_cast<int>(i)];
-        const balancers::PlaneVector place = at_plane(mass.plane, state);
-        const balancers::PlaneVector velocity = at_plane(mass.plane, state + n);
-        const balancers::MassMomenta part =
-            mass.pendulums
-                ? mass.pair.momenta({now.angle, now.speed}, velocity, angle, rate)
-                : mass.ball.momenta(place, velocity, now.angle + angle, now.speed + rate);
-        momentum += part.spin + turned(place, part.plane);
+    const double *angles = state + first_angle();
+    for (const FreeParts &parts : _parts.free) {
+        const balancers::MassMomenta part = parts.motion->momenta(
+            motion_of(parts.plane, state), {now.angle, now.speed}, angles, angles + n);
+        momentum += part.spin + turned(at_plane(parts.plane, state), part.plane);
+        angles += parts.motion->size();
     }
     for (const FixedMass &mass : _parts.fixed) {
         const balancers::PlaneVector place = fixed_motion(mass, state);
-        const balancers::MassMomenta part = mass.mass.momenta(place, fixed_motion(mass, state + n),
-                                                              now.angle + mass.phase, now.speed);
+        const balancers::MassMomenta part = mass.mass.momenta(
+            {place, fixed_motion(mass, state + n)}, now.angle + mass.phase, now.speed);
         momentum += part.spin + turned(place, part.plane);
     }
     return momentum;

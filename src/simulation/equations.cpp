@@ -2,6 +2,7 @@
 
 #include "assembly/assemble.h"
 #include "balancers/balanced_position.h"
+#include "balancers/kind.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -23,29 +24,26 @@ namespace {
 using std::numbers::pi;
 constexpr double most_revolutions = 1e7;
 
-double ball_inertia(const model::Balancer &b) { return b.mass * b.radius * b.radius; }
-
 /// Inertia against tilting of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
 double imbalance_inertia(const model::Balancer &b) {
     return b.imbalance_radius && b.tilt_inertia ? b.imbalance * *b.imbalance_radius : 0;
 }
 
-/// The rotor with the constant inertia of all that is attached: balls and point masses as discs
-/// without polar inertia (their gyroscopic effect is in their own equations), pendulums as whole
-/// discs. Anisotropies stay for the nodes where they are; they are masses of their own.
+/// The rotor with the constant inertia of all that is attached: parts that turn with the rotor as
+/// whole discs, others and point masses as discs without polar inertia (their gyroscopic effect is
+/// in their own equations). Anisotropies stay for the nodes where they are; they are masses of
+/// their own.
 model::Rotor rotor_with_masses(const model::Rotor &rotor) {
     model::Rotor with = rotor;
     with.balancers.clear();
     for (const model::Balancer &b : rotor.balancers) {
+        const balancers::PartsInertia parts = balancers::kind_of(b)->inertia();
         model::Disc disc;
         disc.z = b.z;
-        disc.mass = b.n * b.mass;
-        if (b.kind == model::BalancerKind::ball) {
-            disc.Id = b.tilt_inertia ? b.n * ball_inertia(b) / 2 : 0;
-        } else if (b.tilt_inertia) {
-            const double reach = b.arm + b.pivot;
-            disc.Id = 2 * b.mass * reach * reach;
-            disc.Ip = 2 * disc.Id;
+        disc.mass = parts.mass;
+        if (b.tilt_inertia) {
+            disc.Id = (parts.on_circle + parts.own) / 2;
+            disc.Ip = parts.turn_with_rotor ? parts.on_circle + parts.own : 0;
         }
         if (b.imbalance_radius && b.imbalance > 0) {
             disc.mass += b.imbalance / *b.imbalance_radius;
@@ -63,8 +61,7 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
     bare.balancers.clear();
     const bool own = has_imbalance(rotor);
     for (const model::Balancer &b : rotor.balancers) {
-        const double capacity =
-            b.n * b.mass * (b.kind == model::BalancerKind::ball ? b.radius : b.arm);
+        const double capacity = balancers::kind_of(b)->reach().side_by_side;
         bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
         model::Disc disc; // keeps a node at the balancer
         disc.z = b.z;
@@ -94,8 +91,9 @@ double polar_inertia(const assembly::Discretization &d, const model::Case &scene
             inertia += v.dot(block * v);
         });
     for (const model::Balancer &b : scene.rotor.balancers)
-        if (b.kind == model::BalancerKind::pendulum4 && b.tilt_inertia)
-            inertia -= 4 * b.mass * std::pow(b.arm + b.pivot, 2);
+        if (const auto parts = balancers::kind_of(b)->inertia();
+            parts.turn_with_rotor && b.tilt_inertia)
+            inertia -= parts.on_circle + parts.own;
     return inertia;
 }
 
@@ -129,14 +127,13 @@ void refuse_what_is_missing(const model::Case &scene) {
                         where(scene), scene.speeds->count));
 }
 
-/// Angle `offset` from the one that the symmetric position would give: spread evenly, the first
-/// ball out of the symmetry that would hide unstable motions.
-std::vector<double> usual_start(const model::Balancer &b) {
-    if (b.kind == model::BalancerKind::pendulum4)
-        return {0.01, 0};
-    std::vector<double> angles;
-    for (int i = 0; i < b.n; ++i)
-        angles.push_back(pi / b.n * (1 + 2 * i));
+/// Masses on circles spread evenly, the first out of the symmetry that would hide unstable motions;
+/// parts without circles at rest but for that.
+std::vector<double> usual_start(const balancers::Kind &kind) {
+    std::vector<double> angles(kind.start_angles(), 0.0);
+    const auto n = static_cast<double>(kind.circled().size());
+    for (std::size_t i = 0; i < kind.circled().size(); ++i)
+        angles[i] = pi / n * (1 + 2 * static_cast<double>(i));
     angles.front() += 0.01;
     return angles;
 }
@@ -170,22 +167,9 @@ void add_anisotropy(const model::Anisotropy &anisotropy, int plane, MovingParts 
 void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
                 MotionScene &motion) {
     const double g = scene.simulate.gravity;
-    if (b.kind == model::BalancerKind::ball) {
-        FreeMass mass;
-        mass.plane = plane;
-        mass.ball = {b.mass * b.radius, ball_inertia(b), b.tilt_inertia ? ball_inertia(b) : 0,
-                     b.mass * b.radius * g};
-        mass.drag = b.damping * b.radius * b.radius;
-        motion.parts.free.insert(motion.parts.free.end(), static_cast<std::size_t>(b.n), mass);
-    } else {
-        FreeMass mass;
-        mass.plane = plane;
-        mass.pendulums = true;
-        mass.pair = {b.mass, b.arm, b.pivot, b.damping, 0, g};
-        motion.parts.free.push_back(mass);
-        mass.pair.line = pi / 2;
-        motion.parts.free.push_back(mass);
-    }
+    const auto kind = balancers::kind_of(b);
+    motion.parts.free.push_back({plane, kind->motion(b.tilt_inertia, g)});
+    motion.moment += kind->reach().imbalance;
     if (b.imbalance > 0) {
         FixedMass mass;
         mass.plane = plane;
@@ -214,11 +198,7 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
         mass.phase = imbalance.phase;
         motion.parts.fixed.push_back(mass);
     }
-    for (std::size_t i = 0; i < balancers.size(); ++i) {
-        const auto &given = scene.simulate.ball_angles;
-        const std::vector<double> start = given.empty() ? usual_start(balancers[i]) : given[i];
-        motion.start_angles.insert(motion.start_angles.end(), start.begin(), start.end());
-    }
+    motion.start_angles = start_of(scene.rotor, scene.simulate.ball_angles);
 }
 
 /// The drive; fills fastest.
@@ -229,8 +209,10 @@ void set_drive(const model::Case &scene, MotionScene &motion) {
         const double start = scene.speeds ? scene.speeds->from : 0;
         motion.parts.spin = Spin(start);
         double inertia = motion.parts.polar_inertia;
-        for (const model::Balancer &b : scene.rotor.balancers)
-            inertia += b.n * (b.mass * std::pow(b.radius + b.arm + b.pivot, 2));
+        for (const model::Balancer &b : scene.rotor.balancers) {
+            const balancers::PartsInertia parts = balancers::kind_of(b)->inertia();
+            inertia += parts.on_circle + parts.own;
+        }
         const double free_run = start + *s.torque / inertia * s.time;
         const double limit = s.torque_slope > 0 ? *s.torque / s.torque_slope : free_run;
         const double last = std::abs(free_run) < std::abs(limit) ? free_run : limit;
@@ -254,15 +236,14 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
     for (const model::Balancer &b : scene.rotor.balancers) {
         const std::string name =
             b.name.empty() ? fmt::format("the balancer at z = {} m", b.z) : b.name;
-        const bool ball = b.kind == model::BalancerKind::ball;
-        if (ball && balancers::capacity(b) < 1)
+        const auto kind = balancers::kind_of(b);
+        if (!kind->circled().empty() && balancers::capacity(b) < 1)
             motion.notes.push_back(
                 fmt::format("{} cannot balance its imbalance: capacity E = {:.4g} is below 1", name,
                             balancers::capacity(b)));
-        if (b.damping == 0)
-            motion.notes.push_back(
-                fmt::format("{} has no damping: its {} cannot come to rest in the rotor", name,
-                            ball ? "balls" : "pendulums"));
+        if (!kind->damped())
+            motion.notes.push_back(fmt::format(
+                "{} has no damping: its {} cannot come to rest in the rotor", name, kind->parts()));
     }
     if (!scene.rotor.damped())
         motion.notes.emplace_back("no damping in the bearings: whirl does not die out");
@@ -290,6 +271,18 @@ bool has_imbalance(const model::Rotor &rotor) {
                        [](const model::Balancer &b) { return b.imbalance > 0; }) ||
            std::any_of(rotor.imbalances.begin(), rotor.imbalances.end(),
                        [](const model::Imbalance &i) { return i.mr != 0; });
+}
+
+std::vector<double> start_of(const model::Rotor &rotor,
+                             const std::vector<std::vector<double>> &given) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
+        const auto kind = balancers::kind_of(rotor.balancers[i]);
+        std::vector<double> start = given.empty() ? usual_start(*kind) : given[i];
+        start.resize(kind->coordinates().size()); // all others at rest at 0
+        all.insert(all.end(), start.begin(), start.end());
+    }
+    return all;
 }
 
 MotionScene motion_scene(const model::Case &scene) {

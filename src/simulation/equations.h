@@ -12,7 +12,8 @@ namespace whirl::simulation {
 struct MotionScene {
     MovingParts parts;
     std::vector<int> plane_of;        ///< of each balancer, index into parts.planes
-    std::vector<double> start_angles; ///< of the free masses, rad
+    std::vector<double> start_angles; ///< of all coordinates of the balancers, rad
+    double moment = 0;                ///< a size of the moments of mass of the free parts, kg m
     double fastest = 0;               ///< rad/s, |speed| (motor: a bound)
     int order = 0;                    ///< of the shaft elements
     int elements = 0;
@@ -22,11 +23,16 @@ struct MotionScene {
 /// @throws model::BadInput where something is missing or absurd; model::AnalysisFailure.
 [[nodiscard]] MotionScene motion_scene(const model::Case &scene);
 
-/// Largest deflection of each place (z, m) in the steady motion of the rotor without balls and
-/// pendulums under all its imbalances, m; or, without any imbalance, under that which the balls of
-/// each balancer make side by side.
+/// Largest deflection of each place (z, m) in the steady motion of the rotor without the parts of
+/// its balancers under all its imbalances, m; or, without any imbalance, under that which the parts
+/// of each balancer make side by side.
 [[nodiscard]] std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order,
                                                         double speed);
+
+/// Angles at the start of all coordinates, rad.
+/// @param given  of each balancer as in simulate.ball_angles, or empty: chosen
+[[nodiscard]] std::vector<double> start_of(const model::Rotor &rotor,
+                                           const std::vector<std::vector<double>> &given);
 
 /// Some imbalance acts on the rotor.
 [[nodiscard]] bool has_imbalance(const model::Rotor &rotor);

@@ -19,33 +19,32 @@ bool balanced_position_exists(const model::Rotor &rotor) {
                                     [](const model::Imbalance &i) { return i.mr != 0; });
     const bool pendulums =
         std::any_of(rotor.balancers.begin(), rotor.balancers.end(), [](const model::Balancer &b) {
-            return b.kind == model::BalancerKind::pendulum4 && b.imbalance > 0;
+            return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
         });
     return !others && !pendulums;
 }
 
-/// The balls cancel the imbalances of their balancers to a twentieth.
+/// The masses cancel the imbalances of their balancers to a twentieth.
 bool balances(const model::Rotor &rotor, const std::vector<std::vector<double>> &angles) {
     if (angles.size() != rotor.balancers.size())
         return false;
     for (std::size_t i = 0; i < angles.size(); ++i) {
         const model::Balancer &b = rotor.balancers[i];
-        if (b.kind != model::BalancerKind::ball)
-            continue;
+        const auto kind = balancers::kind_of(b);
         std::complex<double> moment = std::polar(b.imbalance, b.imbalance_phase);
-        for (const double angle : angles[i])
-            moment += std::polar(b.mass * b.radius, angle);
-        if (std::abs(moment) > 0.05 * b.n * b.mass * b.radius)
+        const auto circled = kind->circled();
+        for (std::size_t j = 0; j < circled.size(); ++j)
+            moment += std::polar(circled[j].moment, angles[i][j]);
+        if (!circled.empty() && std::abs(moment) > 0.05 * kind->reach().side_by_side)
             return false;
     }
     return true;
 }
 
-/// Angles of the balls; none of pendulums.
-balancers::Arrangement of_balls(const model::Rotor &rotor, balancers::Arrangement angles) {
+/// Angles of the circled masses alone, which come first.
+balancers::Arrangement of_masses(const model::Rotor &rotor, balancers::Arrangement angles) {
     for (std::size_t i = 0; i < angles.size(); ++i)
-        if (rotor.balancers[i].kind != model::BalancerKind::ball)
-            angles[i].clear();
+        angles[i].resize(balancers::kind_of(rotor.balancers[i])->circled().size());
     return angles;
 }
 
@@ -65,7 +64,7 @@ std::optional<double> linear_growth(const model::Case &scene, double speed,
         if (model.conservative)
             return 0.0;
         const balancers::Arrangement arrangement =
-            balances(scene.rotor, angles) ? of_balls(scene.rotor, angles)
+            balances(scene.rotor, angles) ? of_masses(scene.rotor, angles)
                                           : balancers::arrangement_at_balance(scene.rotor);
         const stability::MotionSolver solver(scene.rotor, model.form, model.order, arrangement,
                                              model.harmonics);

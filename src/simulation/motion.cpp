@@ -52,9 +52,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _stiffness.topLeftCorner(r, r) += rotor.elastic;
     _stiffness.bottomRightCorner(r, r) += rotor.elastic;
     _damping = rotor.supports.front().damping;
-    _places.resize(_parts.planes.size());
-    _velocities.resize(_parts.planes.size());
-    _free_equations.resize(_parts.free.size());
+    _motions.resize(_parts.planes.size());
+    _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     _fixed_equations.resize(_parts.fixed.size());
     _forces.setZero(2 * r, 2);
     _planes.setZero(4 * planes, 2);
@@ -65,9 +64,7 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _push.resize(2 * r);
 }
 
-int RotorMotion::coordinates() const {
-    return first_angle() + static_cast<int>(_parts.free.size());
-}
+int RotorMotion::coordinates() const { return first_angle() + _parts.free_angles(); }
 
 int RotorMotion::size() const { return 2 * coordinates() + (_parts.motor ? 2 : 0) + 3; }
 
@@ -82,6 +79,10 @@ balancers::PlaneVector RotorMotion::at_plane(int plane, const double *p) const {
     const ConstPair motion(p, _rows.rows(), 2);
     const Eigen::Matrix2d values = _rows.middleCols<2>(2 * plane).transpose().lazyProduct(motion);
     return {values(0, 0), values(0, 1), values(1, 0), values(1, 1)};
+}
+
+balancers::PlaneMotion RotorMotion::motion_of(int plane, const double *state) const {
+    return {at_plane(plane, state), at_plane(plane, state + coordinates())};
 }
 
 balancers::PlaneVector RotorMotion::fixed_motion(const FixedMass &mass, const double *p) const {
@@ -128,36 +129,30 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
     const int n = coordinates();
     _loads.setZero();
     _coupling.setZero();
-    for (std::size_t i = 0; i < _places.size(); ++i) {
-        _places[i] = at_plane(static_cast<int>(i), state);
-        _velocities[i] = at_plane(static_cast<int>(i), state + n);
-    }
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const double angle = state[first_angle() + static_cast<int>(i)];
-        const double rate = state[n + first_angle() + static_cast<int>(i)];
-        balancers::MassEquation &e = _free_equations[i];
-        if (mass.pendulums) {
-            e = mass.pair.equation({spin.angle, spin.speed}, angle, rate);
-        } else {
-            const auto plane = static_cast<std::size_t>(mass.plane);
-            e = mass.ball.equation(_places[plane], _velocities[plane], spin.angle + angle,
-                                   spin.speed + rate);
-            e.b += mass.drag * rate;
+    for (std::size_t i = 0; i < _motions.size(); ++i)
+        _motions[i] = motion_of(static_cast<int>(i), state);
+    const double *angles = state + first_angle();
+    balancers::MassEquation *equation = _free_equations.data();
+    for (const FreeParts &parts : _parts.free) {
+        const int size = parts.motion->size();
+        parts.motion->equations(_motions[static_cast<std::size_t>(parts.plane)],
+                                {spin.angle, spin.speed}, angles, angles + n, equation);
+        angles += size;
+        const Index at = 4 * parts.plane;
+        for (const balancers::MassEquation *end = equation + size; equation != end; ++equation) {
+            const balancers::MassEquation &e = *equation;
+            _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
+            _loads.col(1).segment<4>(at) += e.per_spin;
+            _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
+            _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
         }
-        const Index at = 4 * mass.plane;
-        _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
-        _loads.col(1).segment<4>(at) += e.per_spin;
-        _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
-        _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
     }
     for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
         const FixedMass &mass = _parts.fixed[i];
         balancers::MassEquation &e = _fixed_equations[i];
         const auto plane = static_cast<std::size_t>(std::max(mass.plane, 0));
         const bool own = mass.plane < 0; // a mere eccentricity: where it is makes no difference
-        e = mass.mass.equation(own ? balancers::PlaneVector::Zero() : _places[plane],
-                               own ? balancers::PlaneVector::Zero() : _velocities[plane],
+        e = mass.mass.equation(own ? balancers::PlaneMotion{} : _motions[plane],
                                spin.angle + mass.phase, spin.speed);
         if (!own) {
             const Index at = 4 * mass.plane;
@@ -246,19 +241,14 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
         }
         torque += Eigen::Vector2d(e.b, e.a);
     }
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const double angle = state[first_angle() + static_cast<int>(i)];
-        const double rate = state[n + first_angle() + static_cast<int>(i)];
-        if (!mass.pendulums) {
-            torque(0) -= mass.drag * rate;
-            continue;
+    const balancers::MassEquation *e = _free_equations.data();
+    for (const FreeParts &parts : _parts.free) {
+        const Eigen::Matrix2d w = _planes.middleRows<2>(4 * parts.plane);
+        for (int i = 0; i < parts.motion->size(); ++i, ++e) {
+            torque += e->torque;
+            torque.head(columns) +=
+                (w.row(1) * e->offset(0) - w.row(0) * e->offset(1)).transpose().head(columns);
         }
-        const balancers::SpinState now{spin.angle, spin.speed};
-        const Eigen::Vector2d S = mass.pair.offset(now, angle);
-        torque += mass.pair.torque(now, angle, rate);
-        const Eigen::Matrix2d w = _planes.middleRows<2>(4 * mass.plane);
-        torque.head(columns) += (w.row(1) * S(0) - w.row(0) * S(1)).transpose().head(columns);
     }
     return torque;
 }
@@ -285,12 +275,14 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     }
     std::copy(state + n, state + 2 * n, rates);
     std::copy(_forces.data(), _forces.data() + r2, rates + n);
-    for (std::size_t i = 0; i < _parts.free.size(); ++i) {
-        const FreeMass &mass = _parts.free[i];
-        const balancers::MassEquation &e = _free_equations[i];
-        const double own = -(e.u.dot(_planes.col(0).segment<4>(4 * mass.plane)) + e.b) / e.a;
-        rates[n + r2 + static_cast<int>(i)] = mass.pendulums ? own : own - now.acceleration;
-    }
+    const balancers::MassEquation *e = _free_equations.data();
+    double *own = rates + n + r2;
+    for (const FreeParts &parts : _parts.free)
+        for (int i = 0; i < parts.motion->size(); ++i, ++e, ++own) {
+            *own = -(e->u.dot(_planes.col(0).segment<4>(4 * parts.plane)) + e->b) / e->a;
+            if (!e->in_rotor)
+                *own -= now.acceleration;
+        }
     keep_energy_balance(now, torque, state, rates + books());
 }
 

@@ -1,29 +1,28 @@
 #pragma once
 
-#include "balancers/rotating_masses.h"
+#include "balancers/circle_mass.h"
+#include "balancers/parts_motion.h"
 #include "reduction/reduced_rotor.h"
 #include "simulation/spin.h"
 
 #include <Eigen/Dense>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace whirl::simulation {
 
-/// A plane with balls, pendulums or a point mass: rows of its deflection and slope.
+/// A plane with a balancer or a point mass: rows of its deflection and slope.
 struct MassPlane {
     reduction::Row w;
     reduction::Row phi;
 };
 
-/// An angle that moves by itself: a ball or a tied pair of pendulums.
-struct FreeMass {
+/// The parts of a balancer, which move by themselves.
+struct FreeParts {
     int plane = 0;
-    bool pendulums = false;
-    balancers::CircleMass ball;
-    double drag = 0; ///< ball: h_A R^2, N m s/rad
-    balancers::PendulumPair pair;
+    std::shared_ptr<const balancers::PartsMotion> motion;
 };
 
 /// A mass that turns with the rotor. Without inertia: an eccentricity, on a row of its own.
@@ -44,16 +43,23 @@ struct Motor {
 struct MovingParts {
     reduction::ReducedRotor rotor;
     std::vector<MassPlane> planes;
-    std::vector<FreeMass> free;
+    std::vector<FreeParts> free;
     std::vector<FixedMass> fixed;
     double polar_inertia = 0; ///< kg m2, of all that turns with the rotor but masses listed above
     Spin spin{0.0};
     std::optional<Motor> motor; ///< then the speed is an unknown and spin is not read
+
+    [[nodiscard]] int free_angles() const {
+        int sum = 0;
+        for (const FreeParts &parts : free)
+            sum += parts.motion->size();
+        return sum;
+    }
 };
 
 /// Right-hand side of the motion in time; docs/theory.md, "Motion in time".
 ///
-/// State: p (2r: real, then imaginary part), the free angles (balls relative to the rotor), their
+/// State: p (2r: real, then imaginary part), the free angles (relative to the rotor), their
 /// velocities in the same order; with a motor the rotor's angle and speed; the work done by the
 /// drive, the energy lost, the angular impulse from outside. All accelerations are exact: the
 /// angles are eliminated one by one, and the planes' accelerations follow from one small system
@@ -92,7 +98,7 @@ class RotorMotion {
     bool _internal = false;
     double _piece = 0;
     // Room for one evaluation of the rates, kept between them.
-    mutable std::vector<balancers::PlaneVector> _places, _velocities; ///< of the planes
+    mutable std::vector<balancers::PlaneMotion> _motions; ///< of the planes
     mutable std::vector<balancers::MassEquation> _free_equations;
     mutable std::vector<balancers::MassEquation> _fixed_equations;
     mutable Eigen::MatrixXd _forces;   ///< 2r x 2: alone, per unit of spin acceleration
@@ -112,6 +118,7 @@ class RotorMotion {
     void keep_energy_balance(const Spin::At &spin, double torque, const double *state,
                              double *books) const;
     [[nodiscard]] balancers::PlaneVector at_plane(int plane, const double *p) const;
+    [[nodiscard]] balancers::PlaneMotion motion_of(int plane, const double *state) const;
     [[nodiscard]] balancers::PlaneVector fixed_motion(const FixedMass &mass, const double *p) const;
     void support_matrices(double speed) const;
 };

@@ -1,6 +1,7 @@
 #include "simulation/outcome.h"
 
 #include "balancers/balanced_position.h"
+#include "balancers/kind.h"
 #include "criterion/rigid_form.h"
 #include "simulation/trend.h"
 
@@ -55,7 +56,7 @@ double free_amplitude(const model::Rotor &rotor) {
         moment += std::abs(imbalance.mr);
     if (moment == 0)
         for (const model::Balancer &b : rotor.balancers)
-            moment += b.n * b.mass * (b.radius + b.arm);
+            moment += balancers::kind_of(b)->reach().side_by_side;
     return moment / criterion::rotor_mass(rotor);
 }
 
@@ -69,11 +70,12 @@ void fill_balancers(const model::Case &scene, results::SimulateResult &result) {
         results::BalancerMotion &out = result.balancers[i];
         out.z = b.z;
         out.name = b.name;
-        const bool ball = b.kind == model::BalancerKind::ball;
-        out.kind = ball ? "ball" : "pendulum4";
-        if (ball && b.imbalance > 0)
+        const auto kind = balancers::kind_of(b);
+        out.kind = kind->name();
+        out.coordinates = kind->coordinates();
+        if (!kind->circled().empty() && b.imbalance > 0)
             out.capacity = balancers::capacity(b);
-        for (int j = 0; j < (ball ? b.n : 2); ++j, ++angle) {
+        for (std::size_t j = 0; j < out.coordinates.size(); ++j, ++angle) {
             const std::vector<double> &own = series.angles[angle];
             out.angles.push_back(std::remainder(own.back(), 2 * pi));
             out.rates.push_back((own.back() - own[tenth]) / window);

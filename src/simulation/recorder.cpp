@@ -21,7 +21,7 @@ MotionRecorder::MotionRecorder(const RotorMotion &motion, std::vector<reduction:
     _series.amplitude.resize(_rows.size());
     _series.x.resize(_rows.size());
     _series.y.resize(_rows.size());
-    _series.angles.resize(motion.parts().free.size());
+    _series.angles.resize(static_cast<std::size_t>(motion.parts().free_angles()));
 }
 
 void MotionRecorder::step(double t, const double *state) {

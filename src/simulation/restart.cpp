@@ -1,5 +1,6 @@
 #include "simulation/restart.h"
 
+#include "balancers/kind.h"
 #include "model/errors.h"
 
 #include <fmt/format.h>
@@ -39,6 +40,22 @@ void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
     }
 }
 
+void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
+    const auto kind = balancers::kind_of(b);
+    const balancers::PartsInertia parts = kind->inertia();
+    const std::vector<balancers::CircledMass> circled = kind->circled();
+    sizes.insert(sizes.end(), {b.z, b.imbalance, b.imbalance_phase, b.imbalance_radius.value_or(0),
+                               b.tilt_inertia ? 1.0 : 0, parts.mass, parts.on_circle, parts.own,
+                               kind->reach().imbalance});
+    for (const balancers::CircledMass &mass : circled)
+        sizes.insert(sizes.end(), {mass.moment, mass.inertia});
+    const balancers::SmallMotions small =
+        kind->small_motions(std::vector<double>(circled.size(), 0.0));
+    for (const Eigen::MatrixXd &part : {small.inertia, small.damping})
+        sizes.insert(sizes.end(), part.data(), part.data() + part.size());
+    sizes.insert(sizes.end(), small.restoring.begin(), small.restoring.end());
+}
+
 /// All that makes this rotor another one.
 std::vector<double> signature_of(const model::Rotor &rotor) {
     std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
@@ -53,9 +70,7 @@ std::vector<double> signature_of(const model::Rotor &rotor) {
     for (const model::Anisotropy &a : rotor.anisotropies)
         sizes.insert(sizes.end(), {a.z, a.dI, a.angle});
     for (const model::Balancer &b : rotor.balancers)
-        sizes.insert(sizes.end(),
-                     {b.z, b.mass, b.radius, b.arm, b.pivot, b.damping, b.imbalance,
-                      b.imbalance_phase, b.imbalance_radius.value_or(0), b.tilt_inertia ? 1.0 : 0});
+        add_balancer(sizes, b);
     for (const model::Imbalance &i : rotor.imbalances)
         sizes.insert(sizes.end(), {i.z, i.mr, i.phase});
     return sizes;
@@ -86,7 +101,7 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
     const reduction::ReducedRotor &rotor = motion.parts().rotor;
     const int n = motion.coordinates();
     const auto whole = static_cast<std::size_t>(2 * rotor.shapes.rows());
-    const std::size_t angles = motion.parts().free.size();
+    const auto angles = static_cast<std::size_t>(motion.parts().free_angles());
     const std::size_t planes = scene.rotor.balancers.size();
     const bool fits = restart.displacements.size() == whole && restart.velocities.size() == whole &&
                       restart.angles.size() == angles && restart.rates.size() == angles &&

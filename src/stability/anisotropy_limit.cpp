@@ -1,6 +1,7 @@
 #include "stability/anisotropy_limit.h"
 
 #include "assembly/system.h"
+#include "balancers/balanced_position.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,16 +11,15 @@ namespace whirl::stability {
 
 namespace {
 
-/// Polar inertia of shaft, discs, balls and point masses: twice the energy of unit slope times the
-/// gyroscopic matrix.
+/// Polar inertia of shaft, discs, balancers and point masses: twice the energy of unit slope times
+/// the gyroscopic matrix.
 double polar_inertia(const assembly::Discretization &d) {
     const std::vector<double> tilt = d.rigid_motion(true);
     const Eigen::Map<const Eigen::VectorXd> r(tilt.data(), d.planar_size());
     double Ip = r.dot(assembly::assemble_planar(d, 0).G.view() * r);
     for (const model::Balancer &balancer : d.rotor().balancers) {
-        if (balancer.kind == model::BalancerKind::ball)
-            Ip += balancer.n * balancer.mass * balancer.radius * balancer.radius;
-        Ip += balancer.imbalance * balancer.imbalance_radius.value_or(0);
+        const balancers::AddedInertias added = balancers::added_inertias(balancer);
+        Ip += added.parts + added.imbalance + added.own;
     }
     return Ip;
 }

@@ -188,7 +188,7 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
             continue;
         const double repeats = _model.form == results::Form::hill ? 2 * std::abs(speed) : 0;
         const Pairs whole = _whole.pairs(speed);
-        const Eigen::Index term = 2 * (d.planar_size() + std::ssize(_rotor.balancers));
+        const Eigen::Index term = _whole.term_unknowns();
         for (const auto *pair : missing(whole, out->pairs(speed), speed, repeats))
             planar.add(planar_parts(pair->vector, d.planar_size(), term), newness);
         if (planar.matrix().cols() > _shapes->cols())

@@ -60,7 +60,7 @@ HillMotions::HillMotions(const assembly::Discretization &discretization,
     : _discretization(discretization), _balancers(std::move(balancers)), _shapes(shapes),
       _driven(driven), _tables(discretization.rotor().bearings_depend_on_speed()),
       _most(std::max(1, least)), _last(_most) {
-    const int unknowns = 2 * (discretization.planar_size() + static_cast<int>(_balancers.size()));
+    const int unknowns = 2 * (discretization.planar_size() + balancers::unknowns_of(_balancers));
     constexpr int largest_problem = 1600;
     _limit = std::clamp(largest_problem / (2 * unknowns), 8, 32);
 }

@@ -339,6 +339,8 @@ std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
                          [&] { return _data->those_that_matter(speed).pairs; });
 }
 
+int MotionSolver::term_unknowns() const { return static_cast<int>(_data->root_M.size()); }
+
 int MotionSolver::unknowns() const {
     return static_cast<int>(_data->root_M.size()) *
            (_data->hill ? 2 * _data->hill->harmonics() + 1 : 1);

@@ -25,17 +25,22 @@ struct ZeroRootSystem {
     Eigen::SparseMatrix<double> K, Ks, Kss;
 };
 
-/// Rows of balls have speed^2 as a factor: without it they have no root at zero.
+/// Rows of balancers have speed^2 as a factor, but for those with a drift: without it they have no
+/// root at zero.
 ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
                                 const balancers::Arrangement &arrangement, bool frozen) {
     const assembly::RotatingSystem system = assembly::assemble_rotating(
         discretization, 0, balancers::balancer_elements(discretization.rotor(), arrangement),
         frozen);
     ZeroRootSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
-    Eigen::VectorXd ball_rows = Eigen::VectorXd::Zero(out.K.rows());
-    ball_rows.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
-    out.K += Eigen::SparseMatrix<double>(ball_rows.asDiagonal() * out.Kss);
-    out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - ball_rows).asDiagonal() * out.Kss;
+    Eigen::VectorXd alone = Eigen::VectorXd::Zero(out.K.rows()); // rows with Kss alone
+    alone.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
+    for (Eigen::Index column = 0; column < out.K.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(out.K, column); entry; ++entry)
+            if (entry.value() != 0)
+                alone(entry.row()) = 0;
+    out.K += Eigen::SparseMatrix<double>(alone.asDiagonal() * out.Kss);
+    out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - alone).asDiagonal() * out.Kss;
     return out;
 }
 

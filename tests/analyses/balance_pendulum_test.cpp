@@ -5,6 +5,7 @@
 #include "criterion/pendulum_motion.h"
 #include "model/errors.h"
 #include "results/formulation.h"
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 #include "synchronous/forced_motion.h"
 
@@ -22,12 +23,10 @@ using results::PendulumBalance;
 model::Balancer pendulum_at(double z, double imbalance, double hinge = 0) {
     model::Balancer balancer;
     balancer.z = z;
-    balancer.kind = model::BalancerKind::pendulum4;
-    balancer.n = 4;
-    balancer.mass = 1;
-    balancer.arm = 0.18;
-    balancer.pivot = 0.02;
-    balancer.damping = hinge;
+    tests::pendulums_of(balancer).mass = 1;
+    tests::pendulums_of(balancer).arm = 0.18;
+    tests::pendulums_of(balancer).pivot = 0.02;
+    tests::pendulums_of(balancer).damping = hinge;
     balancer.imbalance = imbalance;
     return balancer;
 }
@@ -100,10 +99,13 @@ TEST(BalancePendulum, UndampedRangeOfInstability) {
 /// Two pendulum balancers away from the middle of a flexible rotor.
 struct FlexibleScene {
     model::Rotor rotor;
-    std::vector<model::Balancer> pendulums{pendulum_at(0.3, 0, 3), pendulum_at(0.8, 0, 3)};
+    std::vector<balancers::PlacedPendulums> pendulums;
     std::vector<model::Imbalance> drive{tests::imbalance_at(0.3, 0.03, 0.4),
                                         tests::imbalance_at(0.6, 0.02, 2.0)};
     FlexibleScene() {
+        model::Rotor placed;
+        placed.balancers = {pendulum_at(0.3, 0, 3), pendulum_at(0.8, 0, 3)};
+        pendulums = balancers::pendulums_in(placed);
         rotor.shaft = tests::uniform_shaft(1, 0.05, tests::steel());
         rotor.shaft.segments[0].elements = 2;
         rotor.discs = {tests::disc_at(0.4, 15, 0.1, 0.18)};
@@ -162,7 +164,7 @@ TEST(BalancePendulum, StabilityDoesNotDependOnHowManyModesAreKept) {
 
 TEST(BalancePendulum, PivotOnTheAxisIsRefused) {
     model::Case scene = figure_scene(300, 2, 0.05);
-    scene.rotor.balancers[0].pivot = 0;
+    tests::pendulums_of(scene.rotor.balancers[0]).pivot = 0;
     EXPECT_THROW((void)analyses::balance(scene), model::BadInput);
 }
 

@@ -6,6 +6,7 @@
 #include "model/errors.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 #include "synchronous/critical_speeds.h"
 #include "synchronous/forced_motion.h"
@@ -218,9 +219,10 @@ TEST(Balance, WithoutPlanesThoseOfTheBalancersCount) {
         model::Balancer balancer;
         balancer.name = plane.name;
         balancer.z = plane.z;
-        balancer.mass = 5; // must not count; one ball without imbalance has no balanced position
-        balancer.n = 1;
-        balancer.radius = 0.1;
+        tests::row(balancer).mass =
+            5; // must not count; one ball without imbalance has no balanced position
+        tests::row(balancer).n = 1;
+        tests::row(balancer).radius = 0.1;
         scene.rotor.balancers.push_back(balancer);
     }
     scene.rotor.planes.clear();

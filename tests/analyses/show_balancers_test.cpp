@@ -1,6 +1,7 @@
 #include "analyses/show.h"
 #include "closed_form/composite_rotor_parameters.h"
 #include "results/show.h"
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -22,10 +23,10 @@ constexpr double rounding = 1e-13;
 model::Balancer balls(double z, int n, double mass, double imbalance) {
     model::Balancer balancer;
     balancer.z = z;
-    balancer.n = n;
-    balancer.mass = mass;
-    balancer.radius = 0.2;
-    balancer.damping = 3;
+    tests::row(balancer).n = n;
+    tests::row(balancer).mass = mass;
+    tests::row(balancer).radius = 0.2;
+    tests::row(balancer).damping = 3;
     balancer.imbalance = imbalance;
     balancer.imbalance_radius = 0.2;
     return balancer;
@@ -206,11 +207,9 @@ TEST(ShowBalancers, pendulums_count_at_rest) {
     model::Balancer &pendulum = scene.rotor.balancers[0];
     pendulum = {};
     pendulum.z = 0.4;
-    pendulum.kind = model::BalancerKind::pendulum4;
-    pendulum.n = 4;
-    pendulum.mass = 0.5;
-    pendulum.arm = 0.12;
-    pendulum.pivot = 0.03;
+    tests::pendulums_of(pendulum).mass = 0.5;
+    tests::pendulums_of(pendulum).arm = 0.12;
+    tests::pendulums_of(pendulum).pivot = 0.03;
     const results::ShowResult result = analyses::show(scene);
     EXPECT_NEAR(result.mass, 59.83, 1e-12);
     EXPECT_NEAR(result.Ip, 0.289 + 4 * 0.5 * 0.15 * 0.15, rounding);
@@ -230,7 +229,7 @@ TEST(ShowBalancers, curves_are_those_of_rotors_with_scaled_masses) {
         // n m = 6 s, m0 = 2 s: m = 6 s/(57.83 + 8 s).
         const double s = 57.83 * curves.m[i] / (6 - 8 * curves.m[i]);
         model::Case scaled = scene;
-        scaled.rotor.balancers[0].mass *= s;
+        tests::row(scaled.rotor.balancers[0]).mass *= s;
         scaled.rotor.balancers[0].imbalance *= s;
         const results::ShowResult there = analyses::show(scaled);
         const results::BalancerNumbers &balancer = there.balancers.at(0);

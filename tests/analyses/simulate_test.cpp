@@ -4,6 +4,7 @@
 
 #include "closed_form/pendulum_balancer.h"
 #include "model/errors.h"
+#include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 
 #include <gtest/gtest.h>
@@ -183,7 +184,7 @@ TEST(Simulate, NotesWhatIsUnusual) {
     scene = rodrigues_rotor(4, .01, .005);
     scene.simulate.time = 1;
     scene.simulate.ball_angles.clear();
-    scene.rotor.balancers[1].damping = 0;
+    tests::set_damping(scene.rotor.balancers[1], 0);
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.rows.front().c.setZero();
     EXPECT_TRUE(noted(scene, "start chosen"));

@@ -7,6 +7,7 @@
 #include "model/errors.h"
 #include "results/campbell.h"
 #include "results/critical.h"
+#include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 #include "support/rigid_rotors.h"
 
@@ -256,9 +257,11 @@ TEST(ImbalancePhase, ShowSumsTheMassesWhereTheyAre) {
     scene.rotor.anisotropies = {{"", 0.4, 0.05, 0.3}};
     std::complex<double> sum = std::polar(0.05, 0.6);
     for (const model::Balancer &b : scene.rotor.balancers) {
-        const double opening = std::acos(-b.imbalance / (b.n * b.mass * b.radius));
+        const double opening =
+            std::acos(-b.imbalance / (tests::row(b).n * tests::row(b).mass * tests::row(b).radius));
         for (const double angle : {b.imbalance_phase + opening, b.imbalance_phase - opening})
-            sum += std::polar(b.mass * b.radius * b.radius / 2, 2 * angle);
+            sum += std::polar(tests::row(b).mass * tests::row(b).radius * tests::row(b).radius / 2,
+                              2 * angle);
         sum += std::polar(b.imbalance * *b.imbalance_radius / 2, 2 * b.imbalance_phase);
     }
     const auto result = show(scene);

@@ -4,6 +4,7 @@
 #include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
+#include "support/balancer_parts.h"
 #include "support/dense_eigenvalues.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
@@ -43,12 +44,10 @@ model::Rotor full_rotor() {
     rotor.balancers[0].z = 0.4;
     model::Balancer pendulums;
     pendulums.z = 0.9;
-    pendulums.kind = model::BalancerKind::pendulum4;
-    pendulums.n = 4;
-    pendulums.mass = 0.2;
-    pendulums.arm = 0.1;
-    pendulums.pivot = 0.03;
-    pendulums.damping = 0.02;
+    tests::pendulums_of(pendulums).mass = 0.2;
+    tests::pendulums_of(pendulums).arm = 0.1;
+    tests::pendulums_of(pendulums).pivot = 0.03;
+    tests::pendulums_of(pendulums).damping = 0.02;
     rotor.balancers.push_back(pendulums);
     return rotor;
 }

@@ -9,8 +9,31 @@ inline std::vector<BrokenCase> broken_attachments() {
     const std::string &base = sound_case;
     const std::string bearing = base + "[[bearing]]\nz = 0\n"; // its keys start on line 10
     const std::string ball = base + "[[balancer]]\nz = 0\nmass = 0.1\nradius = 0.1\n"; // on 12
+    const std::string rows = base + "[[balancer]]\nz = 0\nrows = [";                   // on line 10
+    const std::string ring = base + "[[balancer]]\nkind = \"ring\"\nz = 0\nmass = 0.1\n"
+                                    "journal_radius = 0.04\nclearance = 0.01\n"; // next is 14
     const std::string table = bearing + "table = \"b.csv\"\n";
     return {
+        {"rows and a mass", 11, "balancer[0].mass", "expected either rows or n, mass",
+         rows + "{mass = 0.1, radius = 0.1}]\nmass = 1\n"},
+        {"no rows", 10, "balancer[0].rows", "at least one row", rows + "]\n"},
+        {"row without a radius", 10, "balancer[0].rows[0].radius", "missing, expected a length",
+         rows + "{mass = 0.1}]\n"},
+        {"row of a colour", 10, "balancer[0].rows[0].colour", "unknown",
+         rows + "{mass = 0.1, radius = 0.1, colour = 1}]\n"},
+        {"ring of no size", 8, "balancer[0].outer_radius", "got neither", ring},
+        {"ring of two sizes", 15, "balancer[0].inertia", "got both",
+         ring + "outer_radius = 0.06\ninertia = 1\n"},
+        {"ring within its bore", 14, "balancer[0].outer_radius", "= 0.05 m, got 0.05 m",
+         ring + "outer_radius = 0.05\n"},
+        {"ring within its bore, by its inertia", 14, "balancer[0].inertia", "at least mass",
+         ring + "inertia = 2e-4\n"},
+        {"ring on a race", 15, "balancer[0].radius", "only with kind = \"ball\", got a ring",
+         ring + "outer_radius = 0.06\nradius = 0.1\n"},
+        {"ring on an arm", 15, "balancer[0].arm", "only with kind = \"pendulum4\", got a ring",
+         ring + "outer_radius = 0.06\narm = 0.1\n"},
+        {"rings off balance", 16, "balancer[0].position", "expected ring angles that balance",
+         ring + "outer_radius = 0.06\nimbalance = 1e-3\nposition = [2, -2]\n"},
         {"stiffness in kg", 10, "bearing[0].kxx", "expected a stiffness in N/m, got \"5 kg\"",
          bearing + "kxx = \"5 kg\"\n"},
         {"tilt stiffness", 11, "bearing[0].kt", "expected a tilt stiffness in N m/rad",
@@ -72,8 +95,8 @@ inline std::vector<BrokenCase> broken_attachments() {
          ball + "arm = 0.1\n"},
         {"three angles of two balls", 12, "balancer[0].position", "expected 2 angles",
          ball + "position = [0, 1, 2]\n"},
-        {"unknown balancer", 12, "balancer[0].kind", "expected \"ball\" or \"pendulum4\"",
-         ball + "kind = \"rings\"\n"},
+        {"unknown balancer", 12, "balancer[0].kind",
+         "expected \"ball\" or \"pendulum4\" or \"ring\"", ball + "kind = \"rings\"\n"},
         {"plane beyond the shaft", 9, "plane[0].z", "expected a place on the shaft",
          base + "[[plane]]\nz = 1.01\n"},
         {"imbalance of nothing", 8, "imbalance[0].mr", "missing, expected an imbalance in kg m",

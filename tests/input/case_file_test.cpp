@@ -1,4 +1,5 @@
 #include "scratch_case.h"
+#include "support/balancer_parts.h"
 
 #include <cmath>
 #include <numbers>
@@ -212,20 +213,20 @@ TEST_F(FullCase, RotatingParts) {
     EXPECT_DOUBLE_EQ(rotor.anisotropies.at(0).angle, pi / 4);
     ASSERT_EQ(rotor.balancers.size(), 2U);
     const model::Balancer &ball = rotor.balancers[0];
-    EXPECT_EQ(ball.kind, model::BalancerKind::ball);
-    EXPECT_EQ(ball.n, 2);
-    EXPECT_EQ(ball.mass, 0.05);
-    EXPECT_EQ(ball.radius, 0.1);
-    EXPECT_EQ(ball.damping, 0.02);
+    ASSERT_TRUE(std::holds_alternative<model::Balls>(ball.parts));
+    EXPECT_EQ(tests::row(ball).n, 2);
+    EXPECT_EQ(tests::row(ball).mass, 0.05);
+    EXPECT_EQ(tests::row(ball).radius, 0.1);
+    EXPECT_EQ(tests::row(ball).damping, 0.02);
     EXPECT_EQ(ball.imbalance, 0.0025);
     EXPECT_EQ(ball.imbalance_radius, 0.1);
     ASSERT_EQ(ball.position.size(), 2U);
     EXPECT_DOUBLE_EQ(ball.position[1], -std::acos(-0.25)); // E = 4
     const model::Balancer &pendulum = rotor.balancers[1];
-    EXPECT_EQ(pendulum.kind, model::BalancerKind::pendulum4);
-    EXPECT_EQ(pendulum.arm, 0.03);
-    EXPECT_EQ(pendulum.pivot, 0.04);
-    EXPECT_EQ(pendulum.damping, 0.01);
+    ASSERT_TRUE(std::holds_alternative<model::Pendulums>(pendulum.parts));
+    EXPECT_EQ(std::get<model::Pendulums>(pendulum.parts).arm, 0.03);
+    EXPECT_EQ(std::get<model::Pendulums>(pendulum.parts).pivot, 0.04);
+    EXPECT_EQ(std::get<model::Pendulums>(pendulum.parts).damping, 0.01);
     EXPECT_FALSE(pendulum.imbalance_radius);
     EXPECT_EQ(rotor.planes.at(0).z, 0.2);
     EXPECT_DOUBLE_EQ(rotor.imbalances.at(0).mr, 1e-4);

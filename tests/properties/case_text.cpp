@@ -1,4 +1,5 @@
 #include "properties/case_text.h"
+#include "support/balancer_parts.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +65,8 @@ std::string case_text(const model::Case &scene) {
     for (const model::Balancer &b : r.balancers)
         out += fmt::format("[[balancer]]\nz = {}\nn = {}\nmass = {}\nradius = {}\ndamping = "
                            "{}\nimbalance = {}\nimbalance_phase = {}\n\n",
-                           b.z, b.n, b.mass, b.radius, b.damping, b.imbalance, b.imbalance_phase);
+                           b.z, tests::row(b).n, tests::row(b).mass, tests::row(b).radius,
+                           tests::row(b).damping, b.imbalance, b.imbalance_phase);
     if (scene.speeds)
         out += fmt::format("[speeds]\nfrom = {}\nto = {}\ncount = {}\n\n", scene.speeds->from,
                            scene.speeds->to, scene.speeds->count);

@@ -1,7 +1,7 @@
+#include "properties/invariance_checks.h"
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "modes/formulation.h"
-#include "properties/invariance_checks.h"
 #include "properties/long_checks.h"
 #include "properties/random_scenes.h"
 #include "properties/spectra_difference.h"
@@ -9,6 +9,7 @@
 #include "results/campbell.h"
 #include "results/critical.h"
 #include "results/formulation.h"
+#include "support/balancer_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,11 +147,11 @@ Answer vanishing_balls(InvarianceScene &s) {
     model::Case changed = s.scene();
     model::Balancer balls;
     balls.z = changed.rotor.discs.front().z;
-    balls.n = 2;
-    balls.mass = 1e-10 * changed.rotor.discs.front().mass;
-    balls.radius = 0.1 * changed.rotor.shaft.length();
-    balls.damping = 150 * balls.mass;
-    balls.imbalance = balls.mass * balls.radius;
+    tests::row(balls).n = 2;
+    tests::row(balls).mass = 1e-10 * changed.rotor.discs.front().mass;
+    tests::row(balls).radius = 0.1 * changed.rotor.shaft.length();
+    tests::row(balls).damping = 150 * tests::row(balls).mass;
+    balls.imbalance = tests::row(balls).mass * tests::row(balls).radius;
     changed.rotor.balancers.push_back(balls);
     changed.campbell.modes += 6; // the balls' own motions lie between
     return spectra_difference(s.campbell(), its_speed, analyses::campbell(changed), its_speed,

@@ -1,4 +1,5 @@
 #include "properties/random_scenes.h"
+#include "support/balancer_parts.h"
 
 #include "properties/random_rotors.h"
 
@@ -76,11 +77,12 @@ void add_balancers(Draw &draw, model::Rotor &rotor) {
     for (int i = draw.integer(1, 2); i > 0; --i) {
         model::Balancer b;
         b.z = length * draw.between(0.1, 0.9);
-        b.n = draw.integer(2, 4);
-        b.mass = mass * draw.over_decades(1e-4, 3e-2) / b.n;
-        b.radius = length * draw.between(0.05, 0.15);
-        b.damping = b.mass * draw.over_decades(5, 200);
-        b.imbalance = b.n * b.mass * b.radius / draw.between(1.1, 3);
+        tests::row(b).n = draw.integer(2, 4);
+        tests::row(b).mass = mass * draw.over_decades(1e-4, 3e-2) / tests::row(b).n;
+        tests::row(b).radius = length * draw.between(0.05, 0.15);
+        tests::row(b).damping = tests::row(b).mass * draw.over_decades(5, 200);
+        b.imbalance =
+            tests::row(b).n * tests::row(b).mass * tests::row(b).radius / draw.between(1.1, 3);
         b.imbalance_phase = draw.chance(0.5) ? 0 : draw.between(-3, 3);
         rotor.balancers.push_back(b);
     }

@@ -1,4 +1,5 @@
 #include "properties/transforms.h"
+#include "support/balancer_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +48,8 @@ void scale(model::Bearing &b, const Factors &f) {
 }
 
 void scale(model::Balancer &b, const Factors &f) {
-    for (double *size : {&b.z, &b.radius, &b.arm, &b.pivot})
-        *size *= f.length;
-    b.mass *= f.mass;
-    b.damping *= b.kind == model::BalancerKind::ball ? f.damping : f.inertia / f.time;
+    b.z *= f.length;
+    tests::scale_parts(b, f.length, f.mass, f.time);
     b.imbalance *= f.mass * f.length;
     if (b.imbalance_radius)
         *b.imbalance_radius *= f.length;

@@ -12,7 +12,10 @@
 #include "simulation/equations.h"
 #include "simulation/motion.h"
 #include "stability/motions.h"
+#include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
+#include "support/ring_scenes.h"
+#include "support/rotating_rates.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -26,6 +29,7 @@ namespace {
 
 using tests::flexible_rotor;
 using tests::rodrigues_rotor;
+using tests::RotatingRates;
 using Spectrum = std::vector<std::complex<double>>;
 
 // --- Small motions about the balanced position -------------------------------------------------
@@ -64,51 +68,6 @@ Composite composite(const std::vector<double> &angles, double speed, bool point_
     out.scene.simulate.ball_angles = {angles};
     return out;
 }
-
-/// State and its rates in rotating axes at the moment when they coincide with the fixed ones.
-class RotatingRates {
-  public:
-    explicit RotatingRates(const model::Case &scene)
-        : _scene(motion_scene(scene)), _motion(_scene.parts), _speed(scene.speeds->from) {}
-
-    [[nodiscard]] int size() const { return 2 * _motion.coordinates(); }
-
-    /// q, q' of the rotating frame to q', q'': w = u, w' = u' + i speed u, and so on.
-    [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd &rotating) const {
-        const Eigen::Index r = _motion.parts().rotor.size();
-        const Eigen::Index n = _motion.coordinates();
-        Eigen::VectorXd state = Eigen::VectorXd::Zero(_motion.size());
-        state.head(2 * n) = rotating;
-        for (std::size_t i = 0; i < _scene.start_angles.size(); ++i)
-            state(2 * r + static_cast<Eigen::Index>(i)) += _scene.start_angles[i];
-        state.segment(n, r) -= _speed * rotating.segment(r, r);
-        state.segment(n + r, r) += _speed * rotating.head(r);
-        Eigen::VectorXd rates(_motion.size());
-        _motion.rates(0, state.data(), rates.data());
-        Eigen::VectorXd out(2 * n);
-        out << rotating.tail(n), rates.segment(n, n);
-        const auto u = rotating.head(2 * r);
-        const auto du = rotating.segment(n, 2 * r);
-        out.segment(n, r) += 2 * _speed * du.tail(r) + _speed * _speed * u.head(r);
-        out.segment(n + r, r) += -2 * _speed * du.head(r) + _speed * _speed * u.tail(r);
-        return out;
-    }
-
-    /// Numerical derivative at the balanced position.
-    [[nodiscard]] Eigen::MatrixXd jacobian() const {
-        Eigen::MatrixXd J(size(), size());
-        for (int i = 0; i < size(); ++i) {
-            const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(size(), i);
-            J.col(i) = (at(step) - at(-step)) / 2e-5;
-        }
-        return J;
-    }
-
-  private:
-    MotionScene _scene;
-    RotorMotion _motion;
-    double _speed;
-};
 
 double distance_to(const Spectrum &values, std::complex<double> value) {
     double nearest = HUGE_VAL;
@@ -198,7 +157,7 @@ model::Case conservative(model::Case scene) {
         for (model::BearingCoefficients &row : bearing.rows)
             row.c.setZero();
     for (model::Balancer &balancer : scene.rotor.balancers)
-        balancer.damping = 0;
+        tests::set_damping(balancer, 0);
     return scene;
 }
 
@@ -278,9 +237,24 @@ model::Case heavy_pendulums(bool motor) {
     return motor ? driven(scene) : scene;
 }
 
+/// Rings away from the middle, two of different weight, and rows of balls in one balancer.
+model::Case rings_and_rows() {
+    model::Case scene = flexible_rotor(260);
+    scene.rotor.balancers[0].parts = tests::ring_balancer(0, 2, 0).parts;
+    model::Balls balls;
+    balls.rows = {{2, 0.03, 0.07, 0.4}, {1, 0.05, 0.05, 0.1}};
+    scene.rotor.balancers[1].parts = balls;
+    scene.simulate.ball_angles = {{1, -0.6}, {1, -1, 2}};
+    scene.simulate.gravity = 9.81;
+    return scene;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Balance,
-    testing::Values(Audited{"conservative", conservative(flexible_rotor(260))},
+    testing::Values(Audited{"rings_and_rows", rings_and_rows()},
+                    Audited{"rings_and_rows_driven", driven(rings_and_rows())},
+                    Audited{"rings_and_rows_coasting", coasting(conservative(rings_and_rows()))},
+                    Audited{"conservative", conservative(flexible_rotor(260))},
                     Audited{"coasting", coasting(conservative(flexible_rotor(260)))},
                     Audited{"everything", with_everything()},
                     Audited{"everything_driven", driven(with_everything())},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 
 #include <numbers>
@@ -12,10 +13,10 @@ inline model::Balancer ball_balancer(double z, int n, double mass, double radius
                                      double imbalance = 0) {
     model::Balancer balancer;
     balancer.z = z;
-    balancer.n = n;
-    balancer.mass = mass;
-    balancer.radius = radius;
-    balancer.damping = damping;
+    tests::row(balancer).n = n;
+    tests::row(balancer).mass = mass;
+    tests::row(balancer).radius = radius;
+    tests::row(balancer).damping = damping;
     balancer.imbalance = imbalance;
     return balancer;
 }
@@ -85,13 +86,11 @@ inline model::Case pendulum_rotor_scene(double speed_ratio, double external, dou
                             isotropic_bearing(1, stiffness / 2, c / 2)};
     scene.rotor.imbalances = {imbalance_at(0.5, imbalance)};
     model::Balancer pendulums;
-    pendulums.kind = model::BalancerKind::pendulum4;
     pendulums.z = 0.5;
-    pendulums.n = 4;
-    pendulums.mass = 1;
-    pendulums.arm = 0.18;
-    pendulums.pivot = 0.02;
-    pendulums.damping = hinge * 0.18 * 0.18 * natural;
+    tests::pendulums_of(pendulums).mass = 1;
+    tests::pendulums_of(pendulums).arm = 0.18;
+    tests::pendulums_of(pendulums).pivot = 0.02;
+    tests::pendulums_of(pendulums).damping = hinge * 0.18 * 0.18 * natural;
     scene.rotor.balancers = {pendulums};
     scene.speeds = model::SpeedRange{speed_ratio * natural, speed_ratio * natural, 1};
     scene.simulate.time = 10;

@@ -71,21 +71,23 @@ void PeriodicSystem::add_points(const model::Balancer &b, const std::vector<doub
         const double mass = b.imbalance / *b.imbalance_radius;
         _points.push_back({b.z, mass, mass * *b.imbalance_radius * *b.imbalance_radius, 0});
     }
-    if (b.kind == model::BalancerKind::ball) {
+    if (const auto *balls = std::get_if<model::Balls>(&b.parts)) {
+        const model::BallRow &row = balls->rows.at(0);
         for (const double angle : angles) {
-            _points.push_back({b.z, b.mass, b.mass * b.radius * b.radius, angle});
-            _moving.push_back({b.z, b.mass, angle, b.damping, 0});
+            _points.push_back({b.z, row.mass, row.mass * row.radius * row.radius, angle});
+            _moving.push_back({b.z, row.mass, angle, row.damping, 0});
         }
         return;
     }
     // Hinged arms: m l^2 f'' + H f' + m a l W^2 f + m l (acceleration of the plane along the
     // circle) = 0; opposite ones are tied to swing to the same side, so a pair is one mass.
-    const double reach = b.pivot + b.arm;
+    const auto &p = std::get<model::Pendulums>(b.parts);
+    const double reach = p.pivot + p.arm;
     for (int k = 0; k < 4; ++k)
-        _points.push_back({b.z, b.mass, b.mass * reach * reach, k * pi / 2});
+        _points.push_back({b.z, p.mass, p.mass * reach * reach, k * pi / 2});
     for (int pair = 0; pair < 2; ++pair)
-        _moving.push_back({b.z, 2 * b.mass, pair * pi / 2, 2 * b.damping / (b.arm * b.arm),
-                           2 * b.mass * b.pivot / b.arm});
+        _moving.push_back({b.z, 2 * p.mass, pair * pi / 2, 2 * p.damping / (p.arm * p.arm),
+                           2 * p.mass * p.pivot / p.arm});
 }
 
 int PeriodicSystem::paired() const { return 2 * _d.planar_size(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 
 namespace whirl::tests {
@@ -46,9 +47,9 @@ inline model::Case balancer_case() {
     scene.rotor.discs = {disc_at(0.4, 57.83, 0.413, 0.289)};
     model::Balancer balancer;
     balancer.z = 0.5;
-    balancer.mass = 2;
-    balancer.radius = 0.2;
-    balancer.damping = 20;
+    tests::row(balancer).mass = 2;
+    tests::row(balancer).radius = 0.2;
+    tests::row(balancer).damping = 20;
     balancer.imbalance = 0.4;
     balancer.imbalance_radius = 0.3;
     scene.rotor.balancers = {balancer};

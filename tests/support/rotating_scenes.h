@@ -3,6 +3,7 @@
 #include "closed_form/balanced_position.h"
 #include "closed_form/composite_rotor_equations.h"
 #include "model/case.h"
+#include "support/balancer_parts.h"
 #include "support/test_rotors.h"
 
 #include <cmath>
@@ -77,10 +78,10 @@ inline CompositeScene composite_scene(const CompositeInput &in, const std::vecto
                           round_bearing(centre + in.right, in.right_k, in.right_c)};
     model::Balancer balancer;
     balancer.z = centre + body.balancer_position;
-    balancer.n = n;
-    balancer.mass = ball;
-    balancer.radius = in.radius;
-    balancer.damping = in.damping;
+    tests::row(balancer).n = n;
+    tests::row(balancer).mass = ball;
+    tests::row(balancer).radius = in.radius;
+    tests::row(balancer).damping = in.damping;
     balancer.imbalance = in.imbalance;
     balancer.imbalance_radius = in.imbalance_radius;
     balancer.position = angles;

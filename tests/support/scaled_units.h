@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "support/balancer_parts.h"
 
 namespace whirl::tests {
 
@@ -49,13 +50,8 @@ inline void scale_bearing(model::Bearing &bearing, const Units &u) {
 }
 
 inline void scale_balancer(model::Balancer &balancer, const Units &u) {
-    const bool ball = balancer.kind == model::BalancerKind::ball;
     balancer.z *= u.length;
-    balancer.mass *= u.mass;
-    balancer.radius *= u.length;
-    balancer.arm *= u.length;
-    balancer.pivot *= u.length;
-    balancer.damping *= ball ? u.damping() : u.moment() * u.time;
+    scale_parts(balancer, u.length, u.mass, u.time);
     balancer.imbalance *= u.mass * u.length;
     if (balancer.imbalance_radius)
         *balancer.imbalance_radius *= u.length;

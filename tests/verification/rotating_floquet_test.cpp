@@ -6,6 +6,7 @@
 #include "results/formulation.h"
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
+#include "support/balancer_parts.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -57,10 +58,10 @@ Scene balls(int n, bool own_position) {
     model::Rotor rotor = shaft_with_disc(800);
     model::Balancer balancer;
     balancer.z = 0.35;
-    balancer.n = n;
-    balancer.mass = 1.6 / n;
-    balancer.radius = 0.15;
-    balancer.damping = 12;
+    tests::row(balancer).n = n;
+    tests::row(balancer).mass = 1.6 / n;
+    tests::row(balancer).radius = 0.15;
+    tests::row(balancer).damping = 12;
     balancer.imbalance = 0.15;
     balancer.imbalance_radius = 0.12;
     if (own_position)
@@ -73,12 +74,10 @@ Scene pendulums() {
     model::Rotor rotor = shaft_with_disc(800);
     model::Balancer balancer;
     balancer.z = 0.35;
-    balancer.kind = model::BalancerKind::pendulum4;
-    balancer.n = 4;
-    balancer.mass = 0.4;
-    balancer.arm = 0.12;
-    balancer.pivot = 0.03;
-    balancer.damping = 0.05;
+    tests::pendulums_of(balancer).mass = 0.4;
+    tests::pendulums_of(balancer).arm = 0.12;
+    tests::pendulums_of(balancer).pivot = 0.03;
+    tests::pendulums_of(balancer).damping = 0.05;
     rotor.balancers = {balancer};
     return {"pendulums", rotor, 40, 500, 1};
 }

@@ -9,6 +9,7 @@
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
+#include "support/balancer_parts.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -279,10 +280,10 @@ model::Rotor two_plane_rotor() {
     for (const double z : {1.0, 5.0}) {
         model::Balancer balancer;
         balancer.z = z;
-        balancer.n = 2;
-        balancer.mass = m;
-        balancer.radius = 1;
-        balancer.damping = 0.01 * m;
+        tests::row(balancer).n = 2;
+        tests::row(balancer).mass = m;
+        tests::row(balancer).radius = 1;
+        tests::row(balancer).damping = 0.01 * m;
         balancer.imbalance = 0.5e-4; // half of the rotor's eccentricity of 1e-4
         rotor.balancers.push_back(balancer);
     }

@@ -2,6 +2,7 @@
 
 #include "analyses/stability.h"
 #include "balancers/arrangement.h"
+#include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
 
 #include <cmath>
@@ -34,7 +35,7 @@ inline model::Case rotor_with(const Imbalance &imbalance, double ball_mass, doub
         const std::complex<double> share = share_of(imbalance, z);
         balancer.imbalance = std::abs(share);
         balancer.imbalance_phase = std::arg(share);
-        balancer.damping = race_damping * ball_mass;
+        tests::row(balancer).damping = race_damping * ball_mass;
         balancer.tilt_inertia = false;
         z = 2;
     }

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "balancers/kind.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/show.h"
@@ -66,7 +67,7 @@ double largest_radius(const model::Rotor &rotor) {
     for (const auto &disc : rotor.discs)
         radius = std::max(radius, disc_radius(disc));
     for (const auto &balancer : rotor.balancers)
-        radius = std::max({radius, balancer.radius, balancer.pivot + balancer.arm});
+        radius = std::max(radius, balancers::kind_of(balancer)->outline().radius());
     return radius;
 }
 
@@ -161,23 +162,26 @@ void draw_bearing(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaf
             stroke({{x + i * 5, ground}, {x + i * 5 - 5, ground + 6}}, "#333333", 0.8, false));
 }
 
+/// A box around all its parts, and these above and below the axis.
 void draw_balancer(Drawing &drawing, const Sheet &sheet, const model::Balancer &balancer) {
+    const balancers::Outline outline = balancers::kind_of(balancer)->outline();
     const double x = sheet.across(balancer.z);
-    const bool ball = balancer.kind == model::BalancerKind::ball;
-    const double radius = sheet.pixels(ball ? balancer.radius : balancer.pivot + balancer.arm);
-    DrawShape race = area({{x - 7, sheet.axis - radius - 6},
-                           {x + 7, sheet.axis - radius - 6},
-                           {x + 7, sheet.axis + radius + 6},
-                           {x - 7, sheet.axis + radius + 6}},
-                          "", "#8A5A00");
-    race.width = 1.6;
-    drawing.shapes.push_back(race);
+    const auto box = [x](double half, double from, double to, const char *fill) {
+        return area({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, fill,
+                    "#8A5A00");
+    };
+    const double reach = sheet.pixels(outline.radius()) + 6;
+    drawing.shapes.push_back(box(7, sheet.axis - reach, sheet.axis + reach, ""));
+    drawing.shapes.back().width = 1.6;
     for (const double up : {-1.0, 1.0}) {
-        if (!ball)
-            drawing.shapes.push_back(stroke({{x, sheet.axis + up * sheet.pixels(balancer.pivot)},
-                                             {x, sheet.axis + up * radius}},
-                                            "#8A5A00", 1.6, false));
-        drawing.shapes.push_back(circle(x, sheet.axis + up * radius, 4.5, "#F0B429", "#8A5A00"));
+        const auto height = [&](double r) { return sheet.axis + up * sheet.pixels(r); };
+        for (const auto &[from, to] : outline.sections)
+            drawing.shapes.push_back(box(4.5, height(from), height(to), "#F0B429"));
+        for (const auto &[from, to] : outline.arms)
+            drawing.shapes.push_back(
+                stroke({{x, height(from)}, {x, height(to)}}, "#8A5A00", 1.6, false));
+        for (const double point : outline.points)
+            drawing.shapes.push_back(circle(x, height(point), 4.5, "#F0B429", "#8A5A00"));
     }
 }
 
@@ -256,11 +260,10 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
     }
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
-        const bool ball = balancer.kind == model::BalancerKind::ball;
-        callouts.push_back({sheet.across(balancer.z),
-                            top(ball ? balancer.radius : balancer.pivot + balancer.arm) - 5,
-                            name_or(balancer.name, ball ? "ball balancer" : "pendulum balancer", i,
-                                    rotor.balancers.size())});
+        const balancers::Outline outline = balancers::kind_of(balancer)->outline();
+        callouts.push_back(
+            {sheet.across(balancer.z), top(outline.radius()) - 5,
+             name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size())});
     }
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i)
         callouts.push_back(

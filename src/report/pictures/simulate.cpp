@@ -86,9 +86,8 @@ std::vector<Curve> angle_curves(const SimulateResult &result) {
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
             const std::vector<double> &angles = result.series.angles[number];
-            const bool ball = result.balancers[i].kind == "ball";
             const std::string name =
-                (ball ? "ball " + std::to_string(j + 1) : (j == 0 ? "phi" : "psi")) +
+                result.balancers[i].coordinates.at(j) +
                 (result.balancers.size() > 1 ? " of " + std::to_string(i + 1) : "");
             if (curves.size() < most_curves)
                 curves.push_back({name, lagging ? relative_speed(result.series, angles)

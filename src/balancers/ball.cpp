@@ -1,0 +1,211 @@
+#include "balancers/ball.h"
+
+#include "balancers/circle_mass.h"
+#include "balancers/equal_masses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::balancers {
+
+namespace {
+
+using Eigen::Index;
+
+/// Balls with one ratio of damping to mass: their masses' mean displacement is one unknown,
+/// whatever their rows and radii.
+struct Group {
+    double rate = 0;                    ///< h_s, 1/s
+    double mass = 0;                    ///< kg
+    std::complex<double> conjugate = 0; ///< sum of m exp(2 i a), kg
+};
+
+/// Rates that differ by their rounding alone are one.
+constexpr double same_rate = 1e-12;
+
+std::vector<Group> groups_of(const model::Balls &balls, const std::vector<double> &angles) {
+    std::vector<Group> groups;
+    std::size_t first = 0;
+    for (const model::BallRow &row : balls.rows) {
+        const double rate = row.damping / row.mass;
+        auto group = std::find_if(groups.begin(), groups.end(), [rate](const Group &g) {
+            return std::abs(g.rate - rate) <= same_rate * std::max(g.rate, rate);
+        });
+        if (group == groups.end())
+            group = groups.insert(groups.end(), {rate, 0, 0});
+        const double mass = row.n * row.mass;
+        const std::size_t last = first + static_cast<std::size_t>(row.n);
+        group->mass += mass;
+        group->conjugate += mass * second_harmonic(angles, first, last);
+        first = last;
+    }
+    return groups;
+}
+
+/// Displacements of the groups y_g = (T y)_g: the mean of all, y_0, which alone the node feels, and
+/// of each group but the last its difference from that.
+Eigen::MatrixXd means_and_differences(const std::vector<Group> &groups) {
+    const Index n = std::ssize(groups);
+    Eigen::MatrixXd T = Eigen::MatrixXd::Identity(n, n);
+    for (Index g = 0; g < n; ++g)
+        for (Index k = 0; k < n; ++k)
+            T(g, k) = k == 0       ? 1
+                      : g == k - 1 ? 1
+                      : g == n - 1
+                          ? -groups[static_cast<std::size_t>(k - 1)].mass / groups.back().mass
+                          : 0;
+    return T;
+}
+
+/// Free balls, row after row.
+class BallMotion final : public PartsMotion {
+  public:
+    struct Ball {
+        CircleMass mass;
+        double drag = 0; ///< h_A R^2, N m s/rad
+    };
+    explicit BallMotion(std::vector<Ball> balls) : _balls(std::move(balls)) {}
+
+    [[nodiscard]] int size() const override { return static_cast<int>(_balls.size()); }
+
+    void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
+                   const double *rates, MassEquation *out) const override {
+        for (std::size_t j = 0; j < _balls.size(); ++j) {
+            MassEquation &e = out[j];
+            e = _balls[j].mass.equation(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            e.friction = _balls[j].drag * rates[j];
+            e.b += e.friction;
+            e.torque(0) = -e.friction;
+        }
+    }
+
+    [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
+                                      const double *angles, const double *rates) const override {
+        MassMomenta sum;
+        for (std::size_t j = 0; j < _balls.size(); ++j)
+            sum += _balls[j].mass.momenta(plane, spin.angle + angles[j], spin.speed + rates[j]);
+        return sum;
+    }
+
+  private:
+    std::vector<Ball> _balls;
+};
+
+} // namespace
+
+PartsInertia BallKind::inertia() const {
+    PartsInertia out;
+    for (const model::BallRow &row : _balls.rows) {
+        out.mass += row.n * row.mass;
+        out.on_circle += row.n * row.mass * row.radius * row.radius;
+    }
+    return out;
+}
+
+Reach BallKind::reach() const {
+    Reach out;
+    int balls = 0;
+    for (const model::BallRow &row : _balls.rows) {
+        out.imbalance += row.n * row.mass * row.radius;
+        balls += row.n;
+    }
+    out.side_by_side = out.imbalance;
+    out.formula = _balls.rows.size() > 1 ? "sum n m R/(m0 R0)"
+                  : balls > 1            ? "n m R/(m0 R0)"
+                                         : "m R/(m0 R0)";
+    return out;
+}
+
+bool BallKind::damped() const {
+    return std::all_of(_balls.rows.begin(), _balls.rows.end(),
+                       [](const model::BallRow &row) { return row.damping > 0; });
+}
+
+std::optional<double> BallKind::rate() const {
+    if (_balls.rows.size() > 1)
+        return std::nullopt;
+    return _balls.rows.front().damping / _balls.rows.front().mass;
+}
+
+std::vector<CircledMass> BallKind::circled() const {
+    std::vector<CircledMass> out;
+    for (const model::BallRow &row : _balls.rows)
+        out.insert(out.end(), static_cast<std::size_t>(row.n),
+                   {row.mass * row.radius, row.mass * row.radius * row.radius});
+    return out;
+}
+
+/// Every row balances its share of the imbalance, symmetrically.
+std::optional<std::vector<double>> BallKind::usual_position(double capacity) const {
+    std::vector<double> angles;
+    for (const model::BallRow &row : _balls.rows) {
+        if (row.n == 1 && _balls.rows.size() > 1)
+            return std::nullopt;
+        const std::vector<double> own = symmetric_position(row.n, capacity);
+        angles.insert(angles.end(), own.begin(), own.end());
+    }
+    return angles;
+}
+
+SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
+    const std::vector<Group> groups = groups_of(_balls, angles);
+    const Index n = std::ssize(groups);
+    Eigen::VectorXd mass(n);
+    Eigen::VectorXd damping(n);
+    Eigen::VectorXcd conjugate(n);
+    double rates = 0;
+    int undamped = 0;
+    for (Index g = 0; g < n; ++g) {
+        const Group &group = groups[static_cast<std::size_t>(g)];
+        mass(g) = group.mass;
+        damping(g) = group.mass * group.rate;
+        conjugate(g) = group.conjugate;
+        rates += group.rate;
+        undamped += group.rate == 0 ? 1 : 0;
+    }
+    const Eigen::MatrixXd T = means_and_differences(groups);
+    SmallMotions out;
+    out.pull = Eigen::VectorXd::Zero(n);
+    out.pull(0) = mass.sum();
+    out.conjugate = T.transpose() * conjugate;
+    out.inertia = T.transpose() * mass.asDiagonal() * T;
+    out.damping = T.transpose() * damping.asDiagonal() * T;
+    out.restoring = Eigen::VectorXd::Zero(n);
+    // Differences that leave the sum as it is are other balanced positions.
+    out.drift = Eigen::VectorXd::Constant(n, SmallMotions::far_away * rates);
+    out.drift(0) = 0;
+    // All balls on one diameter, along which their motion moves nothing: roots 0 and -h_s.
+    constexpr double rounding = 1e-12;
+    if (std::abs(std::abs(conjugate.sum()) / mass.sum() - 1) < rounding)
+        out.zero_roots = 1 + undamped;
+    return out;
+}
+
+std::shared_ptr<const PartsMotion> BallKind::motion(bool tilt, double gravity) const {
+    std::vector<BallMotion::Ball> balls;
+    for (const model::BallRow &row : _balls.rows) {
+        const double inertia = row.mass * row.radius * row.radius;
+        const CircleMass mass{row.mass * row.radius, inertia, tilt ? inertia : 0,
+                              row.mass * row.radius * gravity};
+        balls.insert(balls.end(), static_cast<std::size_t>(row.n),
+                     {mass, row.damping * row.radius * row.radius});
+    }
+    return std::make_shared<BallMotion>(std::move(balls));
+}
+
+std::vector<std::string> BallKind::coordinates() const {
+    std::vector<std::string> names;
+    for (std::size_t j = 0; j < circled().size(); ++j)
+        names.push_back("ball " + std::to_string(j + 1));
+    return names;
+}
+
+Outline BallKind::outline() const {
+    Outline out;
+    out.label = "ball balancer";
+    for (const model::BallRow &row : _balls.rows)
+        out.points.push_back(row.radius);
+    return out;
+}
+
+} // namespace whirl::balancers

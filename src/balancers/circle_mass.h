@@ -1,0 +1,22 @@
+#pragma once
+
+#include "balancers/parts_motion.h"
+
+namespace whirl::balancers {
+
+/// A point on a circle about the axis: a ball (angle free), or a mass fixed in the rotor. Its
+/// energy, to second order in slopes, c = Re(phi exp(-i g)):
+///     T = m |w' + i R g' exp(i g)|^2 / 2 + mu (c'^2 - g'^2 c^2) / 2,  mu = m R^2 (0: no tilt).
+/// docs/theory.md, "Motion in time".
+struct CircleMass {
+    double moment = 0;  ///< m R, kg m
+    double inertia = 0; ///< m R^2, kg m2
+    double tilt = 0;    ///< mu, kg m2: inertia, or 0 where the tilt inertia is left out
+    double weight = 0;  ///< m g R, N m
+
+    /// @param angle,rate  g (fixed frame) and g'
+    [[nodiscard]] MassEquation equation(const PlaneMotion &plane, double angle, double rate) const;
+    [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double angle, double rate) const;
+};
+
+} // namespace whirl::balancers

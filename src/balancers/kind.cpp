@@ -1,0 +1,34 @@
+#include "balancers/kind.h"
+
+#include "balancers/ball.h"
+#include "balancers/pendulum4.h"
+#include "balancers/ring.h"
+
+#include <algorithm>
+
+namespace whirl::balancers {
+
+namespace {
+
+// A new kind: its line here.
+std::unique_ptr<Kind> made(const model::Balls &b) { return std::make_unique<BallKind>(b); }
+std::unique_ptr<Kind> made(const model::Pendulums &p) { return std::make_unique<PendulumKind>(p); }
+std::unique_ptr<Kind> made(const model::Rings &r) { return std::make_unique<RingKind>(r); }
+
+} // namespace
+
+double Outline::radius() const {
+    double largest = 0;
+    for (const double point : points)
+        largest = std::max(largest, point);
+    for (const auto *lines : {&arms, &sections})
+        for (const auto &[from, to] : *lines)
+            largest = std::max(largest, to);
+    return largest;
+}
+
+std::unique_ptr<Kind> kind_of(const model::Balancer &balancer) {
+    return std::visit([](const auto &parts) { return made(parts); }, balancer.parts);
+}
+
+} // namespace whirl::balancers

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "balancers/parts_motion.h"
+#include "model/balancer.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace whirl::balancers {
+
+/// A mass that may stand anywhere on a circle about the axis: a ball, the centre of a ring.
+struct CircledMass {
+    double moment = 0;  ///< m R, kg m
+    double inertia = 0; ///< m R^2, kg m2
+};
+
+/// All parts together at rest in the rotor; diametral inertias are half of the polar ones.
+struct PartsInertia {
+    double mass = 0;      ///< kg
+    double on_circle = 0; ///< polar inertia of the parts as points, sum m R^2, kg m2
+    double own = 0;       ///< polar inertia of the parts about axes of their own, kg m2
+    /// In the motion in time the parts are a disc that turns with the rotor; else their equations
+    /// hold their gyroscopic effect.
+    bool turn_with_rotor = false;
+};
+
+/// What the parts can do against an imbalance.
+struct Reach {
+    double imbalance = 0;    ///< the largest that they can balance, kg m
+    double side_by_side = 0; ///< the imbalance that they make themselves at worst, kg m
+    std::string formula;     ///< of the capacity E, for messages: "n m R/(m0 R0)"
+};
+
+/// Small motions of the parts about balance: complex unknowns y (m) in rotating axes with
+///
+///     node:  ... + sum_j pull_j (y_j'' + 2 i Omega y_j' - Omega^2 y_j)
+///     j:     sum_k (inertia_jk y_k'' + damping_jk y_k') + restoring_j Omega^2 y_j
+///                + 1/2 [pull_j a_A - conjugate_j conj(a_A)] = 0
+///
+/// a_A the acceleration of the node as in linear_element.h. Where drift_j > 0 only the rate of y_j
+/// matters, y_j = const being a motion without any force. The unknown is then Y_j (m/s) with
+/// y_j' = Y_j + Y_j'/drift_j: a column M_j l^2 + C_j l becomes (M_j l + C_j)(l/drift_j + 1), and
+/// the root 0, which says nothing about stability, becomes -drift_j, far from all others.
+struct SmallMotions {
+    Eigen::VectorXd pull;       ///< kg
+    Eigen::VectorXcd conjugate; ///< kg
+    Eigen::MatrixXd inertia;    ///< kg
+    Eigen::MatrixXd damping;    ///< kg/s
+    Eigen::VectorXd restoring;  ///< kg
+    Eigen::VectorXd drift;      ///< 1/s
+    int zero_roots = 0;         ///< that are left all the same
+
+    /// A drift over the rates of the motions themselves: no motion is as fast, and rounding is far.
+    static constexpr double far_away = 1e3;
+};
+
+/// How the parts are drawn, seen from the side: all lengths are radii, m.
+struct Outline {
+    std::string label;                               ///< "ball balancer"
+    std::vector<double> points;                      ///< circles on which point masses stand
+    std::vector<std::pair<double, double>> arms;     ///< lines from, to
+    std::vector<std::pair<double, double>> sections; ///< cut bodies from, to
+    [[nodiscard]] double radius() const;             ///< the largest
+};
+
+/// A kind of balancer: all that the rest of the program asks of it. docs/adding_a_balancer.md.
+class Kind {
+  public:
+    Kind() = default;
+    Kind(const Kind &) = delete;
+    Kind &operator=(const Kind &) = delete;
+    virtual ~Kind() = default;
+
+    [[nodiscard]] virtual std::string name() const = 0;  ///< as in the case: "ball"
+    [[nodiscard]] virtual std::string parts() const = 0; ///< "balls"
+    [[nodiscard]] virtual PartsInertia inertia() const = 0;
+    [[nodiscard]] virtual Reach reach() const = 0;
+    [[nodiscard]] virtual bool damped() const = 0;
+    /// Damping over mass of parts that move as balls of one sort do, 1/s.
+    [[nodiscard]] virtual std::optional<double> rate() const { return std::nullopt; }
+    /// What can take any angle, in the order of model::Balancer::position; none for pendulums.
+    [[nodiscard]] virtual std::vector<CircledMass> circled() const { return {}; }
+    /// The position that is taken where the case gives none, angles from the imbalance; none: the
+    /// first of the family. Only asked for a position that exists.
+    /// @param capacity  at least 1, may be infinite
+    [[nodiscard]] virtual std::optional<std::vector<double>>
+    usual_position([[maybe_unused]] double capacity) const {
+        return std::nullopt;
+    }
+    /// @param angles  of the circled masses in the rotor, rad
+    [[nodiscard]] virtual SmallMotions small_motions(const std::vector<double> &angles) const = 0;
+    /// @param tilt     whether the parts resist tilting
+    /// @param gravity  m/s2 towards -y
+    [[nodiscard]] virtual std::shared_ptr<const PartsMotion> motion(bool tilt,
+                                                                    double gravity) const = 0;
+    /// Names of the coordinates of motion(); those of the circled masses come first.
+    [[nodiscard]] virtual std::vector<std::string> coordinates() const = 0;
+    [[nodiscard]] virtual Outline outline() const = 0;
+
+    /// Angles that say where a motion starts: of the circled masses, or without any of all
+    /// coordinates; the others start at 0.
+    [[nodiscard]] std::size_t start_angles() const {
+        const std::size_t masses = circled().size();
+        return masses > 0 ? masses : coordinates().size();
+    }
+};
+
+/// The kind of a balancer, which must outlive it.
+[[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Balancer &balancer);
+
+} // namespace whirl::balancers

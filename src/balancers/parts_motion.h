@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace whirl::balancers {
+
+/// Deflection w = (x, y) in the first two entries, slope in the last two; or their rates.
+using PlaneVector = Eigen::Vector4d;
+
+/// Motion of a plane of the rotor.
+struct PlaneMotion {
+    PlaneVector place = PlaneVector::Zero();
+    PlaneVector velocity = PlaneVector::Zero();
+};
+
+/// What the rotor does at one moment.
+struct SpinState {
+    double angle = 0; ///< theta, rad
+    double speed = 0; ///< Omega, rad/s
+};
+
+/// An equation a g'' + u . y + b = 0 of one angle g, and the force -(u g'' + Q y) + P on its plane,
+/// y the plane's acceleration. The constant inertia that the rotor's mass matrix already holds is
+/// not in Q.
+struct MassEquation {
+    PlaneVector u = PlaneVector::Zero();            ///< coupling of angle and plane
+    double a = 0;                                   ///< inertia of the angle
+    double b = 0;                                   ///< all without accelerations
+    double friction = 0;                            ///< what of b is friction
+    PlaneVector force = PlaneVector::Zero();        ///< P
+    PlaneVector per_spin = PlaneVector::Zero();     ///< change of P per unit of spin acceleration
+    Eigen::Matrix2d tilt = Eigen::Matrix2d::Zero(); ///< Q on the slopes
+
+    bool in_rotor = false; ///< g'' is that of the angle in the rotor, not in the fixed frame
+    /// Torque on the rotor that the part asks for: alone, and per unit of spin acceleration.
+    Eigen::Vector2d torque = Eigen::Vector2d::Zero();
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< S: and Im(conj(S) w'') besides, kg m
+    double weight = 0;                                ///< torque of gravity about the axis, N m
+};
+
+/// Contributions to the energy and to the angular momentum about the z axis beyond those of the
+/// rotor's mass matrix.
+struct MassMomenta {
+    double kinetic = 0;   ///< J
+    double potential = 0; ///< J
+    double spin = 0;      ///< dT/d(angular velocity), of the angle alone, kg m2/s
+    PlaneVector plane = PlaneVector::Zero(); ///< dT/d(velocity of the plane)
+
+    MassMomenta &operator+=(const MassMomenta &other) {
+        kinetic += other.kinetic;
+        potential += other.potential;
+        spin += other.spin;
+        plane += other.plane;
+        return *this;
+    }
+};
+
+/// Equations of motion of the parts of one balancer: one angle in the rotor a coordinate, no two of
+/// which share an inertia. docs/theory.md, "Motion in time".
+class PartsMotion {
+  public:
+    PartsMotion() = default;
+    PartsMotion(const PartsMotion &) = delete;
+    PartsMotion &operator=(const PartsMotion &) = delete;
+    virtual ~PartsMotion() = default;
+
+    [[nodiscard]] virtual int size() const = 0; ///< coordinates
+    /// @param angles,rates  in the rotor, rad and rad/s
+    /// @param out           `size()` equations
+    virtual void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
+                           const double *rates, MassEquation *out) const = 0;
+    /// Of all parts together.
+    [[nodiscard]] virtual MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
+                                              const double *angles, const double *rates) const = 0;
+};
+
+} // namespace whirl::balancers

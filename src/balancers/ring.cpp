@@ -1,0 +1,161 @@
+#include "balancers/ring.h"
+
+#include "balancers/circle_mass.h"
+#include "balancers/equal_masses.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::balancers {
+
+namespace {
+
+/// The turning of a ring about its own axis.
+struct OwnRotation {
+    double inertia = 0; ///< J, kg m2
+    double tilt = 0;    ///< J, or 0 where the tilt inertia is left out
+
+    [[nodiscard]] MassEquation equation(const PlaneMotion &plane, double rate) const {
+        const PlaneVector &p = plane.place;
+        const PlaneVector &v = plane.velocity;
+        MassEquation out;
+        out.a = inertia;
+        out.u << 0, 0, tilt * p(3) / 2, -tilt * p(2) / 2;
+        out.force << 0, 0, -tilt * rate * v(3), tilt * rate * v(2);
+        return out;
+    }
+
+    [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double rate) const {
+        const PlaneVector &p = plane.place;
+        const PlaneVector &v = plane.velocity;
+        const double turning = p(2) * v(3) - p(3) * v(2); // Im(conj(phi) phi')
+        MassMomenta out;
+        out.kinetic = inertia * rate * rate / 2 - tilt * rate * turning / 2;
+        out.spin = inertia * rate - tilt * turning / 2;
+        out.plane << 0, 0, tilt * rate * p(3) / 2, -tilt * rate * p(2) / 2;
+        return out;
+    }
+};
+
+/// Coordinates: angles of all centres, then of all rings about themselves.
+class RingMotion final : public PartsMotion {
+  public:
+    RingMotion(const model::Rings &rings, bool tilt, double gravity)
+        : _rings(rings), _own{rings.inertia, tilt ? rings.inertia : 0} {
+        const double moment = rings.mass * rings.clearance;
+        const double inertia = moment * rings.clearance;
+        _centre = {moment, inertia, tilt ? inertia : 0, moment * gravity};
+    }
+
+    [[nodiscard]] int size() const override { return 2 * _rings.n; }
+
+    void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
+                   const double *rates, MassEquation *out) const override {
+        const double e = _rings.clearance;
+        const double R = _rings.bore_radius();
+        for (int j = 0; j < _rings.n; ++j) {
+            const double own_rate = rates[_rings.n + j]; // in the rotor
+            MassEquation &centre = out[j];
+            MassEquation &own = out[_rings.n + j];
+            centre = _centre.equation(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            own = _own.equation(plane, spin.speed + own_rate);
+            const double sliding = _rings.damping * (e * rates[j] - R * own_rate); // N
+            centre.friction = e * sliding;
+            own.friction = _rings.drag * own_rate - R * sliding;
+            for (MassEquation *equation : {&centre, &own}) {
+                equation->b += equation->friction;
+                equation->torque(0) = -equation->friction;
+            }
+        }
+    }
+
+    [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
+                                      const double *angles, const double *rates) const override {
+        MassMomenta sum;
+        for (int j = 0; j < _rings.n; ++j) {
+            sum += _centre.momenta(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            sum += _own.momenta(plane, spin.speed + rates[_rings.n + j]);
+        }
+        return sum;
+    }
+
+  private:
+    model::Rings _rings;
+    CircleMass _centre;
+    OwnRotation _own;
+};
+
+} // namespace
+
+PartsInertia RingKind::inertia() const {
+    PartsInertia out;
+    out.mass = _rings.n * _rings.mass;
+    out.on_circle = out.mass * _rings.clearance * _rings.clearance;
+    out.own = _rings.n * _rings.inertia;
+    return out;
+}
+
+Reach RingKind::reach() const {
+    const double largest = _rings.n * _rings.mass * _rings.clearance;
+    return {largest, largest, _rings.n > 1 ? "n m e/(m0 R0)" : "m e/(m0 R0)"};
+}
+
+std::vector<CircledMass> RingKind::circled() const {
+    const double moment = _rings.mass * _rings.clearance;
+    return {static_cast<std::size_t>(_rings.n), {moment, moment * _rings.clearance}};
+}
+
+std::optional<std::vector<double>> RingKind::usual_position(double capacity) const {
+    return symmetric_position(_rings.n, capacity);
+}
+
+/// y: displacement of the centres sigma, mean of i e exp(i g) dg, and, where rings and journal feel
+/// each other, that of the bores tau, mean of i R exp(i g) ds, of which only the rate matters.
+SmallMotions RingKind::small_motions(const std::vector<double> &angles) const {
+    const double n = _rings.n;
+    const double mass = n * _rings.mass;
+    const double R2 = _rings.bore_radius() * _rings.bore_radius();
+    const std::complex<double> D = second_harmonic(angles, 0, angles.size());
+    const Eigen::Index unknowns = _rings.damping > 0 ? 2 : 1;
+    SmallMotions out;
+    out.pull = mass * Eigen::VectorXd::Unit(unknowns, 0);
+    out.conjugate = mass * D * Eigen::VectorXcd::Unit(unknowns, 0);
+    out.inertia = mass * Eigen::MatrixXd::Identity(unknowns, unknowns);
+    out.damping = Eigen::MatrixXd::Zero(unknowns, unknowns);
+    out.restoring = Eigen::VectorXd::Zero(unknowns);
+    out.drift = Eigen::VectorXd::Zero(unknowns);
+    constexpr double rounding = 1e-12;
+    if (std::abs(std::abs(D) - 1) < rounding) // all centres on one diameter, as of balls
+        out.zero_roots = _rings.damping > 0 && _rings.drag > 0 ? 1 : 2;
+    if (unknowns == 1)
+        return out;
+    const double c = n * _rings.damping;
+    out.inertia(1, 1) = n * _rings.inertia / R2;
+    out.damping << c, -c, -c, c + n * _rings.drag / R2;
+    out.drift(1) = SmallMotions::far_away * out.damping(1, 1) / out.inertia(1, 1);
+    return out;
+}
+
+std::shared_ptr<const PartsMotion> RingKind::motion(bool tilt, double gravity) const {
+    return std::make_shared<RingMotion>(_rings, tilt, gravity);
+}
+
+std::vector<std::string> RingKind::coordinates() const {
+    std::vector<std::string> names;
+    for (const char *what : {"ring ", "rotation of ring "})
+        for (int j = 0; j < _rings.n; ++j)
+            names.push_back(what + std::to_string(j + 1));
+    return names;
+}
+
+/// The section of a homogeneous ring of this mass and inertia.
+Outline RingKind::outline() const {
+    const double bore = _rings.bore_radius();
+    Outline out;
+    out.label = "ring balancer";
+    out.sections = {
+        {bore, std::sqrt(std::max(bore * bore, 2 * _rings.inertia / _rings.mass - bore * bore))}};
+    return out;
+}
+
+} // namespace whirl::balancers

@@ -1,0 +1,170 @@
+#include "input/sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace whirl::input {
+namespace {
+
+/// `position`, angles of all balls or rings; "symmetric" leaves the list empty.
+void read_position(CheckedTable &table, const char *part, int count, model::Balancer &balancer) {
+    const Node *entry = table.find("position");
+    if (!entry || (entry->kind == Node::Kind::text && entry->text == "symmetric"))
+        return;
+    if (entry->kind != Node::Kind::list) {
+        table.fail("position", fmt::format("expected \"symmetric\" or a list of {} angles, got {}",
+                                           part, shown(*entry)));
+        return;
+    }
+    balancer.position = table.numbers("position", Quantity::angle);
+    if (std::ssize(balancer.position) != count)
+        table.fail("position", fmt::format("expected {} angles, one for each {}, got {}", count,
+                                           part, balancer.position.size()));
+}
+
+model::BallRow read_row(CheckedTable &table) {
+    model::BallRow row;
+    row.mass = table.number("mass", Quantity::mass, Range::positive());
+    row.n = table.whole_or("n", row.n, 1, largest_count);
+    row.radius = table.number("radius", Quantity::length, Range::positive());
+    row.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
+    return row;
+}
+
+void read_ball(CheckedTable &table, model::Balancer &balancer) {
+    model::Balls balls;
+    if (table.has("rows")) {
+        for (const char *key : {"n", "mass", "radius", "damping"})
+            if (table.has(key))
+                table.fail(key, "expected either rows or n, mass, radius, damping, got both");
+        balls.rows.clear();
+        for (CheckedTable &row : table.tables("rows")) {
+            balls.rows.push_back(read_row(row));
+            row.refuse_unknown();
+        }
+        if (balls.rows.empty())
+            table.fail("rows", "expected a list of at least one row, {n, mass, radius, damping}, "
+                               "got none");
+    } else {
+        balls.rows = {read_row(table)};
+    }
+    int count = 0;
+    for (const model::BallRow &row : balls.rows)
+        count += row.n;
+    read_position(table, "ball", count, balancer);
+    balancer.parts = balls;
+}
+
+void read_pendulum(CheckedTable &table, model::Balancer &balancer) {
+    model::Pendulums pendulums;
+    pendulums.mass = table.number("mass", Quantity::mass, Range::positive());
+    pendulums.arm = table.number("arm", Quantity::length, Range::positive());
+    pendulums.pivot = table.number("pivot", Quantity::length, Range::not_negative());
+    pendulums.damping =
+        table.number_or("damping", 0, Quantity::tilt_damping, Range::not_negative());
+    balancer.parts = pendulums;
+}
+
+/// About its own axis, kg m2: as given, or of a homogeneous ring out to outer_radius.
+double read_ring_inertia(CheckedTable &table, const model::Rings &rings) {
+    const double bore = rings.bore_radius();
+    if (table.has("inertia") == table.has("outer_radius")) {
+        table.fail(table.has("inertia") ? "inertia" : "outer_radius",
+                   fmt::format("expected either outer_radius of a homogeneous ring or its inertia, "
+                               "got {}",
+                               table.has("inertia") ? "both" : "neither"));
+        return 0;
+    }
+    if (table.has("outer_radius")) {
+        const double outer = table.number("outer_radius", Quantity::length, Range::positive());
+        if (outer <= bore)
+            table.fail("outer_radius", fmt::format("expected a radius above that of the bore, "
+                                                   "journal_radius + clearance = {} m, got {} m",
+                                                   bore, outer));
+        return rings.mass * (outer * outer + bore * bore) / 2;
+    }
+    const double inertia = table.number("inertia", Quantity::inertia, Range::positive());
+    const double least = rings.mass * bore * bore;
+    constexpr double rounding = 1e-9; // of inputs with nine digits or more
+    if (inertia < least * (1 - rounding))
+        table.fail("inertia", fmt::format("expected at least mass (journal_radius + clearance)^2 = "
+                                          "{} kg m2, as all mass lies outside the bore, got {}",
+                                          least, inertia));
+    return inertia;
+}
+
+void read_ring(CheckedTable &table, model::Balancer &balancer) {
+    model::Rings rings;
+    rings.n = table.whole_or("n", rings.n, 1, largest_count);
+    rings.mass = table.number("mass", Quantity::mass, Range::positive());
+    rings.journal_radius = table.number("journal_radius", Quantity::length, Range::positive());
+    rings.clearance = table.number("clearance", Quantity::length, Range::positive());
+    rings.inertia = read_ring_inertia(table, rings);
+    rings.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
+    rings.drag = table.number_or("drag", 0, Quantity::tilt_damping, Range::not_negative());
+    read_position(table, "ring", rings.n, balancer);
+    balancer.parts = rings;
+}
+
+struct KindOfTable {
+    std::string name;
+    std::vector<std::string> keys; ///< those that not every kind has
+    void (*read)(CheckedTable &, model::Balancer &);
+};
+
+// A new kind: its row here.
+const std::array kinds{
+    KindOfTable{"ball", {"n", "radius", "position", "rows"}, read_ball},
+    KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
+    KindOfTable{"ring",
+                {"n", "position", "journal_radius", "clearance", "outer_radius", "inertia", "drag"},
+                read_ring},
+};
+
+bool has_key(const KindOfTable &kind, const std::string &key) {
+    return std::find(kind.keys.begin(), kind.keys.end(), key) != kind.keys.end();
+}
+
+/// Collects a mistake at each key of another kind; all of them become known.
+void refuse_keys_of_others(CheckedTable &table, const KindOfTable &own) {
+    for (const KindOfTable &other : kinds)
+        for (const std::string &key : other.keys) {
+            if (has_key(own, key) || !table.has(key))
+                continue;
+            std::vector<std::string> owners;
+            for (const KindOfTable &kind : kinds)
+                if (has_key(kind, key))
+                    owners.push_back(fmt::format("\"{}\"", kind.name));
+            if (owners.front() == fmt::format("\"{}\"", other.name)) // once
+                table.fail(key, fmt::format("expected only with kind = {}, got a {}",
+                                            fmt::join(owners, " or "), own.name));
+        }
+}
+
+} // namespace
+
+void read_balancers(CheckedTable &root, model::Rotor &rotor) {
+    std::vector<std::string> names;
+    for (const KindOfTable &kind : kinds)
+        names.push_back(kind.name);
+    for (CheckedTable &table : root.tables("balancer")) {
+        model::Balancer balancer;
+        balancer.name = table.text("name").value_or("");
+        balancer.z = table.number("z", Quantity::length);
+        const KindOfTable &kind = kinds.at(table.choice("kind", names, 0));
+        kind.read(table, balancer);
+        refuse_keys_of_others(table, kind);
+        balancer.imbalance =
+            table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
+        balancer.imbalance_phase = table.number_or("imbalance_phase", 0, Quantity::angle);
+        balancer.imbalance_radius =
+            table.optional_number("imbalance_radius", Quantity::length, Range::positive());
+        balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
+        table.refuse_unknown();
+        rotor.balancers.push_back(balancer);
+    }
+}
+
+} // namespace whirl::input

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace whirl::model {
+
+/// Equal balls in one race.
+struct BallRow {
+    int n = 2;
+    double mass = 0;    ///< of one ball, kg
+    double radius = 0;  ///< of the circle of ball centres, m
+    double damping = 0; ///< of one ball along the race, N s/m
+};
+
+/// Balls in races filled with fluid: one row, or several side by side of different balls and radii.
+struct Balls {
+    std::vector<BallRow> rows{BallRow{}};
+};
+
+/// Four pendulums: two tied pairs on two perpendicular lines.
+struct Pendulums {
+    double mass = 0;    ///< of one, kg
+    double arm = 0;     ///< m
+    double pivot = 0;   ///< radius of the pivots, m
+    double damping = 0; ///< at the hinge, N m s/rad
+};
+
+/// Equal rigid rings side by side that hang with clearance on a journal turning with the rotor.
+struct Rings {
+    int n = 2;
+    double mass = 0;           ///< of one, kg
+    double journal_radius = 0; ///< m
+    double clearance = 0;      ///< radial: radius of the circle of the rings' centres, m
+    double inertia = 0;        ///< of one about its own axis, kg m2
+    double damping = 0;        ///< against sliding on the journal, N s/m
+    double drag = 0;           ///< against its own rotation relative to the rotor, N m s/rad
+
+    [[nodiscard]] double bore_radius() const { return journal_radius + clearance; } ///< m
+};
+
+/// A passive auto-balancer at z. What its parts are is the business of balancers/ alone.
+struct Balancer {
+    std::string name;
+    double z = 0; ///< m
+    std::variant<Balls, Pendulums, Rings> parts;
+    double imbalance = 0;                   ///< m0 R0 that it is to balance, kg m
+    double imbalance_phase = 0;             ///< direction of that imbalance in the rotor, rad
+    std::optional<double> imbalance_radius; ///< R0, m: the imbalance is a point mass that counts
+    bool tilt_inertia = true; ///< false: parts and imbalance as if on the axis, for comparison with
+                              ///< models that leave their moments of inertia out
+    /// Angles of the balls (row after row) or ring centres in the rotor, rad; empty: chosen.
+    std::vector<double> position;
+};
+
+} // namespace whirl::model
