@@ -2,6 +2,7 @@
 
 #include "results/balance.h"
 #include "sample_results.h"
+#include "whole_report.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -139,7 +140,11 @@ TEST_F(BalanceReport, WritesAllPicturesAndAPage) {
 }
 
 TEST_F(BalanceReport, EmptyAndSingleSpeedResultsStillMakeAReport) {
-    EXPECT_NO_THROW((void)write_report(model::Case{}, results::BalanceResult{}, folder / "a"));
+    const Files nothing = write_report(model::Case{}, results::BalanceResult{}, folder / "a");
+    const auto empty = expect_whole_report(nothing, folder / "a", "balance");
+    EXPECT_EQ(empty.at("planes"), nlohmann::json::array());
+    EXPECT_EQ(empty.at("speeds"), nlohmann::json::array());
+    EXPECT_EQ(lines_of(content_of(folder / "a/balance.csv")).size(), 1U) << "the header alone";
     results::BalanceResult one = sample_balance();
     one.speeds.resize(1);
     one.joint.signature.resize(1);
@@ -147,7 +152,15 @@ TEST_F(BalanceReport, EmptyAndSingleSpeedResultsStillMakeAReport) {
         plane.bands = {};
         plane.criterion.resize(1);
     }
-    EXPECT_NO_THROW((void)write_report(sample_case(), one, folder / "b"));
+    const Files single = write_report(sample_case(), one, folder / "b");
+    const auto json = expect_whole_report(single, folder / "b", "balance");
+    ASSERT_EQ(json.at("planes").size(), 2U);
+    for (const auto &plane : json.at("planes")) {
+        EXPECT_EQ(plane.at("name"), wicked_title);
+        EXPECT_EQ(plane.at("bands"), nlohmann::json::array());
+        EXPECT_EQ(plane.at("criterion").dump(), "[0.0]");
+    }
+    EXPECT_EQ(json.at("joint").at("signature").size(), 1U);
 }
 
 } // namespace whirl::report

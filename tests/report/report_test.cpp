@@ -6,6 +6,7 @@
 #include "results/response.h"
 #include "results/show.h"
 #include "sample_results.h"
+#include "whole_report.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -44,18 +45,40 @@ TEST_F(ReportTest, CampbellWritesPicturesDataAndPage) {
 }
 
 TEST_F(ReportTest, EmptyResultsStillMakeAReport) {
-    EXPECT_NO_THROW(write_report(model::Case{}, results::CampbellResult{}, folder / "a"));
-    EXPECT_NO_THROW(write_report(model::Case{}, results::CriticalResult{}, folder / "b"));
-    EXPECT_NO_THROW(write_report(model::Case{}, results::ResponseResult{}, folder / "c"));
-    EXPECT_NO_THROW(write_report(model::Case{}, results::ModesResult{}, folder / "d"));
-    EXPECT_NO_THROW(write_report(model::Case{}, results::ShowResult{}, folder / "e"));
-    EXPECT_NO_THROW(write_report(model::Case{}, results::AccuracyResult{}, folder / "f"));
+    // An empty list in the data, and of the table the header alone.
+    const auto expect_empty = [&](const auto &result, const std::string &command,
+                                  const std::string &list, std::size_t lines) {
+        const fs::path at = folder / command;
+        const Files files = write_report(model::Case{}, result, at);
+        const nlohmann::json json = expect_whole_report(files, at, command);
+        EXPECT_EQ(json.value(list, nlohmann::json("no such list")), nlohmann::json::array())
+            << command;
+        const std::vector<std::string> table = lines_of(content_of(at / (command + ".csv")));
+        ASSERT_EQ(table.size(), lines) << command;
+        EXPECT_NE(table[0].find(" ["), std::string::npos) << "units: " << table[0];
+    };
+    expect_empty(results::CampbellResult{}, "campbell", "modes", 1);
+    expect_empty(results::CriticalResult{}, "critical", "critical_speeds", 1);
+    expect_empty(results::ResponseResult{}, "response", "nodes", 1);
+    expect_empty(results::ModesResult{}, "modes", "modes", 1);
+    expect_empty(results::ShowResult{}, "show", "balancers", 2); // with the rotor's own numbers
+    expect_empty(results::AccuracyResult{}, "accuracy", "rows", 1);
 }
 
 TEST_F(ReportTest, SingleSpeedStillMakesAReport) {
     results::CampbellResult result = sample_campbell();
     result.speeds.resize(1);
-    EXPECT_NO_THROW(write_report(sample_case(), result, folder));
+    for (results::CampbellMode &mode : result.modes)
+        mode.frequency.resize(1);
+    const Files files = write_report(sample_case(), result, folder);
+    const nlohmann::json json = expect_whole_report(files, folder, "campbell");
+    EXPECT_EQ(json.at("speeds").dump(), "[0.0]");
+    EXPECT_EQ(json.at("/modes/0/frequency"_json_pointer).dump(), "[85.389371234123]");
+    EXPECT_EQ(json.at("/modes/1/frequency"_json_pointer).dump(), "[90.0]");
+    const std::vector<std::string> table = lines_of(content_of(folder / "campbell.csv"));
+    ASSERT_EQ(table.size(), 3U);
+    EXPECT_EQ(table[1].rfind("0,1B,85.389371234123,", 0), 0U) << table[1];
+    EXPECT_EQ(table[2].rfind("0,1F,90,", 0), 0U) << table[2];
 }
 
 TEST_F(ReportTest, ModesHaveAFileForParaView) {

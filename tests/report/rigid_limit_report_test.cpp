@@ -1,5 +1,6 @@
 #include "results/rigid_limit.h"
 #include "sample_results.h"
+#include "whole_report.h"
 
 #include <nlohmann/json.hpp>
 
@@ -77,7 +78,11 @@ TEST_F(RigidLimitReport, WritesPicturesDataAndPage) {
         EXPECT_NE(page.find("<svg", page.find("Flexible model and rigid closed forms</h2>")),
                   std::string::npos);
     }
-    EXPECT_NO_THROW(write_report(model::Case{}, results::RigidLimitResult{}, folder / "empty"));
+    const Files nothing =
+        write_report(model::Case{}, results::RigidLimitResult{}, folder / "empty");
+    const auto json = expect_whole_report(nothing, folder / "empty", "rigid-limit");
+    EXPECT_EQ(json.at("rows"), nlohmann::json::array());
+    EXPECT_EQ(lines_of(content_of(folder / "empty/rigid-limit.csv")).size(), 1U) << "the header";
 }
 
 } // namespace whirl::report

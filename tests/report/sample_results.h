@@ -15,6 +15,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace whirl::report {
 
@@ -107,6 +108,15 @@ inline std::string content_of(const std::filesystem::path &path) {
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();
+}
+
+/// Lines of a text, the last one with or without its end.
+inline std::vector<std::string> lines_of(const std::string &text) {
+    std::vector<std::string> out;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+        out.push_back(line);
+    return out;
 }
 
 /// A folder of a test's own, removed with everything in it.

@@ -1,5 +1,6 @@
-// The finite-element side of the comparison with the rigid rotor, against other routes to the same
-// numbers.
+// The finite-element side of the comparison with the rigid rotor: against statics of a massless
+// shaft, which uses nothing of the program; and against the analyses of stability, which use the
+// same element matrices and other equations and searches.
 
 #include "rigid/model.h"
 
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 namespace whirl::rigid {
 
@@ -54,6 +56,66 @@ TEST(RigidLimitModel, FlexibleSpeedsFollowFromTheComplianceOfTheShaft) {
         EXPECT_NEAR(found[0]->value, std::sqrt(squares.minCoeff()), 1e-8 * found[0]->value);
         EXPECT_NEAR(found[1]->value, std::sqrt(squares.maxCoeff()), 1e-8 * found[1]->value);
     }
+}
+
+/// The anisotropic disc in the middle of a massless shaft on two damped bearings, standing still in
+/// rotating axes: with q the stiffness against its tilt under a moment that turns with the rotor,
+/// 1/q = L/(12 EI) + 1/(kGA L) + 2/((k + i W c) L^2), and the inertia
+/// W^2 (A - C) on the mean, W^2 a between the tilt and its conjugate, the determinant is
+/// |q - W^2 (A - C)|^2 - (W^2 a)^2.
+struct StandingTilt {
+    double E = 2e9, G = 7.7e8, L = 2, d = 0.02, k = 0.78125, c = 0.078, A = 1, C = 0.8;
+
+    /// Largest a at which the determinant is not negative.
+    [[nodiscard]] double permissible(double W) const {
+        const double nu = E / (2 * G) - 1;
+        const double shear = 6 * (1 + nu) / (7 + 6 * nu) * G * M_PI * d * d / 4; // Cowper
+        const std::complex<double> bearing(k, W * c);
+        const std::complex<double> compliance =
+            L / (12 * E * M_PI * std::pow(d, 4) / 64) + 1 / (shear * L) + 2.0 / (bearing * L * L);
+        return std::abs(1.0 / compliance - W * W * (A - C)) / (W * W);
+    }
+    /// Where it becomes equal to a between two speeds.
+    [[nodiscard]] double end(double a, double from, double to) const {
+        const bool stable = permissible(from) > a;
+        for (int i = 0; i < 100; ++i) {
+            const double middle = (from + to) / 2;
+            ((permissible(middle) > a) == stable ? from : to) = middle;
+        }
+        return from;
+    }
+    /// Its least over a range, by golden sections.
+    [[nodiscard]] double least(double from, double to) const {
+        const double share = (std::sqrt(5.0) - 1) / 2;
+        for (int i = 0; i < 100; ++i) {
+            const double a = to - share * (to - from);
+            const double b = from + share * (to - from);
+            if (permissible(a) < permissible(b))
+                to = b;
+            else
+                from = a;
+        }
+        return permissible(from);
+    }
+};
+
+TEST(RigidLimitModel, AnisotropicDiscOnAMasslessShaft) {
+    const model::Rotor rotor = anisotropic_case().rotor;
+    RigidTarget from = target_of(RigidQuantity::unstable_from, 2); // translation comes first, twice
+    from.upper = 3;
+    RigidTarget to = from;
+    to.kind = RigidQuantity::unstable_to;
+    RigidTarget permissible = target_of(RigidQuantity::permissible);
+    permissible.from = 0;
+    permissible.to = 6;
+    const auto found = model_values(rotor, 2, {from, to, permissible});
+    const StandingTilt tilt;
+    ASSERT_TRUE(found[0] && found[1] && found[2]);
+    const double least = tilt.least(2.3, 3.9); // one minimum, between the ends
+    EXPECT_LT(least, 0.1);
+    EXPECT_NEAR(found[2]->value, least, 1e-8 * least); // flat at the minimum
+    EXPECT_NEAR(found[0]->value, tilt.end(0.1, 1.5, 2.8), 1e-8 * 2.4);
+    EXPECT_NEAR(found[1]->value, tilt.end(0.1, 2.8, 5), 1e-8 * 3.8);
 }
 
 /// The ends of instability by following the free motions over speed.
