@@ -8,18 +8,6 @@
 
 namespace whirl::report {
 
-namespace {
-
-std::vector<std::string> lines_of(const std::string &text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
-
-} // namespace
-
 TEST(Csv, CampbellHasUnitsOneRowAModeAndSpeedAndEmptyCells) {
     const auto lines = lines_of(to_csv(sample_campbell()));
     ASSERT_EQ(lines.size(), 1u + 3 * 2);

@@ -83,7 +83,7 @@ TEST(Continued, MotionsAreKnownByTheirStatesNotByTheirPlaces) {
                                  motion(11. * i, e1 + 0.1 * i * e3)};
     const Continuation found = continued(0, from, 1, to);
     EXPECT_EQ(found.to, (std::vector<int>{2, 0, 1}));
-    EXPECT_TRUE(found.meetings.empty()); // no two of them change sides
+    EXPECT_TRUE(found.coalescences.empty()); // no two of them change sides
     EXPECT_FALSE(found.doubtful);
 }
 
@@ -93,8 +93,8 @@ TEST(Continued, APairThatCrossesIsAMeetingWithBothOrdersKnown) {
     const std::vector<Motion> to{motion(20. * i, e1), motion(10. * i, e2)};
     const Continuation found = continued(3, from, 4, to);
     EXPECT_EQ(found.to, (std::vector<int>{0, 1}));
-    ASSERT_EQ(found.meetings.size(), 1U);
-    const Meeting &meeting = found.meetings[0];
+    ASSERT_EQ(found.coalescences.size(), 1U);
+    const Coalescence &meeting = found.coalescences[0];
     EXPECT_TRUE(meeting.ordered);
     EXPECT_EQ(meeting.copies, 0);
     EXPECT_EQ(meeting.from, 3);
@@ -114,8 +114,8 @@ TEST(Continued, MixturesAreKnownAsAPair) {
     EXPECT_EQ(found.to[0], Continuation::nowhere);
     EXPECT_EQ(found.to[1], Continuation::nowhere);
     EXPECT_EQ(found.to[2], 2);
-    ASSERT_EQ(found.meetings.size(), 1U);
-    EXPECT_FALSE(found.meetings[0].ordered);
+    ASSERT_EQ(found.coalescences.size(), 1U);
+    EXPECT_FALSE(found.coalescences[0].ordered);
     EXPECT_FALSE(found.doubtful);
 }
 
@@ -125,7 +125,7 @@ TEST(Continued, PairsThatDieOutFasterThanTheyAreApartDoNotMatter) {
         const std::vector<Motion> from{motion(10. * i - decay, e1), motion(20. * i - decay, e2)};
         const std::vector<Motion> to{motion(20. * i - decay, e1), motion(10. * i - decay, e2)};
         // Apart by 10 1/s at both ends: meeting could drive them by no more than the sum.
-        EXPECT_EQ(continued(0, from, 1, to).meetings.size(), decay < 20 ? 1U : 0U) << decay;
+        EXPECT_EQ(continued(0, from, 1, to).coalescences.size(), decay < 20 ? 1U : 0U) << decay;
     }
 }
 
@@ -135,7 +135,7 @@ TEST(Continued, FastMotionsThatCannotMeetAreLeftOut) {
     std::vector<Motion> to{motion(20. * i, e1), motion(10. * i, e2)};
     for (Motion *one : {&from[0], &to[0]})
         one->may_meet = false;
-    EXPECT_TRUE(continued(0, from, 1, to).meetings.empty());
+    EXPECT_TRUE(continued(0, from, 1, to).coalescences.empty());
 }
 
 TEST(Continued, AMotionWithoutAPartnerIsDoubtfulUnlessItDiesOut) {
@@ -159,10 +159,10 @@ TEST(Continued, CopiesOfAPeriodicSystemMeetToo) {
         for (Motion &one : *motions)
             one.repeats = 8;
     const Continuation found = continued(0, from, 1, to);
-    ASSERT_EQ(found.meetings.size(), 1U);
-    EXPECT_EQ(found.meetings[0].copies, 1);
-    EXPECT_EQ(found.meetings[0].second_from, 11. * i);
-    EXPECT_EQ(found.meetings[0].second_to, 13. * i);
+    ASSERT_EQ(found.coalescences.size(), 1U);
+    EXPECT_EQ(found.coalescences[0].copies, 1);
+    EXPECT_EQ(found.coalescences[0].second_from, 11. * i);
+    EXPECT_EQ(found.coalescences[0].second_to, 13. * i);
 }
 
 TEST(Continued, NothingContinuesNothing) {
@@ -237,7 +237,7 @@ TEST(Coalescence, DecoupledMotionsCross) {
     const std::vector<Motion> to = at(9);
     const Continuation found = continued(0, from, 9, to);
     int pairs = 0;
-    for (const Meeting &meeting : found.meetings) {
+    for (const Coalescence &meeting : found.coalescences) {
         EXPECT_TRUE(meeting.ordered);
         pairs += meeting.first_from.imag() > 0 && meeting.second_from.imag() > 0 ? 1 : 0;
     }
