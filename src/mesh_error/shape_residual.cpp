@@ -5,6 +5,8 @@
 #include "results/formulation.h"
 #include "results/whirl.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
