@@ -176,7 +176,6 @@ void describe(results::AccuracyResult &result, const Study &study, const Referen
 } // namespace
 
 results::AccuracyResult accuracy(const model::Case &scene) {
-    const auto start = std::chrono::steady_clock::now();
     if (scene.rotor.shaft.rigid)
         throw model::BadInput(fmt::format("{}: shaft.rigid: expected false for a study of the "
                                           "discretisation error, got true",
@@ -197,8 +196,6 @@ results::AccuracyResult accuracy(const model::Case &scene) {
                                                      refinement, failure.what()));
         }
     }
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

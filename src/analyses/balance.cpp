@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace whirl::analyses {
@@ -208,7 +207,6 @@ results::BalanceResult criterion(const model::Case &scene, const criterion::Bala
 } // namespace
 
 results::BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
-    const auto start = std::chrono::steady_clock::now();
     const criterion::BalanceScene s(scene);
     const assembly::Discretization d(s.rotor, s.order);
     try {
@@ -222,8 +220,6 @@ results::BalanceResult balance(const model::Case &scene, const BalanceOptions &o
             result.simulated = simulated_speeds(scene, result.model.notes);
         result.findings = balance_findings(result, scene);
         process::report_progress(1);
-        result.model.seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         return result;
     } catch (const linalg::SolverError &error) {
         throw model::AnalysisFailure(fmt::format("balance: {}", error.what()));

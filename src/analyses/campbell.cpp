@@ -4,7 +4,7 @@
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
-#include "process/session.h"
+#include "process/processes.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -221,7 +220,6 @@ results::CampbellResult campbell(const model::Case &scene) {
     if (!scene.speeds)
         throw model::BadInput("speeds: expected a table [speeds] with from, to and count for a "
                               "Campbell diagram, got none");
-    const auto start = std::chrono::steady_clock::now();
     results::CampbellResult result;
     result.model.formulation = modes::choose_formulation(scene);
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
@@ -251,8 +249,6 @@ results::CampbellResult campbell(const model::Case &scene) {
     note_gaps(result.model, crossed.unsettled,
               "a frequency changes sides of a multiple of the spin speed without a crossing that "
               "could be verified");
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

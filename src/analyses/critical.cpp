@@ -15,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -187,7 +186,6 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
 } // namespace
 
 results::CriticalResult critical_speeds(const model::Case &as_given) {
-    const auto start = std::chrono::steady_clock::now();
     const results::Formulation formulation = modes::choose_formulation(as_given);
     refuse_hill(formulation.form);
     const model::Case scene =
@@ -203,8 +201,6 @@ results::CriticalResult critical_speeds(const model::Case &as_given) {
     }
     note_damping(formulation.form, as_given.rotor.damped(), result.model);
     note_balls_held(formulation.form, result.model);
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

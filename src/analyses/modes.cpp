@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 namespace whirl::analyses {
@@ -61,7 +60,6 @@ char letter(results::Whirl whirl) {
 } // namespace
 
 results::ModesResult mode_shapes(const model::Case &scene) {
-    const auto start = std::chrono::steady_clock::now();
     results::ModesResult result;
     result.speed = model::required_speeds(scene).from;
     result.model.formulation = modes::choose_formulation(scene);
@@ -89,8 +87,6 @@ results::ModesResult mode_shapes(const model::Case &scene) {
         result.model.notes.push_back(
             fmt::format("{} modes were asked for, the rotor has {} that oscillate",
                         scene.campbell.modes, result.modes.size()));
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

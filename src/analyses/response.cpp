@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -256,7 +255,6 @@ void note_resonances(results::ResponseResult &result) {
 } // namespace
 
 results::ResponseResult unbalance_response(const model::Case &scene) {
-    const auto start = std::chrono::steady_clock::now();
     refuse_what_is_missing(scene);
     const std::vector<double> speeds = model::required_speeds(scene).values();
     results::ResponseResult result;
@@ -284,8 +282,6 @@ results::ResponseResult unbalance_response(const model::Case &scene) {
     note_resonances(result);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back("the response is that of the rotor without its balancers");
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -366,7 +365,6 @@ void compare_rigid(results::RigidLimitResult &result, const model::Rotor &rotor,
 } // namespace
 
 results::RigidLimitResult rigid_limit(const model::Case &given) {
-    const auto start = std::chrono::steady_clock::now();
     results::RigidLimitResult result;
     results::ModelSummary &model = result.model;
     model::Case scene = rigid::rigid_limit_scene(given, model.notes);
@@ -392,7 +390,6 @@ results::RigidLimitResult rigid_limit(const model::Case &given) {
     process::report_progress(0.9);
     add_mesh_rows(result, scene.rotor, forms);
     process::report_progress(1);
-    model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

@@ -11,7 +11,6 @@
 #include "rigid/inertia.h"
 #include "synchronous/forced_motion.h"
 
-#include <chrono>
 #include <cmath>
 #include <string_view>
 
@@ -31,7 +30,6 @@ rigid::Inertia whole_inertia(const model::Rotor &rotor, const rigid::Inertia &sh
 } // namespace
 
 results::ShowResult show(const model::Case &scene) {
-    const auto start = std::chrono::steady_clock::now();
     const model::Rotor &rotor = scene.rotor;
     const mesh::ShaftMesh mesh = mesh::make_mesh(rotor);
     const rigid::Inertia shaft = rigid::inertia_of(rotor.shaft, mesh);
@@ -66,8 +64,6 @@ results::ShowResult show(const model::Case &scene) {
         result.dI_angle = some ? std::arg(*a) / 2 : 0;
     }
     result.anisotropy = rigid::anisotropy_chart(rotor, all, result.model.notes);
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

@@ -4,8 +4,8 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "process/interruption.h"
+#include "process/processes.h"
 #include "process/progress.h"
-#include "process/session.h"
 #include "results/formulation.h"
 #include "simulation/equations.h"
 #include "simulation/linear_growth.h"
@@ -18,7 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace whirl::analyses {
@@ -375,14 +374,11 @@ void add_other_starts(const model::Case &scene, simulation::MotionScene &motion,
 results::SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
     if (process::process_rank() != 0)
         return {};
-    const auto start = std::chrono::steady_clock::now();
     simulation::MotionScene motion = simulation::motion_scene(scene);
     results::SimulateResult result = motion_from(scene, motion, from);
     if (!result.restart)
         add_other_starts(scene, motion, result);
     process::report_progress(1);
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

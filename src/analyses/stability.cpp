@@ -8,8 +8,8 @@
 #include "model/errors.h"
 #include "model/variants.h"
 #include "process/parallel.h"
+#include "process/processes.h"
 #include "process/progress.h"
-#include "process/session.h"
 #include "results/formulation.h"
 #include "stability/band_errors.h"
 #include "stability/band_finder.h"
@@ -20,7 +20,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 
@@ -354,7 +353,6 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
 }
 
 results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
-    const auto start = std::chrono::steady_clock::now();
     results::StabilityResult result;
     result.speeds = model::required_speeds(scene).values();
     stability::StabilityModel model =
@@ -377,8 +375,6 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
     process::report_progress(1);
-    result.model.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

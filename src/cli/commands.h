@@ -19,7 +19,7 @@ namespace whirl::cli {
 struct Run {
     const Arguments &arguments;
     const model::Case &scene;
-    std::function<void(const report::Report &)> deliver;
+    std::function<void(report::Report)> deliver;
 
     /// The result of an analysis, with the wall time it took. Only here is a result's clock opened
     /// and closed.

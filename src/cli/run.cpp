@@ -3,9 +3,10 @@
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "input/case_file.h"
+#include "linalg/session.h"
 #include "model/errors.h"
+#include "process/processes.h"
 #include "process/progress.h"
-#include "process/session.h"
 #include "report/report.h"
 
 #include <fmt/chrono.h>
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <utility>
 
 #include <unistd.h>
 
@@ -35,13 +37,17 @@ std::string files_text(const report::Files &files) {
     return text;
 }
 
+/// What the run starts from: the file may change while it is at work.
+report::Provenance provenance_of(const Arguments &arguments) {
+    return {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
+            input::case_text(arguments.scene, arguments.overrides)};
+}
+
 /// Files, and text or JSON on standard output, from the first process.
 void deliver(const Run &run, report::Report report) {
     if (process::process_rank() != 0)
         return;
     const Arguments &arguments = run.arguments;
-    report.provenance = {fmt::format("{:%FT%TZ}", fmt::gmtime(std::time(nullptr))),
-                         input::case_text(arguments.scene, arguments.overrides)};
     report::Files files;
     if (!arguments.json || arguments.out)
         files = report::write_report(report, run.folder());
@@ -77,11 +83,14 @@ const Command &command_of(const Arguments &arguments) {
 
 void run(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
-    const process::Session session;
+    const report::Provenance provenance = provenance_of(arguments);
+    const linalg::Session session;
     show_progress(arguments);
     try {
-        const Run work{arguments, scene,
-                       [&work](const report::Report &report) { deliver(work, report); }};
+        const Run work{arguments, scene, [&](report::Report report) {
+                           report.provenance = provenance;
+                           deliver(work, std::move(report));
+                       }};
         command_of(arguments).run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands
         throw model::BadInput(

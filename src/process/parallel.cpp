@@ -1,7 +1,7 @@
 #include "process/parallel.h"
 
 #include "model/errors.h"
-#include "process/session.h"
+#include "process/processes.h"
 
 #include <fmt/format.h>
 

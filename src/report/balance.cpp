@@ -384,17 +384,12 @@ std::vector<Picture> pictures_of(const model::Case &scene, const BalanceResult &
 } // namespace
 
 Report describe(const model::Case &scene, const BalanceResult &result) {
-    return {.command = "balance",
-            .heading = "Auto-balancing",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return balance_figure(scene, result); },
-            .pictures = [&] { return pictures_of(scene, result); },
-            .pictures_heading = "Pictures"};
+    Report report =
+        report_of<BalanceResult>("balance", "Auto-balancing", scene, result,
+                                 {json_of, csv_of, sections_of, text_of, balance_figure});
+    report.pictures = [&] { return pictures_of(scene, result); };
+    report.pictures_heading = "Pictures";
+    return report;
 }
 
 } // namespace whirl::report

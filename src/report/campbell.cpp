@@ -1,6 +1,7 @@
 // Report of the command campbell.
 
 #include "results/campbell.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
@@ -176,15 +177,8 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const CampbellResult &result) {
-    return {.command = "campbell",
-            .heading = "Campbell diagram",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return campbell_figure(scene, result); }};
+    return report_of<CampbellResult>("campbell", "Campbell diagram", scene, result,
+                                     {json_of, csv_of, sections_of, text_of, campbell_figure});
 }
 
 } // namespace whirl::report

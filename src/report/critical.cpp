@@ -1,6 +1,7 @@
 // Report of the command critical.
 
 #include "results/critical.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"

@@ -1,6 +1,7 @@
 // Report of the command modes.
 
 #include "results/modes.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"

@@ -59,6 +59,29 @@ struct Report {
     std::function<std::string()> vtp{};         ///< for ParaView
 };
 
+/// What every command has to say of its result.
+template <class Result> struct Parts {
+    nlohmann::ordered_json (*json)(const Result &);
+    std::string (*csv)(const Result &);
+    std::vector<Section> (*sections)(const Result &);
+    std::string (*text)(const model::Case &, const Result &);
+    Figure (*figure)(const model::Case &, const Result &);
+};
+
+/// The report of a result from its parts.
+template <class Result>
+[[nodiscard]] Report report_of(const std::string &command, const std::string &heading,
+                               const model::Case &scene, const Result &result,
+                               const Parts<Result> &parts) {
+    Report report{.command = command, .heading = heading, .scene = &scene, .model = &result.model};
+    report.json = [&result, json = parts.json] { return json(result); };
+    report.csv = [&result, csv = parts.csv] { return csv(result); };
+    report.sections = [&result, sections = parts.sections] { return sections(result); };
+    report.text = [&scene, &result, text = parts.text] { return text(scene, result); };
+    report.figure = [&scene, &result, figure = parts.figure] { return figure(scene, result); };
+    return report;
+}
+
 /// Version of the program, as in the results.
 [[nodiscard]] std::string program_version();
 

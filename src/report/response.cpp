@@ -1,6 +1,7 @@
 // Report of the command response.
 
 #include "results/response.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
@@ -209,15 +210,8 @@ std::string text_of(const model::Case &scene, const ResponseResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const ResponseResult &result) {
-    return {.command = "response",
-            .heading = "Unbalance response",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return response_figure(scene, result); }};
+    return report_of<ResponseResult>("response", "Unbalance response", scene, result,
+                                     {json_of, csv_of, sections_of, text_of, response_figure});
 }
 
 } // namespace whirl::report

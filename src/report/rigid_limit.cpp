@@ -1,6 +1,7 @@
 // Report of the command rigid-limit.
 
 #include "results/rigid_limit.h"
+
 #include "report/common/csv.h"
 #include "report/common/html.h"
 #include "report/common/table.h"
@@ -203,15 +204,9 @@ std::string text_of(const model::Case &scene, const RigidLimitResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const RigidLimitResult &result) {
-    return {.command = "rigid-limit",
-            .heading = "Flexible model and rigid closed forms",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return rigid_limit_figure(scene, result); }};
+    return report_of<RigidLimitResult>("rigid-limit", "Flexible model and rigid closed forms",
+                                       scene, result,
+                                       {json_of, csv_of, sections_of, text_of, rigid_limit_figure});
 }
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 // Report of the command simulate.
 
 #include "results/simulate.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
@@ -277,15 +278,8 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const SimulateResult &result) {
-    return {.command = "simulate",
-            .heading = "Motion in time",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return simulate_figure(scene, result); }};
+    return report_of<SimulateResult>("simulate", "Motion in time", scene, result,
+                                     {json_of, csv_of, sections_of, text_of, simulate_figure});
 }
 
 } // namespace whirl::report

@@ -1,6 +1,7 @@
 // Report of the command stability.
 
 #include "results/stability.h"
+
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
@@ -297,15 +298,8 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const StabilityResult &result) {
-    return {.command = "stability",
-            .heading = "Stability",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_of(result); },
-            .sections = [&] { return sections_of(result); },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return stability_figure(scene, result); }};
+    return report_of<StabilityResult>("stability", "Stability", scene, result,
+                                      {json_of, csv_of, sections_of, text_of, stability_figure});
 }
 
 } // namespace whirl::report

@@ -13,7 +13,7 @@ struct ModelSummary {
     int order = 0;                  ///< of the shaft elements; 1: classical
     int elements = 0;               ///< of the shaft
     int unknowns = 0;               ///< of the eigenproblem or the linear systems
-    double seconds = 0;             ///< wall time of the computation, without input and output
+    double seconds = 0;             ///< wall time of the computation, from whoever asked for it
     std::vector<std::string> notes; ///< what a user must know beside the numbers
 };
 

@@ -3,13 +3,13 @@
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
-#include "linalg/rayleigh.h"
 #include "model/errors.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
 #include "stability/hill_motions.h"
+#include "stability/rayleigh.h"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,6 @@ namespace {
 
 using linalg::ComplexPair;
 using linalg::Matrix;
-using linalg::RayleighFunctional;
 using Complex = std::complex<double>;
 
 /// Combination resonances up to a spin speed involve motions of at most that modulus in rotating

@@ -1,8 +1,8 @@
 #include "tracking/spectra.h"
 
 #include "model/errors.h"
+#include "process/processes.h"
 #include "process/progress.h"
-#include "process/session.h"
 #include "results/whirl.h"
 
 #include <cstring>

@@ -1,8 +1,7 @@
 #include "balancers/balanced_position.h"
 #include "closed_form/balanced_position.h"
-#include "support/balancer_parts.h"
-
 #include "model/errors.h"
+#include "support/balancer_parts.h"
 
 #include <gtest/gtest.h>
 

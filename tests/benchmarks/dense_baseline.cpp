@@ -1,11 +1,10 @@
 #include "benchmarks/dense_baseline.h"
-
 #include "assembly/system.h"
+#include "benchmarks/stopwatch.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 extern "C" void dgeev_(const char *left, const char *right, const int *n, double *a, const int *lda,
@@ -49,14 +48,11 @@ Eigen::VectorXd lapack_frequencies(Eigen::MatrixXd matrix, bool vectors) {
 
 DenseSolve dense_solve(const model::Rotor &rotor, int order, int refinement, double speed,
                        bool vectors, int repeats) {
-    using clock = std::chrono::steady_clock;
     const Eigen::MatrixXd state = state_matrix(rotor, order, refinement, speed);
     DenseSolve result{static_cast<int>(state.rows()), 0, {}};
     Eigen::VectorXd imaginary;
     for (int i = 0; i < repeats; ++i) {
-        const auto start = clock::now();
-        imaginary = lapack_frequencies(state, vectors);
-        const double seconds = std::chrono::duration<double>(clock::now() - start).count();
+        const double seconds = seconds_of([&] { imaginary = lapack_frequencies(state, vectors); });
         result.seconds = i == 0 ? seconds : std::min(result.seconds, seconds);
     }
     for (const double value : imaginary)

@@ -1,11 +1,11 @@
 // main of the benchmarks: PETSc and SLEPc run around all of them.
 
-#include "process/session.h"
+#include "linalg/session.h"
 
 #include <benchmark/benchmark.h>
 
 int main(int argc, char **argv) {
-    const whirl::process::Session session;
+    const whirl::linalg::Session session;
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

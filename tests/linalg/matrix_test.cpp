@@ -1,6 +1,6 @@
 #include "linalg/check.h"
 #include "linalg/test_matrices.h"
-#include "process/session.h"
+#include "process/processes.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "analyses/campbell.h"
 #include "input/case_file.h"
+#include "linalg/session.h"
 #include "modes/formulation.h"
-#include "process/session.h"
 #include "properties/spectra_difference.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -95,7 +95,7 @@ std::vector<std::string> differences(const model::Case &scene, int many) {
 int main(int argc, char **argv) {
     const std::string wanted = argc > 1 ? argv[1] : "all";
     const int many = argc > 2 ? std::atoi(argv[2]) : 101;
-    const whirl::process::Session session;
+    const whirl::linalg::Session session;
     int broken = 0;
     int compared = 0;
     for (const fs::path &folder : case_folders(wanted)) {

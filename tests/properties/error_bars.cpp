@@ -4,7 +4,7 @@
 //   error_bars [rotors [first]]        counts, worst points; exit status 1 where they are too many
 //   error_bars --case NUMBER           the case file of one of them
 
-#include "process/session.h"
+#include "linalg/session.h"
 #include "properties/case_text.h"
 #include "properties/error_points.h"
 
@@ -143,7 +143,7 @@ int main(int argc, char **argv) {
     }
     const int rotors = argc > 1 ? std::atoi(argv[1]) : 320;
     const int first = argc > 2 ? std::atoi(argv[2]) : 0;
-    const whirl::process::Session session;
+    const whirl::linalg::Session session;
     std::vector<ErrorPoint> whirl_speeds, critical, automatic, damped;
     std::vector<std::string> refusals;
     for (int number = first; number < first + rotors; ++number) {

@@ -5,7 +5,7 @@
 
 #include "properties/invariance_checks.h"
 
-#include "process/session.h"
+#include "linalg/session.h"
 #include "properties/case_text.h"
 #include "properties/random_scenes.h"
 
@@ -73,7 +73,7 @@ int main(int argc, char **argv) {
     const int scenes = argc > 1 ? std::atoi(argv[1]) : 500;
     const int first = argc > 2 ? std::atoi(argv[2]) : 0;
     const int long_commands = argc > 3 ? std::atoi(argv[3]) : 10;
-    const whirl::process::Session session;
+    const whirl::linalg::Session session;
     std::map<std::string, Tally> tallies;
     for (int number = first; number < first + scenes; ++number) {
         try_scene(number, long_commands, tallies);

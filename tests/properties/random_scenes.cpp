@@ -1,7 +1,6 @@
 #include "properties/random_scenes.h"
-#include "support/balancer_parts.h"
-
 #include "properties/random_rotors.h"
+#include "support/balancer_parts.h"
 
 #include <numbers>
 

@@ -3,7 +3,7 @@
 //
 //   units [case or "all" [command or "all" [length mass time]]]    exponents of two
 
-#include "process/session.h"
+#include "linalg/session.h"
 #include "properties/scaling.h"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ int compare(const std::string &name, const std::string &command,
 int main(int argc, char **argv) {
     const std::string wanted_case = argc > 1 ? argv[1] : "all";
     const std::string wanted_command = argc > 2 ? argv[2] : "all";
-    const whirl::process::Session session;
+    const whirl::linalg::Session session;
     int compared = 0;
     int differences = 0;
     for (const std::string &name : case_names(wanted_case))

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace whirl::linalg {
+namespace whirl::stability {
 
 /// Rayleigh's functional of Q(l) = l^2 M + l D + K: the root l of x^H Q(l) x = 0 for a vector x
 /// that nearly solves Q(l) x = 0.
@@ -41,7 +41,7 @@ class RayleighFunctional {
     /// The root next to the pair's value.
     /// @param vector_error  relative error of each entry of the vector, besides
     /// @param admixtures    of pairs so near that the vector may have more of them than that
-    [[nodiscard]] Root root(const ComplexPair &pair, double vector_error,
+    [[nodiscard]] Root root(const linalg::ComplexPair &pair, double vector_error,
                             const std::vector<Admixture> &admixtures) const;
 
   private:
@@ -62,4 +62,4 @@ class RayleighFunctional {
                                               const Eigen::VectorXcd &x) const;
 };
 
-} // namespace whirl::linalg
+} // namespace whirl::stability

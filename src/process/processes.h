@@ -4,18 +4,6 @@
 
 namespace whirl::process {
 
-/// Starts MPI, PETSc and SLEPc and ends them; one lives in main (or in a test program).
-/// PETSc's own option database and its error printing are off: errors arrive as exceptions.
-class Session {
-  public:
-    Session();
-    ~Session();
-    Session(const Session &) = delete;
-    Session &operator=(const Session &) = delete;
-    Session(Session &&) = delete;
-    Session &operator=(Session &&) = delete;
-};
-
 /// Number of this process among `process_count()` started by mpirun.
 [[nodiscard]] int process_rank();
 [[nodiscard]] int process_count();

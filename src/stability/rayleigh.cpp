@@ -1,10 +1,10 @@
-#include "linalg/rayleigh.h"
+#include "stability/rayleigh.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace whirl::linalg {
+namespace whirl::stability {
 
 namespace {
 
@@ -102,7 +102,8 @@ Eigen::VectorXcd RayleighFunctional::lossy_part(Complex l, const Eigen::VectorXc
     return out;
 }
 
-RayleighFunctional::Root RayleighFunctional::root(const ComplexPair &pair, double vector_error,
+RayleighFunctional::Root RayleighFunctional::root(const linalg::ComplexPair &pair,
+                                                  double vector_error,
                                                   const std::vector<Admixture> &admixtures) const {
     const Form m = form(_M, pair.vector);
     const Form d = form(_D, pair.vector);
@@ -148,4 +149,4 @@ RayleighFunctional::Root RayleighFunctional::root(const ComplexPair &pair, doubl
     return {value, static_cast<double>(left)};
 }
 
-} // namespace whirl::linalg
+} // namespace whirl::stability

@@ -1,58 +1,12 @@
-#include "process/session.h"
+#include "process/processes.h"
 
 #include "linalg/check.h"
 
-#include <slepcsys.h>
+#include <mpi.h>
 
-#include <cstdlib>
 #include <numeric>
 
 namespace whirl::process {
-
-namespace {
-
-bool under_launcher() {
-    for (const char *name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-        if (std::getenv(name) != nullptr)
-            return true;
-    return false;
-}
-
-/// A single process needs no run-time daemon and no network: Open MPI's start falls from 0.45 s
-/// to 0.08 s. The user's own settings win.
-void prepare_single_process() {
-    if (under_launcher())
-        return;
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-    setenv("OMPI_MCA_pml", "ob1", 0);
-    setenv("OMPI_MCA_btl", "self", 0);
-    // Isolated processes would all use one session directory, and remove it under one another.
-    setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-}
-
-PetscErrorCode silent_handler(MPI_Comm, int, const char *, const char *, PetscErrorCode code,
-                              PetscErrorType, const char *, void *) {
-    return code;
-}
-
-} // namespace
-
-Session::Session() {
-    prepare_single_process();
-    static int argc = 1;
-    static char name[] = "whirl";
-    static char no_signals[] = "-no_signal_handler";
-    static char *list[] = {name, no_signals, nullptr};
-    static char **argv = list;
-    argc = 2;
-    linalg::check(SlepcInitialize(&argc, &argv, nullptr, nullptr));
-    linalg::check(PetscPushErrorHandler(silent_handler, nullptr));
-}
-
-Session::~Session() {
-    PetscPopErrorHandler();
-    SlepcFinalize();
-}
 
 int process_rank() {
     int rank = 0;
