@@ -1,5 +1,8 @@
 #include "analyses/response.h"
 
+#include "forced/forced_motion.h"
+#include "forced/response_error.h"
+#include "forced/response_peaks.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -8,8 +11,6 @@
 #include "modes/orbits.h"
 #include "process/parallel.h"
 #include "results/formulation.h"
-#include "synchronous/forced_motion.h"
-#include "synchronous/response_error.h"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,7 @@ std::vector<std::vector<double> *> lists_of(results::ResponseResult &result) {
 
 /// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a
 /// circle: where its direction is decided by rounding.
-double inclination_of(const synchronous::Phasor &u, double rounding) {
+double inclination_of(const forced::Phasor &u, double rounding) {
     // x(t) + i y(t) = a exp(i w t) + conj(d) exp(-i w t): longest where the two
     // are parallel.
     const std::complex<double> i(0, 1);
@@ -125,8 +126,8 @@ class Response {
   private:
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
-    synchronous::ForcedMotion _forced;
-    synchronous::ResponseError _finer;
+    forced::ForcedMotion _forced;
+    forced::ResponseError _finer;
     bool _error_known = true;
 
     /// By the elements and by rounding; where the finer model has confirmed what
@@ -144,14 +145,13 @@ class Response {
             return false;
         const auto &mesh = _discretization.shaft_mesh();
         return std::all_of(_nodes.begin(), _nodes.end(), [&](const auto &node) {
-            const synchronous::Phasor u =
-                _forced.motion(_discretization.deflection_at_node(node.first));
+            const forced::Phasor u = _forced.motion(_discretization.deflection_at_node(node.first));
             return _finer.at(mesh.nodes[static_cast<std::size_t>(node.first)], u) < 0.1;
         });
     }
 
-    [[nodiscard]] std::vector<synchronous::Phasor> motions() const {
-        std::vector<synchronous::Phasor> out;
+    [[nodiscard]] std::vector<forced::Phasor> motions() const {
+        std::vector<forced::Phasor> out;
         for (const auto &[node, name] : _nodes)
             out.push_back(_forced.motion(_discretization.deflection_at_node(node)));
         return out;
@@ -162,9 +162,9 @@ class Response {
     [[nodiscard]] bool unexcited(double speed) {
         constexpr double beside = 1e-8;
         constexpr double same = 1e-4;
-        const std::vector<synchronous::Phasor> here = motions();
+        const std::vector<forced::Phasor> here = motions();
         _forced.solve(speed * (1 + beside));
-        const std::vector<synchronous::Phasor> there = motions();
+        const std::vector<forced::Phasor> there = motions();
         _forced.solve(speed);
         double difference = 0;
         double size = 0;
@@ -179,7 +179,7 @@ class Response {
     void add_nodes(std::vector<double> &row) {
         const auto &mesh = _discretization.shaft_mesh();
         for (const auto &[node, name] : _nodes) {
-            const synchronous::Phasor u = _forced.motion(_discretization.deflection_at_node(node));
+            const forced::Phasor u = _forced.motion(_discretization.deflection_at_node(node));
             const modes::Ellipse orbit = modes::ellipse_of(u.x, u.y);
             const double z = mesh.nodes[static_cast<std::size_t>(node)];
             row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor,
@@ -192,7 +192,7 @@ class Response {
     void add_bearings(std::vector<double> &row) {
         const auto bearings = static_cast<int>(_discretization.rotor().bearings.size());
         for (int bearing = 0; bearing < bearings; ++bearing) {
-            const synchronous::Phasor force = _forced.bearing_force(bearing);
+            const forced::Phasor force = _forced.bearing_force(bearing);
             row.insert(row.end(), {modes::ellipse_of(force.x, force.y).major,
                                    error(_error_known ? _finer.of_force(bearing, force) : 0)});
         }
@@ -200,8 +200,8 @@ class Response {
 
     void add_probes(std::vector<double> &row) {
         for (const model::Probe &probe : _discretization.rotor().probes) {
-            const synchronous::Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
-            const std::complex<double> seen = synchronous::reading(u, probe.angle);
+            const forced::Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
+            const std::complex<double> seen = forced::reading(u, probe.angle);
             row.insert(row.end(),
                        {std::abs(seen), std::arg(seen),
                         error(_error_known ? _finer.of_probe(probe.z, probe.angle, u) : 0)});
@@ -221,6 +221,47 @@ class Response {
         return row;
     }
 };
+
+/// Peaks of the stations and bearings.
+void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
+               const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
+    if (!(range.to > range.from) || nodes.empty())
+        return;
+    std::vector<forced::Quantity> quantities;
+    std::vector<results::ResponsePeak> places;
+    for (const auto &[node, name] : nodes) {
+        quantities.push_back({d.deflection_at_node(node)});
+        places.emplace_back().of = "station";
+        places.back().z = d.shaft_mesh().nodes[static_cast<std::size_t>(node)];
+        places.back().name = name;
+    }
+    const auto &bearings = d.rotor().bearings;
+    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
+        quantities.push_back({forced::stretch_of_bearing(d, i), i});
+        places.emplace_back().of = "bearing";
+        places.back().z = bearings[static_cast<std::size_t>(i)].z;
+        places.back().name = bearings[static_cast<std::size_t>(i)].name;
+    }
+    std::vector<double> z;
+    for (const results::ResponsePeak &place : places)
+        z.push_back(place.z);
+    const forced::CertifiedPeaks found = forced::response_peaks(
+        d, result.model.formulation.form, quantities, z, range.from, range.to);
+    for (std::size_t i = 0; i < found.peaks.size(); ++i) {
+        const forced::Peak &peak = found.peaks[i];
+        results::ResponsePeak out = places[static_cast<std::size_t>(peak.quantity)];
+        out.speed = peak.speed;
+        out.value = peak.value;
+        out.phase = peak.phase;
+        out.lower = peak.lower;
+        out.upper = peak.upper;
+        if (peak.lower && peak.upper)
+            out.amplification = peak.speed / (*peak.upper - *peak.lower);
+        out.error = found.errors[i].value + found.reduction_error;
+        out.speed_error = found.errors[i].speed;
+        result.peaks.push_back(out);
+    }
+}
 
 /// Empty lists with places and names.
 void prepare_lists(results::ResponseResult &result, const assembly::Discretization &d,
@@ -258,7 +299,7 @@ results::ResponseResult unbalance_response(const model::Case &scene) {
     refuse_what_is_missing(scene);
     const std::vector<double> speeds = model::required_speeds(scene).values();
     results::ResponseResult result;
-    result.model.formulation = synchronous::response_formulation(scene);
+    result.model.formulation = forced::response_formulation(scene);
     model::Case free_choice = scene; // the order is judged by frequencies, in their best form
     free_choice.rotor.balancers.clear();
     free_choice.formulation = model::FormChoice::automatic;
@@ -280,6 +321,7 @@ results::ResponseResult unbalance_response(const model::Case &scene) {
         for (std::size_t i = 0; i < lists.size(); ++i)
             lists[i]->push_back(row.at(i));
     note_resonances(result);
+    add_peaks(result, d, nodes, *scene.speeds);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back("the response is that of the rotor without its balancers");
     return result;

@@ -1,6 +1,7 @@
 #include "analyses/show.h"
 
 #include "assembly/discretization.h"
+#include "forced/forced_motion.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
@@ -9,7 +10,6 @@
 #include "rigid/anisotropy.h"
 #include "rigid/composite_rotor.h"
 #include "rigid/inertia.h"
-#include "synchronous/forced_motion.h"
 
 #include <cmath>
 #include <string_view>
@@ -47,7 +47,7 @@ results::ShowResult show(const model::Case &scene) {
         if (eigen.form != results::Form::hill || std::string_view(command) != "critical")
             result.formulations.emplace_back(command, eigen);
     try {
-        result.formulations.emplace_back("response", synchronous::response_formulation(scene));
+        result.formulations.emplace_back("response", forced::response_formulation(scene));
     } catch (const model::AnalysisFailure &none) {
         result.model.notes.emplace_back(none.what());
     }

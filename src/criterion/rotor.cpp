@@ -1,12 +1,12 @@
 #include "criterion/rotor.h"
 
+#include "forced/forced_motion.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "process/parallel.h"
-#include "synchronous/forced_motion.h"
 
 #include <fmt/format.h>
 
@@ -129,7 +129,7 @@ BalanceScene::BalanceScene(const model::Case &scene)
     rotor.planes = planes;
     model::Case bare = scene;
     bare.rotor = rotor;
-    formulation = synchronous::response_formulation(bare);
+    formulation = forced::response_formulation(bare);
     bare.formulation = model::FormChoice::automatic; // the order is judged by frequencies
     order = mesh_error::resolve_order(bare, modes::choose_formulation(bare));
 }

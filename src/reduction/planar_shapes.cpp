@@ -43,19 +43,40 @@ Eigen::MatrixXd loads(const assembly::Discretization &d) {
     return out;
 }
 
+/// @throws linalg::SolverError where H is not positive definite
+Eigen::MatrixXd static_deflections(const Sparse &H, const Eigen::MatrixXd &loads) {
+    const Eigen::SimplicialLDLT<Sparse> factors(H);
+    if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
+        throw linalg::SolverError("the bearings push away: no shapes to reduce the rotor to");
+    return factors.solve(loads);
+}
+
+Sparse identity(Eigen::Index n) {
+    Sparse I(n, n);
+    I.setIdentity();
+    return I;
+}
+
 constexpr int fewest_modes = 6;
 /// Modes at rest far above what is to be described: the static deflections stand for the rest.
 constexpr double above_top = 2;
 
 } // namespace
 
+PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top,
+                           const Eigen::MatrixXd &columns) {
+    const PlanarPair pair = planar_pair(discretization, 0);
+    const Sparse H = pair.K + top * top * pair.M;
+    _H = Eigen::VectorXd(H.diagonal().cwiseAbs()).asDiagonal() * identity(H.rows());
+    _shapes.resize(_H.rows(), 0);
+    add(columns, 1e-12);
+}
+
 PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top) {
     const PlanarPair pair = planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
-    const Eigen::SimplicialLDLT<Sparse> factors(_H);
-    if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
-        throw linalg::SolverError("the bearings push away: no shapes to reduce the rotor to");
     _shapes.resize(_H.rows(), 0);
+    const Eigen::MatrixXd bent = static_deflections(_H, loads(discretization));
     const linalg::DefinitePair held(linalg::Matrix::from_sparse(_H),
                                     linalg::Matrix::from_sparse(pair.M));
     // (K + top^2 M - s^2 M) x = 0: at rest the frequency is sqrt(s^2 - top^2).
@@ -64,7 +85,11 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     for (const linalg::RealPair &mode :
          held.smallest(std::min(wanted, discretization.planar_size())))
         add(mode.vector, 1e-6);
-    add(factors.solve(loads(discretization)), 1e-6);
+    add(bent, 1e-6);
+}
+
+void PlanarShapes::add_static(const Eigen::MatrixXd &loads) {
+    add(static_deflections(_H, loads), 1e-6);
 }
 
 void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {

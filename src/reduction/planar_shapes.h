@@ -18,12 +18,21 @@ class PlanarShapes {
     /// @throws linalg::SolverError where the modes at rest cannot be found
     PlanarShapes(const assembly::Discretization &discretization, double top);
 
+    /// The shapes that these columns (N entries each) span, and no more; orthonormal under the
+    /// diagonal of that matrix.
+    PlanarShapes(const assembly::Discretization &discretization, double top,
+                 const Eigen::MatrixXd &columns);
+
     /// N x r, orthonormal under K + top^2 M with the mean stiffness of the bearings.
     [[nodiscard]] const Eigen::MatrixXd &matrix() const { return _shapes; }
 
     /// Takes in what is new of the columns (N entries each).
     /// @param newness  part of a column that must be new, of its length under K + top^2 M
     void add(const Eigen::MatrixXd &columns, double newness);
+
+    /// Takes in the deflections under loads (N entries a column) of the shaft held by K + top^2 M.
+    /// @throws linalg::SolverError where the bearings push away
+    void add_static(const Eigen::MatrixXd &loads);
 
   private:
     Eigen::SparseMatrix<double> _H; ///< K + top^2 M

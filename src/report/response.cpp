@@ -8,12 +8,16 @@
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::report {
 
 using results::ResponseBearing;
 using results::ResponseNode;
+using results::ResponsePeak;
 using results::ResponseProbe;
 using results::ResponseResult;
 
@@ -102,7 +106,60 @@ std::string csv_of_kind(const ResponseResult &result, std::size_t index, const s
     return csv_rows(csv_headings, columns, rows);
 }
 
-/// The largest value among the computed speeds.
+/// A half-power point, rpm.
+std::string half_power(const ResponsePeak &peak) {
+    const auto end = [](const std::optional<double> &speed) {
+        return speed ? fmt::format("{:.6g}", *speed * rpm) : "-";
+    };
+    return peak.lower || peak.upper ? end(peak.lower) + " … " + end(peak.upper) : "";
+}
+
+const Columns<ResponsePeak> curve_peaks{
+    {"of", "", {}, {}, &ResponsePeak::of},
+    {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
+    {"name", "", {"Place"}, {}, &ResponsePeak::name},
+    {"", "", {}, {"peak at"}, [](const ResponsePeak &peak) { return place(peak.name, peak.z); }},
+    {"",
+     "",
+     {"of"},
+     {"of"},
+     [](const ResponsePeak &peak) { return peak.of == "bearing" ? "force (N)" : "amplitude (m)"; }},
+    {"speed", "", {}, {}, &ResponsePeak::speed},
+    {"",
+     "",
+     {"at (rpm)", "{:.8g}"},
+     {"rpm", "{:.8g}"},
+     [](const ResponsePeak &peak) { return peak.speed * rpm; }},
+    {"value",
+     "",
+     {"Peak", "{:.6g}", "no limit"},
+     {"value", "{:.6g}", "no limit"},
+     &ResponsePeak::value},
+    {"phase", "", {}, {}, &ResponsePeak::phase},
+    {"",
+     "",
+     {"Phase (deg)", "{:.1f}", ""},
+     {"phase deg", "{:.1f}", ""},
+     [](const ResponsePeak &peak) {
+         return std::isfinite(peak.phase) ? std::optional(peak.phase * degrees) : std::nullopt;
+     }},
+    {"amplification",
+     "",
+     {"Amplification factor", "{:.4g}", ""},
+     {"AF", "{:.4g}", ""},
+     &ResponsePeak::amplification},
+    {"half_power",
+     "",
+     {},
+     {},
+     [](const ResponsePeak &peak) {
+         return Json{Json(peak.lower), Json(peak.upper)};
+     }},
+    {"", "", {"Half-power points (rpm)"}, {"half power rpm"}, half_power},
+    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
+    {"speed_error", "", {}, {}, &ResponsePeak::speed_error}};
+
+/// The largest value in the range: a peak, or at one of its ends.
 struct Peak {
     std::string name;
     double z = 0;                ///< m
@@ -114,7 +171,7 @@ struct Peak {
 
 template <class Of>
 std::vector<Peak> peaks_of(const ResponseResult &result, const std::vector<Of> &all,
-                           std::vector<double> Of::*list) {
+                           std::vector<double> Of::*list, const char *kind) {
     std::vector<Peak> peaks;
     for (const Of &of : all) {
         Peak peak{of.name, of.z, 0, {}, 0, {}};
@@ -131,6 +188,12 @@ std::vector<Peak> peaks_of(const ResponseResult &result, const std::vector<Of> &
             if (at < of.error.size())
                 peak.error = of.error[at];
         }
+        for (const ResponsePeak &found : result.peaks)
+            if (found.of == kind && found.z == of.z && (!peak.value || found.value > *peak.value)) {
+                peak.value = found.value;
+                peak.speed = found.speed;
+                peak.error = found.error;
+            }
         peaks.push_back(peak);
     }
     return peaks;
@@ -164,6 +227,7 @@ Columns<Peak> probe_peak_columns() {
 
 Json json_of(const ResponseResult &result) {
     return {{"speeds", result.speeds},
+            {"peaks", json_rows(curve_peaks, result.peaks)},
             {"nodes",
              json_of_kind(result, result.nodes, place_columns<ResponseNode>("node"), node_series)},
             {"bearings", json_of_kind(result, result.bearings,
@@ -184,26 +248,35 @@ std::string csv_of(const ResponseResult &result) {
 
 std::vector<Section> sections_of(const ResponseResult &result) {
     std::vector<Section> sections{
-        {"Largest amplitudes among the computed speeds",
+        {"Peaks", result.peaks.empty() ? "<p>None inside the range.</p>"
+                                       : page_table(curve_peaks, result.peaks)},
+        {"Largest amplitudes in the range",
          page_table(peak_columns("Place", "", ""),
-                    peaks_of(result, result.nodes, &ResponseNode::amplitude))}};
+                    peaks_of(result, result.nodes, &ResponseNode::amplitude, "station"))}};
     if (!result.probes.empty())
-        sections.push_back({"Largest readings of the probes",
-                            page_table(probe_peak_columns(), peaks_of(result, result.probes,
-                                                                      &ResponseProbe::amplitude))});
+        sections.push_back(
+            {"Largest readings of the probes",
+             page_table(probe_peak_columns(),
+                        peaks_of(result, result.probes, &ResponseProbe::amplitude, "probe"))});
     return sections;
 }
 
 std::string text_of(const model::Case &scene, const ResponseResult &result) {
-    std::string text = heading(scene, "Unbalance response, " + range_text(result.speeds)) +
-                       text_table(peak_columns("", "station", "largest amplitude m"),
-                                  peaks_of(result, result.nodes, &ResponseNode::amplitude));
+    std::string text =
+        heading(scene, "Unbalance response, " + range_text(result.speeds)) +
+        (result.peaks.empty() ? "No peak inside the range.\n"
+                              : text_table(curve_peaks, result.peaks)) +
+        "\n" +
+        text_table(peak_columns("", "station", "largest amplitude m"),
+                   peaks_of(result, result.nodes, &ResponseNode::amplitude, "station"));
     if (!result.probes.empty())
-        text += "\n" + text_table(probe_peak_columns(),
-                                  peaks_of(result, result.probes, &ResponseProbe::amplitude));
+        text +=
+            "\n" + text_table(probe_peak_columns(),
+                              peaks_of(result, result.probes, &ResponseProbe::amplitude, "probe"));
     if (!result.bearings.empty())
-        text += "\n" + text_table(peak_columns("", "bearing", "largest force N"),
-                                  peaks_of(result, result.bearings, &ResponseBearing::force));
+        text += "\n" +
+                text_table(peak_columns("", "bearing", "largest force N"),
+                           peaks_of(result, result.bearings, &ResponseBearing::force, "bearing"));
     return text + model_text(result.model);
 }
 

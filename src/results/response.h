@@ -2,6 +2,7 @@
 
 #include "results/model_summary.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,12 +43,29 @@ struct ResponseBearing {
     std::vector<double> error; ///< estimated, relative
 };
 
+/// A local maximum over the spin speed, found as a root of the derivative of the whole curve.
+struct ResponsePeak {
+    std::string of; ///< "station" or "bearing"
+    double z = 0;   ///< m
+    std::string name;
+    double speed = 0; ///< rad/s
+    double value = 0; ///< semi-major axis, m, or largest force, N; infinite: no damping
+    double phase = 0; ///< of x, rad; NaN without damping
+    /// Speed over the distance of the half-power points; none where one of them is not reached.
+    std::optional<double> amplification;
+    std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
+    double error = 0;       ///< estimated relative error of the value; NaN: not known
+    double speed_error = 0; ///< the same of the speed
+};
+
 struct ResponseResult {
     ModelSummary model;
     std::vector<double> speeds; ///< rad/s
     std::vector<ResponseNode> nodes;
     std::vector<ResponseBearing> bearings;
     std::vector<ResponseProbe> probes;
+    /// Every local maximum strictly inside the range, by place, then by speed.
+    std::vector<ResponsePeak> peaks;
 };
 
 } // namespace whirl::results

@@ -3,13 +3,13 @@
 #include "assembly/assemble.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
+#include "forced/forced_motion.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
-#include "synchronous/forced_motion.h"
 
 #include <fmt/format.h>
 
@@ -317,15 +317,14 @@ std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, d
     if (asymmetric && !scene.rotor.bearings_isotropic())
         throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
                                      "has no single amplitude without balls to compare with");
-    synchronous::ForcedMotion forced(d,
-                                     asymmetric ? results::Form::rotating : results::Form::general);
+    forced::ForcedMotion forced(d, asymmetric ? results::Form::rotating : results::Form::general);
     std::vector<double> amplitudes;
     try {
         forced.solve(speed);
         if (forced.rounding() > 1e-3)
             throw linalg::SolverError("a resonance without damping");
         for (const model::Balancer &b : scene.rotor.balancers) {
-            const synchronous::Phasor u = forced.motion(d.deflection_at(b.z));
+            const forced::Phasor u = forced.motion(d.deflection_at(b.z));
             amplitudes.push_back(modes::ellipse_of(u.x, u.y).major);
         }
     } catch (const linalg::SolverError &) {

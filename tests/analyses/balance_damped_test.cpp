@@ -2,9 +2,9 @@
 
 #include "analyses/balance.h"
 #include "assembly/system.h"
+#include "forced/forced_motion.h"
 #include "results/formulation.h"
 #include "support/scenes.h"
-#include "synchronous/forced_motion.h"
 #include "synchronous/receptance.h"
 
 #include <Eigen/Dense>
@@ -48,10 +48,10 @@ Eigen::MatrixXcd receptance_by_response(model::Rotor rotor, Form form, double sp
     for (Eigen::Index k = 0; k < n; ++k) {
         rotor.imbalances = {tests::imbalance_at(planes[static_cast<std::size_t>(k)].z, 1)};
         const assembly::Discretization d(rotor, 1);
-        synchronous::ForcedMotion motion(d, form);
+        forced::ForcedMotion motion(d, form);
         motion.solve(speed);
         for (Eigen::Index j = 0; j < n; ++j) {
-            const synchronous::Phasor u =
+            const forced::Phasor u =
                 motion.motion(d.deflection_at(planes[static_cast<std::size_t>(j)].z));
             R(j, k) = (u.x + std::complex<double>(0, 1) * u.y) / 2.0;
         }

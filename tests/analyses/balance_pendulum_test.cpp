@@ -3,11 +3,11 @@
 #include "analyses/balance.h"
 #include "closed_form/pendulum_balancer.h"
 #include "criterion/pendulum_motion.h"
+#include "forced/forced_motion.h"
 #include "model/errors.h"
 #include "results/formulation.h"
 #include "support/balancer_parts.h"
 #include "support/scenes.h"
-#include "synchronous/forced_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -133,7 +133,7 @@ TEST(BalancePendulum, SteadyMotionIsTheResponseToTheForcesOfItsPendulums) {
                                         std::abs(force), std::arg(force)));
             }
             const assembly::Discretization d(rotor, 4);
-            synchronous::ForcedMotion response(d, results::Form::planar);
+            forced::ForcedMotion response(d, results::Form::planar);
             response.solve(speed);
             for (Eigen::Index j = 0; j < 2; ++j) {
                 const std::complex<double> u =

@@ -1,14 +1,14 @@
-#include "synchronous/response_error.h"
+#include "forced/response_error.h"
 
+#include "forced/forced_motion.h"
 #include "mesh_error/safety.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
-#include "synchronous/forced_motion.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace whirl::synchronous {
+namespace whirl::forced {
 
 namespace {
 
@@ -40,21 +40,26 @@ void ResponseError::solve(double speed) {
         _motion->solve(speed);
 }
 
+Phasor ResponseError::finer_at(double z) const {
+    return _motion->at_node(_fine->shaft_mesh().node_at(z));
+}
+
+Phasor ResponseError::finer_force(int bearing) const { return _motion->bearing_force(bearing); }
+
 double ResponseError::at(double z, const Phasor &coarse) const {
-    return _motion ? orbit_error(coarse, _motion->at_node(_fine->shaft_mesh().node_at(z))) : 0;
+    return _motion ? orbit_error(coarse, finer_at(z)) : 0;
 }
 
 double ResponseError::of_force(int bearing, const Phasor &coarse) const {
-    return _motion ? orbit_error(coarse, _motion->bearing_force(bearing)) : 0;
+    return _motion ? orbit_error(coarse, finer_force(bearing)) : 0;
 }
 
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
     if (!_motion)
         return 0;
     const std::complex<double> mine = reading(coarse, angle);
-    const std::complex<double> finer =
-        reading(_motion->at_node(_fine->shaft_mesh().node_at(z)), angle);
+    const std::complex<double> finer = reading(finer_at(z), angle);
     return share(std::abs(mine - finer), std::max(std::abs(mine), std::abs(finer)));
 }
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

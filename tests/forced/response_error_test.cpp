@@ -1,10 +1,10 @@
 // The error that comes with the response, against far finer models of random rotors.
 
+#include "forced/forced_motion.h"
+#include "forced/response_error.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 #include "support/scenes.h"
-#include "synchronous/forced_motion.h"
-#include "synchronous/response_error.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,10 @@
 namespace {
 
 using namespace whirl;
+using forced::CondensedMotion;
+using forced::ForcedMotion;
+using forced::Phasor;
 using results::Form;
-using synchronous::CondensedMotion;
-using synchronous::ForcedMotion;
-using synchronous::Phasor;
 
 class Dice {
   public:
@@ -142,7 +142,7 @@ void compare(Dice &dice, const model::Rotor &rotor, int order, Counts &counts) {
     ForcedMotion coarse(d, form);
     CondensedMotion reference(exact, form);
     CondensedMotion second(other, form);
-    synchronous::ResponseError error(d, form);
+    forced::ResponseError error(d, form);
     const double z = rotor.discs[0].z;
     const auto at_disc = [z](const assembly::Discretization &of, CondensedMotion &motion,
                              double speed) {

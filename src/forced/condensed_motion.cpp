@@ -1,13 +1,13 @@
-#include "synchronous/condensed_motion.h"
+#include "forced/condensed_motion.h"
 
+#include "forced/forced_motion.h"
 #include "results/formulation.h"
-#include "synchronous/forced_motion.h"
 
 #include <Eigen/LU>
 
 #include <cmath>
 
-namespace whirl::synchronous {
+namespace whirl::forced {
 
 namespace {
 
@@ -230,4 +230,4 @@ Phasor CondensedMotion::bearing_force(int index) const {
     return {force(0), force(1)};
 }
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

@@ -1,14 +1,14 @@
 #pragma once
 
+#include "forced/forced_motion.h"
 #include "linalg/band_matrix.h"
 #include "results/formulation.h"
-#include "synchronous/forced_motion.h"
 
 #include <Eigen/Core>
 
 #include <vector>
 
-namespace whirl::synchronous {
+namespace whirl::forced {
 
 /// Synchronous steady motion like ForcedMotion, of an elastic shaft, with the internal unknowns of
 /// each element eliminated at each speed: exact, and the cost of a high order stays in the
@@ -59,4 +59,4 @@ class CondensedMotion {
     [[nodiscard]] Eigen::VectorXcd forces() const;
 };
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

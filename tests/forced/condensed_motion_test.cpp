@@ -1,8 +1,8 @@
+#include "forced/condensed_motion.h"
+#include "forced/forced_motion.h"
 #include "results/formulation.h"
 #include "support/scenes.h"
 #include "support/test_rotors.h"
-#include "synchronous/condensed_motion.h"
-#include "synchronous/forced_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 namespace {
 
 using namespace whirl;
+using forced::CondensedMotion;
+using forced::ForcedMotion;
+using forced::Phasor;
 using results::Form;
-using synchronous::CondensedMotion;
-using synchronous::ForcedMotion;
-using synchronous::Phasor;
 
 double size_of(const Phasor &u) { return std::hypot(std::abs(u.x), std::abs(u.y)); }
 

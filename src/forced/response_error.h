@@ -1,12 +1,12 @@
 #pragma once
 
+#include "forced/condensed_motion.h"
+#include "forced/forced_motion.h"
 #include "results/formulation.h"
-#include "synchronous/condensed_motion.h"
-#include "synchronous/forced_motion.h"
 
 #include <memory>
 
-namespace whirl::synchronous {
+namespace whirl::forced {
 
 /// How far the synchronous motion of a discretised rotor is from that of a finer one, solved at
 /// the same speed: elements of order p + 4 on the same mesh (order 5 for classical ones), above
@@ -27,9 +27,15 @@ class ResponseError {
     /// The same of the reading x cos(angle) + y sin(angle) alone, relative to that.
     [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
 
+    /// There is no finer rotor: the shaft is rigid.
+    [[nodiscard]] bool none() const { return _motion == nullptr; }
+    /// The finer rotor's own motion.
+    [[nodiscard]] Phasor finer_at(double z) const;
+    [[nodiscard]] Phasor finer_force(int bearing) const;
+
   private:
     std::unique_ptr<assembly::Discretization> _fine;
     std::unique_ptr<CondensedMotion> _motion;
 };
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

@@ -1,4 +1,4 @@
-#include "synchronous/forced_motion.h"
+#include "forced/forced_motion.h"
 
 #include "assembly/system.h"
 #include "linalg/check.h"
@@ -14,12 +14,19 @@
 #include <limits>
 #include <vector>
 
-namespace whirl::synchronous {
-
-namespace {} // namespace
+namespace whirl::forced {
 
 std::complex<double> reading(const Phasor &motion, double angle) {
     return motion.x * std::cos(angle) + motion.y * std::sin(angle);
+}
+
+assembly::Combination stretch_of_bearing(const assembly::Discretization &discretization,
+                                         int bearing) {
+    const model::Bearing &b = discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
+    assembly::Combination stretch = discretization.deflection_at(b.z);
+    if (b.pedestal)
+        stretch.emplace_back(discretization.pedestal_unknown(bearing), -1.0);
+    return stretch;
 }
 
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form)
@@ -130,13 +137,16 @@ Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
     return out;
 }
 
+Eigen::MatrixXcd ForcedMotion::planar_motion() const {
+    if (_planar)
+        return _displacements;
+    return _displacements.reshaped<Eigen::RowMajor>(_displacements.size() / 2, 2);
+}
+
 Phasor ForcedMotion::bearing_force(int bearing) const {
-    const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
-    assembly::Combination stretch = _discretization.deflection_at(b.z);
-    if (b.pedestal)
-        stretch.emplace_back(_discretization.pedestal_unknown(bearing), -1.0);
-    const Phasor u = motion(stretch);
-    const model::BearingCoefficients at = b.at(_speed);
+    const Phasor u = motion(stretch_of_bearing(_discretization, bearing));
+    const model::BearingCoefficients at =
+        _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed);
     const Eigen::Vector2cd force =
         (at.k + imaginary_unit * _speed * at.c) * Eigen::Vector2cd(u.x, u.y);
     return {force(0), force(1)};
@@ -173,4 +183,4 @@ results::Formulation response_formulation(const model::Case &scene) {
             "x and y"};
 }
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

@@ -10,7 +10,7 @@
 #include <complex>
 #include <memory>
 
-namespace whirl::synchronous {
+namespace whirl::forced {
 
 inline constexpr std::complex<double> imaginary_unit(0, 1);
 
@@ -22,6 +22,10 @@ struct Phasor {
 
 /// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
 [[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
+
+/// What a bearing's force works on: the deflection of the shaft there, against that of a pedestal.
+[[nodiscard]] assembly::Combination
+stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
 
 /// Synchronous steady motion of a discretised rotor.
 ///
@@ -42,6 +46,9 @@ class ForcedMotion {
     [[nodiscard]] Phasor motion(const assembly::Combination &combination) const;
     /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
     [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Planar unknowns x and y of the last solution, a column each; one column where the orbits are
+    /// circles, y = -i x.
+    [[nodiscard]] Eigen::MatrixXcd planar_motion() const;
     /// Relative error of the last solution by rounding.
     [[nodiscard]] double rounding() const { return _rounding; }
     /// Unknowns of the real linear system.
@@ -67,4 +74,4 @@ class ForcedMotion {
 /// @throws model::BadInput where the case forces the planar form and it cannot describe the scene.
 [[nodiscard]] results::Formulation response_formulation(const model::Case &scene);
 
-} // namespace whirl::synchronous
+} // namespace whirl::forced

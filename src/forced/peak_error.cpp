@@ -1,0 +1,164 @@
+#include "forced/peak_error.h"
+
+#include "linalg/check.h"
+#include "linalg/roots.h"
+#include "mesh_error/safety.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace whirl::forced {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// (value + slope t) / (1 - t / pole) through values at t = -1, 0, 1: one resonance and what
+/// changes slowly beside it.
+class OneResonance {
+  public:
+    OneResonance(Complex before, Complex middle, Complex after) : _value(middle) {
+        const Complex odd = after - before;
+        const Complex even = 2.0 * middle - before - after;
+        _inverse = std::abs(odd) > 0 ? even / odd : 0;
+        _slope = after * (1.0 + _inverse) - middle;
+    }
+    [[nodiscard]] double size(double t) const {
+        return std::abs((_value + _slope * t) / (1.0 + _inverse * t));
+    }
+    /// Real part of the pole.
+    [[nodiscard]] double pole() const {
+        return std::abs(_inverse) > 0 ? (-1.0 / _inverse).real()
+                                      : std::numeric_limits<double>::infinity();
+    }
+
+  private:
+    Complex _value, _slope, _inverse;
+};
+
+/// Semi-major axis about three speeds.
+class LocalCurve {
+  public:
+    explicit LocalCurve(const std::array<Phasor, 3> &at)
+        : _forward(part(at, 1)), _backward(part(at, -1)) {}
+
+    [[nodiscard]] double operator()(double t) const { return _forward.size(t) + _backward.size(t); }
+
+    /// Where the pole of the larger part lies, in widths.
+    [[nodiscard]] double pole() const {
+        return _forward.size(0) >= _backward.size(0) ? _forward.pole() : _backward.pole();
+    }
+
+    /// Place of the largest value from -reach to reach; none inside.
+    [[nodiscard]] std::optional<double> top(double reach) const {
+        const auto done = [](double low, double high, double) { return high - low < 1e-9; };
+        const auto [place, value] =
+            linalg::least_between([this](double t) { return -(*this)(t); }, -reach, reach, done);
+        return std::abs(place) < 0.99 * reach ? std::optional(place) : std::nullopt;
+    }
+
+  private:
+    OneResonance _forward, _backward;
+
+    static OneResonance part(const std::array<Phasor, 3> &at, double sense) {
+        const auto of = [sense](const Phasor &p) {
+            return (p.x + sense * imaginary_unit * p.y) / 2.0;
+        };
+        return {of(at[0]), of(at[1]), of(at[2])};
+    }
+};
+
+constexpr double reach = 2; ///< in widths, of a local curve
+
+} // namespace
+
+PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
+                     const std::vector<Quantity> &quantities, const std::vector<double> &places)
+    : _quantities(quantities), _places(places), _finer(coarse, form) {}
+
+Phasor PeakError::finer(int quantity) const {
+    const auto i = static_cast<std::size_t>(quantity);
+    return _quantities[i].bearing == Quantity::deflection
+               ? _finer.finer_at(_places[i])
+               : _finer.finer_force(_quantities[i].bearing);
+}
+
+void PeakError::solve_about(double middle, double width) {
+    if (middle == _middle && width == _width)
+        return;
+    _middle = middle;
+    _width = width;
+    for (int i = 0; i < 3; ++i) {
+        _finer.solve(middle + (i - 1) * width);
+        auto &motions = _motions[static_cast<std::size_t>(i)];
+        motions.clear();
+        for (int q = 0; q < static_cast<int>(_quantities.size()); ++q)
+            motions.push_back(finer(q));
+    }
+}
+
+PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedMotion &reduced) {
+    const auto q = static_cast<std::size_t>(peak.quantity);
+    std::array<Phasor, 3> mine;
+    for (int i = 0; i < 3; ++i)
+        mine[static_cast<std::size_t>(i)] = reduced.at(middle + (i - 1) * width)[q].value;
+    const LocalCurve coarse(mine);
+    const std::optional<double> coarse_top = coarse.top(reach);
+    if (!coarse_top)
+        return {not_known, not_known};
+    double centre = middle;
+    for (int move = 0; move < 8; ++move) {
+        solve_about(centre, width);
+        const LocalCurve fine({_motions[0][q], _motions[1][q], _motions[2][q]});
+        if (const std::optional<double> top = fine.top(reach)) {
+            const double size = std::max(coarse(*coarse_top), fine(*top));
+            const double shift = centre - middle + (*top - *coarse_top) * width;
+            return {mesh_error::estimate_safety * std::abs(coarse(*coarse_top) - fine(*top)) / size,
+                    mesh_error::estimate_safety * std::abs(shift) / peak.speed};
+        }
+        constexpr double farthest = 100;
+        centre += std::clamp(fine.pole(), -farthest, farthest) * width;
+        if (!(centre > 2 * width))
+            break;
+    }
+    return {not_known, not_known};
+}
+
+std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMotion &reduced) {
+    std::vector<PeakErrors> out(peaks.size());
+    if (_finer.none())
+        return out;
+    // By speed: peaks of one resonance use the same solutions.
+    std::vector<std::size_t> order(peaks.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return peaks[a].speed < peaks[b].speed; });
+    double middle = 0;
+    double width = 0;
+    for (const std::size_t i : order) {
+        const Peak &peak = peaks[i];
+        if (!std::isfinite(peak.value)) {
+            out[i] = {not_known, not_known};
+            continue;
+        }
+        if (!(peak.speed - middle < width)) {
+            constexpr double widest = 0.05; // of the speed
+            middle = peak.speed;
+            width = std::min(peak.width, widest * peak.speed);
+        }
+        reduced.enter_piece(middle);
+        try {
+            out[i] = of(peak, middle, width, reduced);
+        } catch (const linalg::SolverError &) { // the finer rotor at a resonance
+            out[i] = {not_known, not_known};
+        }
+    }
+    return out;
+}
+
+} // namespace whirl::forced

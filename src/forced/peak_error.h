@@ -1,0 +1,45 @@
+#pragma once
+
+#include "forced/peak_search.h"
+#include "forced/response_error.h"
+
+#include <array>
+#include <vector>
+
+namespace whirl::forced {
+
+/// Of a peak, relative.
+struct PeakErrors {
+    double value = 0;
+    double speed = 0;
+};
+
+/// How far peaks are from those of the finer rotor of ResponseError. Not the difference at one
+/// speed, which is large beside a sharp resonance that moved a little: on both rotors the motion is
+/// continued from three speeds at the resonance, and peak is compared with peak.
+class PeakError {
+  public:
+    PeakError(const assembly::Discretization &coarse, results::Form form,
+              const std::vector<Quantity> &quantities, const std::vector<double> &places);
+
+    /// Errors of peaks of the reduced rotor, which is that of the coarse one; NaN where the finer
+    /// rotor's peak was not found.
+    [[nodiscard]] std::vector<PeakErrors> of(const std::vector<Peak> &peaks,
+                                             ReducedMotion &reduced);
+
+  private:
+    const std::vector<Quantity> &_quantities;
+    const std::vector<double> &_places; ///< z of each quantity, m
+    ResponseError _finer;
+
+    /// Of all quantities of the finer rotor, one width apart.
+    std::array<std::vector<Phasor>, 3> _motions;
+    double _middle = 0, _width = 0;
+
+    void solve_about(double middle, double width);
+    [[nodiscard]] Phasor finer(int quantity) const;
+    [[nodiscard]] PeakErrors of(const Peak &peak, double middle, double width,
+                                ReducedMotion &reduced);
+};
+
+} // namespace whirl::forced

@@ -1,0 +1,189 @@
+#include "forced/peak_search.h"
+
+#include "linalg/roots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::forced {
+
+namespace {
+
+/// Beyond the speeds asked for, as a share of them, half-power points are looked for.
+constexpr double beyond = 0.3;
+/// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
+constexpr double step_to_pole = 0.2;
+constexpr int fewest_steps = 50;
+/// A pole this near to the real speeds, relative, is one of a rotor without damping.
+constexpr double on_the_axis = 1e-10;
+/// Distance, relative, at which one looks beside such a pole.
+constexpr double beside = 1e-7;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+PeakSearch::PeakSearch(ReducedMotion &motion, double from, double to)
+    : _motion(motion), _from(from), _to(to), _low(std::max((1 - beyond) * from, 1e-3 * to)),
+      _high((1 + beyond) * to), _cuts(motion.cuts(_low, _high)) {
+    for (int piece = 0; piece + 1 < static_cast<int>(_cuts.size()); ++piece)
+        sample_piece(piece);
+    std::sort(_resonances.begin(), _resonances.end(),
+              [](const Resonance &a, const Resonance &b) { return a.speed < b.speed; });
+    const auto quantities = static_cast<int>(_samples.front().value.size());
+    for (int quantity = 0; quantity < quantities; ++quantity)
+        find(quantity);
+}
+
+void PeakSearch::enter(int piece) const {
+    const auto i = static_cast<std::size_t>(piece);
+    _motion.enter_piece((_cuts[i] + _cuts[i + 1]) / 2);
+}
+
+PeakSearch::Sample PeakSearch::sample(int piece, double speed) const {
+    Sample out{speed, piece, {}, {}};
+    for (const Reading &reading : _motion.at(speed)) {
+        out.value.push_back(reading.major());
+        out.slope.push_back(reading.major_slope());
+    }
+    return out;
+}
+
+void PeakSearch::sample_piece(int piece) {
+    enter(piece);
+    const double from = _cuts[static_cast<std::size_t>(piece)];
+    const double to = _cuts[static_cast<std::size_t>(piece) + 1];
+    const std::vector<std::complex<double>> poles = _motion.poles(from, to);
+    std::vector<double> real;
+    for (const std::complex<double> &pole : poles)
+        if (pole.real() > from && pole.real() < to) {
+            _resonances.push_back({pole.real(), std::abs(pole.imag())});
+            if (std::abs(pole.imag()) < on_the_axis * pole.real())
+                real.push_back(pole.real());
+        }
+    std::sort(real.begin(), real.end());
+    double start = from;
+    for (const double pole : real) {
+        sample_stretch(piece, start, pole * (1 - beside), poles);
+        start = pole * (1 + beside);
+    }
+    sample_stretch(piece, start, to, poles);
+}
+
+void PeakSearch::sample_stretch(int piece, double from, double to,
+                                const std::vector<std::complex<double>> &poles) {
+    if (!(from < to))
+        return;
+    double speed = from;
+    while (true) {
+        _samples.push_back(sample(piece, speed));
+        if (speed >= to)
+            return;
+        double distance = (_high - _low) / fewest_steps / step_to_pole;
+        for (const std::complex<double> &pole : poles)
+            distance = std::min(distance, std::abs(pole - speed));
+        const double step = std::max(step_to_pole * distance, 1e-9 * speed);
+        // No minute last step.
+        speed = speed + 1.2 * step >= to ? to : speed + step;
+    }
+}
+
+double PeakSearch::width_at(double speed) const {
+    double best = _high;
+    double width = 0;
+    for (const Resonance &r : _resonances)
+        if (std::hypot(r.speed - speed, r.width) < best) {
+            best = std::hypot(r.speed - speed, r.width);
+            width = r.width;
+        }
+    return width > 0 ? width : best;
+}
+
+void PeakSearch::find(int quantity) {
+    const auto q = static_cast<std::size_t>(quantity);
+    for (std::size_t i = 0; i + 1 < _samples.size(); ++i) {
+        const Sample &a = _samples[i];
+        const Sample &b = _samples[i + 1];
+        const bool inside = b.speed > _from && a.speed < _to;
+        if (!inside || !(a.slope[q] > 0) || !(b.slope[q] <= 0))
+            continue;
+        const bool pole =
+            std::any_of(_resonances.begin(), _resonances.end(), [&](const Resonance &r) {
+                return r.speed > a.speed && r.speed < b.speed && r.width < on_the_axis * r.speed;
+            });
+        if (pole && a.piece == b.piece)
+            endless_peak(quantity, i);
+        else
+            peak_between(quantity, i);
+    }
+}
+
+void PeakSearch::endless_peak(int quantity, std::size_t left) {
+    const auto q = static_cast<std::size_t>(quantity);
+    // What is driven grows like the inverse of the distance, which a step changes by a fifth.
+    const bool driven = left > 0 && left + 2 < _samples.size() &&
+                        _samples[left].value[q] > 1.1 * _samples[left - 1].value[q] &&
+                        _samples[left + 1].value[q] > 1.1 * _samples[left + 2].value[q];
+    if (!driven)
+        return;
+    Peak peak;
+    peak.quantity = quantity;
+    peak.speed = (_samples[left].speed + _samples[left + 1].speed) / 2;
+    for (const Resonance &r : _resonances)
+        if (r.speed > _samples[left].speed && r.speed < _samples[left + 1].speed)
+            peak.speed = r.speed;
+    if (peak.speed <= _from || peak.speed >= _to)
+        return;
+    peak.value = std::numeric_limits<double>::infinity();
+    peak.phase = none;
+    _peaks.push_back(peak);
+}
+
+void PeakSearch::peak_between(int quantity, std::size_t left) {
+    const auto q = static_cast<std::size_t>(quantity);
+    const Sample &a = _samples[left];
+    const Sample &b = _samples[left + 1];
+    enter(a.piece);
+    Peak peak;
+    peak.quantity = quantity;
+    peak.speed = a.speed; // at the row of a bearing table the slope jumps
+    if (b.speed > a.speed)
+        peak.speed =
+            linalg::root_between([&](double speed) { return _motion.at(speed)[q].major_slope(); },
+                                 a.speed, a.slope[q], b.speed, b.slope[q]);
+    if (peak.speed <= _from || peak.speed >= _to)
+        return;
+    const Reading reading = _motion.at(peak.speed)[q];
+    peak.value = reading.major();
+    peak.phase = std::arg(reading.value.x);
+    peak.width = width_at(peak.speed);
+    peak.lower = half_power(peak, left, -1);
+    peak.upper = half_power(peak, left + 1, 1);
+    _peaks.push_back(peak);
+}
+
+std::optional<double> PeakSearch::half_power(const Peak &peak, std::size_t start,
+                                             int direction) const {
+    const auto q = static_cast<std::size_t>(peak.quantity);
+    const double level = peak.value / std::numbers::sqrt2;
+    double near = peak.speed;
+    double near_value = peak.value;
+    for (auto i = static_cast<std::ptrdiff_t>(start);
+         i >= 0 && i < static_cast<std::ptrdiff_t>(_samples.size()); i += direction) {
+        const Sample &s = _samples[static_cast<std::size_t>(i)];
+        if (s.value[q] > peak.value * (1 + 1e-9)) // a higher one before
+            return std::nullopt;
+        if (s.value[q] <= level) {
+            enter(s.piece);
+            // A row between the two: its own sample is at or above the level.
+            return linalg::root_between(
+                [&](double speed) { return _motion.at(speed)[q].major() - level; }, near,
+                near_value - level, s.speed, s.value[q] - level);
+        }
+        near = s.speed;
+        near_value = s.value[q];
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::forced

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "forced/reduced_motion.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace whirl::forced {
+
+/// A local maximum of a quantity over the spin speed.
+struct Peak {
+    int quantity = 0;
+    double speed = 0;            ///< rad/s
+    double value = 0;            ///< semi-major axis; infinite: a resonance without damping
+    double phase = 0;            ///< of x, rad; NaN where the value is infinite
+    std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
+    std::optional<double> upper; ///< and above
+    double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
+};
+
+/// Every local maximum of all quantities strictly between two speeds, on the reduced rotor.
+///
+/// A quantity changes over a speed on the scale of the distance to the nearest pole. It is looked
+/// at in steps of a part of that distance, with its derivative: where that changes from growth to
+/// decline a maximum is found as the root of the derivative. Half-power points are looked for a
+/// little beyond the speeds asked for too.
+class PeakSearch {
+  public:
+    PeakSearch(ReducedMotion &motion, double from, double to);
+
+    /// Ascending by quantity, then by speed.
+    [[nodiscard]] const std::vector<Peak> &peaks() const { return _peaks; }
+    /// Speeds at which resonances have their real parts, ascending, and the distance of the pole
+    /// from the real speeds.
+    struct Resonance {
+        double speed = 0; ///< rad/s
+        double width = 0; ///< rad/s
+    };
+    [[nodiscard]] const std::vector<Resonance> &resonances() const { return _resonances; }
+
+  private:
+    struct Sample {
+        double speed = 0;
+        int piece = 0;
+        std::vector<double> value; ///< of each quantity
+        std::vector<double> slope;
+    };
+    ReducedMotion &_motion;
+    double _from, _to;         ///< where peaks count
+    double _low, _high;        ///< where half-power points do
+    std::vector<double> _cuts; ///< ends of the pieces
+    std::vector<Sample> _samples;
+    std::vector<Resonance> _resonances;
+    std::vector<Peak> _peaks;
+
+    void sample_piece(int piece);
+    void sample_stretch(int piece, double from, double to,
+                        const std::vector<std::complex<double>> &poles);
+    [[nodiscard]] Sample sample(int piece, double speed) const;
+    void find(int quantity);
+    void peak_between(int quantity, std::size_t left);
+    void endless_peak(int quantity, std::size_t left);
+    [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
+                                                   int direction) const;
+    [[nodiscard]] double width_at(double speed) const;
+    /// Enters the piece of a sample.
+    void enter(int piece) const;
+};
+
+} // namespace whirl::forced

@@ -1,0 +1,264 @@
+#include "forced/reduced_motion.h"
+
+#include "assembly/rotating_system.h"
+#include "assembly/system.h"
+#include "linalg/check.h"
+#include "modes/support_damping.h"
+#include "synchronous/parts.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::forced {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Complex = std::complex<double>;
+
+/// Rotors with no more planar unknowns are kept whole.
+constexpr int few_unknowns = 24;
+
+/// Forward and backward part: x(t) + i y(t) = a exp(i s t) + conj(d) exp(-i s t).
+struct Parts {
+    explicit Parts(const Phasor &p)
+        : a((p.x + imaginary_unit * p.y) / 2.0), d((p.x - imaginary_unit * p.y) / 2.0) {}
+    Complex a, d;
+};
+
+double slope_of_modulus(Complex value, Complex slope) {
+    const double size = std::abs(value);
+    return size > 0 ? (std::conj(value) * slope).real() / size : std::abs(slope);
+}
+
+/// Deflections under unit imbalances at rest, over planar unknowns, a column each.
+Eigen::MatrixXd loads(const assembly::Discretization &d) {
+    const auto &imbalances = d.rotor().imbalances;
+    Eigen::MatrixXd out =
+        Eigen::MatrixXd::Zero(d.planar_size(), static_cast<Eigen::Index>(imbalances.size()));
+    for (std::size_t i = 0; i < imbalances.size(); ++i)
+        for (const auto &[unknown, value] : d.deflection_at(imbalances[i].z))
+            out(unknown, static_cast<Eigen::Index>(i)) += value;
+    return out;
+}
+
+/// V^T A V over planar unknowns.
+Eigen::MatrixXcd planar_product(const Eigen::MatrixXd &V, const Sparse &A) {
+    return (V.transpose() * (A * V)).cast<Complex>();
+}
+
+/// The same over unknowns in pairs (x, y), the shapes for both directions: pairs again.
+Eigen::MatrixXcd paired_product(const Eigen::MatrixXd &V, const Sparse &A) {
+    const Eigen::Index r = V.cols();
+    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(2 * V.rows(), 2 * r);
+    for (Eigen::Index k = 0; k < 2; ++k)
+        W(Eigen::seqN(k, V.rows(), 2), Eigen::seqN(k, r, 2)) = V;
+    return (W.transpose() * (A * W)).cast<Complex>();
+}
+
+} // namespace
+
+double Reading::major() const {
+    const Parts parts(value);
+    return std::abs(parts.a) + std::abs(parts.d);
+}
+
+double Reading::major_slope() const {
+    const Parts of_value(value);
+    const Parts of_slope(slope);
+    return slope_of_modulus(of_value.a, of_slope.a) + slope_of_modulus(of_value.d, of_slope.d);
+}
+
+ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, results::Form form,
+                             double top, std::vector<Quantity> quantities)
+    : _discretization(discretization), _form(form), _quantities(std::move(quantities)),
+      _rows(synchronous::table_speeds(discretization.rotor())) {
+    const int n = discretization.planar_size();
+    _whole = n <= few_unknowns;
+    if (!_whole)
+        try {
+            _shapes = std::make_unique<reduction::PlanarShapes>(discretization, top);
+            _shapes->add_static(loads(discretization));
+        } catch (const linalg::SolverError &) { // bearings push away
+            _whole = true;
+        }
+    if (_whole)
+        _shapes = std::make_unique<reduction::PlanarShapes>(discretization, top,
+                                                            Eigen::MatrixXd::Identity(n, n));
+    take_in(Eigen::MatrixXcd(n, 0));
+}
+
+void ReducedMotion::take_in(const Eigen::MatrixXcd &motions) {
+    // What rounding leaves of a motion that the shapes have already is not new.
+    constexpr double newness = 1e-8;
+    for (Eigen::Index j = 0; j < motions.cols(); ++j) {
+        // Turned so that its real part is as large as it gets.
+        const Complex square = (motions.col(j).transpose() * motions.col(j)).value();
+        const Eigen::VectorXcd turned = motions.col(j) * std::polar(1.0, -std::arg(square) / 2);
+        const double size = turned.norm();
+        _shapes->add(turned.real(), newness);
+        if (turned.imag().norm() > newness * size)
+            _shapes->add(turned.imag(), newness);
+    }
+    _pieces.clear();
+    _piece = nullptr;
+    _b = imbalances();
+    const Eigen::MatrixXd &V = _shapes->matrix();
+    _stretches.setZero(static_cast<Eigen::Index>(_quantities.size()), V.cols());
+    for (std::size_t i = 0; i < _quantities.size(); ++i)
+        for (const auto &[unknown, value] : _quantities[i].stretch)
+            _stretches.row(static_cast<Eigen::Index>(i)) += value * V.row(unknown);
+}
+
+std::vector<double> ReducedMotion::cuts(double from, double to) const {
+    std::vector<double> out{from};
+    for (const double row : _rows)
+        if (row > from && row < to)
+            out.push_back(row);
+    out.push_back(to);
+    return out;
+}
+
+ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
+    const Eigen::MatrixXd &V = _shapes->matrix();
+    if (_form == results::Form::planar) {
+        const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
+        const linalg::Matrix C = linalg::Matrix::from_entries(
+            _discretization.planar_size(),
+            modes::planar_support_damping(_discretization, bearing_speed));
+        return {planar_product(V, s.K.view()), imaginary_unit * planar_product(V, C.view()),
+                planar_product(V, Sparse(s.G.view()) - Sparse(s.M.view()))};
+    }
+    if (_form == results::Form::rotating) {
+        const assembly::RotatingSystem s =
+            assembly::assemble_rotating(_discretization, bearing_speed, {});
+        return {paired_product(V, s.K.view()), paired_product(V, s.Ks.view()),
+                paired_product(V, s.Kss.view())};
+    }
+    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
+    return {paired_product(V, s.K.view()),
+            paired_product(V, s.Kc.view()) + imaginary_unit * paired_product(V, s.C.view()),
+            imaginary_unit * paired_product(V, s.G.view()) - paired_product(V, s.M.view())};
+}
+
+Eigen::VectorXcd ReducedMotion::imbalances() const {
+    const Eigen::MatrixXd &V = _shapes->matrix();
+    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(V.cols());
+    for (const model::Imbalance &imbalance : _discretization.rotor().imbalances)
+        for (const auto &[unknown, value] : _discretization.deflection_at(imbalance.z))
+            f += value * std::polar(imbalance.mr, imbalance.phase) * V.row(unknown).transpose();
+    if (_form == results::Form::planar)
+        return f;
+    Eigen::VectorXcd pairs(2 * f.size());
+    if (_form == results::Form::rotating) { // x + i y stands still
+        pairs(Eigen::seqN(0, f.size(), 2)) = f.real().cast<Complex>();
+        pairs(Eigen::seqN(1, f.size(), 2)) = f.imag().cast<Complex>();
+    } else {
+        pairs(Eigen::seqN(0, f.size(), 2)) = f;
+        pairs(Eigen::seqN(1, f.size(), 2)) = -imaginary_unit * f;
+    }
+    return pairs;
+}
+
+ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {
+    const Terms a = terms(from);
+    Piece piece{from, to, a.constant, a.linear, a.quadratic};
+    if (to > from) { // the bearings enter the constant and the linear term, both linear in s
+        const Terms b = terms(to);
+        const Eigen::MatrixXcd change0 = (b.constant - a.constant) / (to - from);
+        const Eigen::MatrixXcd change1 = (b.linear - a.linear) / (to - from);
+        piece.P0 -= from * change0;
+        piece.P1 += change0 - from * change1;
+        piece.P2 += change1;
+    }
+    return piece;
+}
+
+void ReducedMotion::enter_piece(double inside) {
+    const auto above = std::upper_bound(_rows.begin(), _rows.end(), inside);
+    const double below = above == _rows.begin() ? -1 : *(above - 1);
+    auto known = _pieces.find(below);
+    if (known == _pieces.end()) {
+        const bool between = above != _rows.begin() && above != _rows.end();
+        known = _pieces
+                    .emplace(below, between ? piece_between(*(above - 1), *above)
+                                            : piece_between(inside, inside))
+                    .first;
+    }
+    _piece = &known->second;
+}
+
+std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) const {
+    // With s = shift + width / m the roots m of m^2 P(shift) + m width P' + width^2 P2 are those of
+    // a companion matrix. The shift keeps away from the real speeds, where a pole may be.
+    const double width = std::max(to - from, 0.1 * to);
+    const Complex shift((from + to) / 2, 0.3 * width);
+    const auto &[first, last, P0, P1, P2] = *_piece;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(P0 + shift * P1 + shift * shift * P2);
+    const Eigen::Index m = P0.rows();
+    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
+    companion.topLeftCorner(m, m) = -width * at_shift.solve(P1 + 2.0 * shift * P2);
+    companion.topRightCorner(m, m) = -width * width * at_shift.solve(P2);
+    companion.bottomLeftCorner(m, m).setIdentity();
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(companion, false);
+    if (solver.info() != Eigen::Success)
+        throw linalg::SolverError("the poles of the synchronous response were not found");
+    std::vector<Complex> out;
+    for (const Complex &root : solver.eigenvalues())
+        if (std::abs(root) > 1e-9) // else farther than any speed
+            out.push_back(shift + width / root);
+    return out;
+}
+
+std::vector<Reading> ReducedMotion::at(double speed) const {
+    const auto &[first, last, P0, P1, P2] = *_piece;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(P0 + speed * P1 + (speed * speed) * P2);
+    const Eigen::VectorXcd u = P.solve((speed * speed) * _b);
+    const Eigen::VectorXcd slope = P.solve((2 * speed) * _b - P1 * u - (2 * speed) * (P2 * u));
+    std::vector<Reading> out;
+    for (int i = 0; i < static_cast<int>(_quantities.size()); ++i)
+        out.push_back(reading(i, u, slope, speed));
+    return out;
+}
+
+Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
+                               const Eigen::VectorXcd &slope, double speed) const {
+    const Eigen::RowVectorXd row = _stretches.row(quantity);
+    const auto phasor = [&](const Eigen::VectorXcd &q) -> Phasor {
+        if (_form == results::Form::planar) {
+            const Complex w = row * q;
+            return {w, -imaginary_unit * w};
+        }
+        const Complex x = row * q(Eigen::seqN(0, row.size(), 2));
+        const Complex y = row * q(Eigen::seqN(1, row.size(), 2));
+        if (_form == results::Form::rotating)
+            return {x + imaginary_unit * y, -imaginary_unit * (x + imaginary_unit * y)};
+        return {x, y};
+    };
+    const Phasor value = phasor(u);
+    const Phasor change = phasor(slope);
+    const int bearing = _quantities[static_cast<std::size_t>(quantity)].bearing;
+    if (bearing == Quantity::deflection)
+        return {value, change};
+    const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
+    const model::BearingCoefficients low = b.at(_piece->from);
+    const model::BearingCoefficients high = b.at(_piece->to);
+    const double width = _piece->to > _piece->from ? _piece->to - _piece->from : 1;
+    const Eigen::Matrix2d k_slope = (high.k - low.k) / width;
+    const Eigen::Matrix2d c_slope = (high.c - low.c) / width;
+    const Eigen::Matrix2d k =
+        low.k + (_piece->to > _piece->from ? speed - _piece->from : 0) * k_slope;
+    const Eigen::Matrix2d c =
+        low.c + (_piece->to > _piece->from ? speed - _piece->from : 0) * c_slope;
+    const Eigen::Matrix2cd z = k + imaginary_unit * speed * c;
+    const Eigen::Matrix2cd z_slope = k_slope + imaginary_unit * (c + speed * c_slope);
+    const Eigen::Vector2cd xy(value.x, value.y);
+    const Eigen::Vector2cd force = z * xy;
+    const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);
+    return {{force(0), force(1)}, {force_slope(0), force_slope(1)}};
+}
+
+} // namespace whirl::forced

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "forced/forced_motion.h"
+#include "reduction/planar_shapes.h"
+#include "results/formulation.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace whirl::forced {
+
+/// What is looked at: a deflection, or the force that a bearing has from this stretch of it.
+struct Quantity {
+    static constexpr int deflection = -1;
+    assembly::Combination stretch; ///< of planar unknowns
+    int bearing = deflection;
+};
+
+/// A quantity at one speed, and what it changes per rad/s.
+struct Reading {
+    Phasor value;
+    Phasor slope;
+
+    /// Semi-major axis of the ellipse, and what it changes per rad/s.
+    [[nodiscard]] double major() const;
+    [[nodiscard]] double major_slope() const;
+};
+
+/// Synchronous steady motion like ForcedMotion, on few planar shapes: those of the slow motions
+/// (reduction/planar_shapes.h), what the imbalances bend at rest, and the motions of the whole
+/// rotor at speeds taken in. At a speed taken in it is the motion of the whole rotor.
+///
+/// Between two rows of bearing tables (a piece) the equations are P(s) u = s^2 b with
+/// P = P0 + s P1 + s^2 P2: the poles of the response are the roots of a small quadratic
+/// eigenproblem.
+class ReducedMotion {
+  public:
+    /// @param discretization  must outlive this
+    /// @param top             rad/s, the highest speed asked for
+    ReducedMotion(const assembly::Discretization &discretization, results::Form form, double top,
+                  std::vector<Quantity> quantities);
+
+    /// The shapes are all there are: nothing is left out.
+    [[nodiscard]] bool whole() const { return _whole; }
+    /// Shapes, in one plane.
+    [[nodiscard]] int size() const { return static_cast<int>(_shapes->matrix().cols()); }
+
+    /// Takes motions of the whole rotor into the shapes.
+    /// @param motions  planar unknowns a column
+    void take_in(const Eigen::MatrixXcd &motions);
+
+    /// Speeds from `from` to `to` cut at the rows of bearing tables, rad/s.
+    [[nodiscard]] std::vector<double> cuts(double from, double to) const;
+
+    /// Goes to the piece that a speed (rad/s) lies in; poles() and at() are of that one.
+    void enter_piece(double inside);
+    /// All poles of the piece, rad/s.
+    [[nodiscard]] std::vector<std::complex<double>> poles(double from, double to) const;
+    /// Every quantity at a speed of the piece.
+    [[nodiscard]] std::vector<Reading> at(double speed) const;
+
+  private:
+    struct Terms { ///< of P at one bearing speed
+        Eigen::MatrixXcd constant, linear, quadratic;
+    };
+    struct Piece {
+        double from = 0, to = 0; ///< rad/s; equal: the bearings are constant
+        Eigen::MatrixXcd P0, P1, P2;
+    };
+    const assembly::Discretization &_discretization;
+    results::Form _form;
+    std::vector<Quantity> _quantities;
+    std::unique_ptr<reduction::PlanarShapes> _shapes;
+    bool _whole = false;
+    std::vector<double> _rows;  ///< of bearing tables, rad/s
+    Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
+
+    std::map<double, Piece> _pieces; ///< seen so far, by the row below them
+    const Piece *_piece = nullptr;
+    Eigen::VectorXcd _b;
+
+    [[nodiscard]] Terms terms(double bearing_speed) const;
+    [[nodiscard]] Piece piece_between(double from, double to) const;
+    [[nodiscard]] Eigen::VectorXcd imbalances() const;
+    [[nodiscard]] Reading reading(int quantity, const Eigen::VectorXcd &u,
+                                  const Eigen::VectorXcd &slope, double speed) const;
+};
+
+} // namespace whirl::forced

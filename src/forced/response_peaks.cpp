@@ -1,0 +1,128 @@
+#include "forced/response_peaks.h"
+
+#include "linalg/check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::forced {
+
+namespace {
+
+/// The whole rotor beside the reduced one, at the speeds that decide.
+class Comparison {
+  public:
+    Comparison(const assembly::Discretization &discretization, results::Form form,
+               const std::vector<Quantity> &quantities)
+        : _quantities(quantities), _full(discretization, form) {}
+
+    /// Solves the whole rotor; false at a resonance without damping.
+    bool solve(double speed) {
+        try {
+            _full.solve(speed);
+        } catch (const linalg::SolverError &) {
+            return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] Eigen::MatrixXcd motion() const { return _full.planar_motion(); }
+
+    /// Largest difference over the size of the quantity, at the speed solved last; rounding of the
+    /// whole rotor's own solution does not count.
+    [[nodiscard]] double difference(const ReducedMotion &reduced, double speed) const {
+        const std::vector<Reading> readings = reduced.at(speed);
+        double worst = 0;
+        for (std::size_t i = 0; i < readings.size(); ++i) {
+            const Phasor &mine = readings[i].value;
+            const Phasor whole = of(_quantities[i]);
+            const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
+            const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
+            if (apart > _full.rounding() * size)
+                worst = std::max(worst, apart / size);
+        }
+        return worst;
+    }
+
+  private:
+    const std::vector<Quantity> &_quantities;
+    ForcedMotion _full;
+
+    [[nodiscard]] Phasor of(const Quantity &quantity) const {
+        return quantity.bearing == Quantity::deflection ? _full.motion(quantity.stretch)
+                                                        : _full.bearing_force(quantity.bearing);
+    }
+};
+
+/// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
+std::vector<double> telling_speeds(const PeakSearch &search, double from, double to) {
+    std::vector<double> speeds{(from + 2 * to) / 3, to};
+    const auto add = [&](double speed) {
+        if (speed > from && speed < to)
+            speeds.push_back(speed);
+    };
+    for (const PeakSearch::Resonance &r : search.resonances()) {
+        constexpr double too_damped = 0.3; // no peak of its own: between the others
+        if (r.width > too_damped * r.speed)
+            continue;
+        const double apart = std::max(r.width, 1e-6 * r.speed);
+        for (const double place : {-1.0, 0.0, 1.0})
+            if (place != 0 || r.width > 1e-9 * r.speed)
+                add(r.speed + place * apart);
+    }
+    std::sort(speeds.begin(), speeds.end());
+    speeds.erase(std::unique(speeds.begin(), speeds.end(),
+                             [](double a, double b) { return b - a < 1e-9 * b; }),
+                 speeds.end());
+    return speeds;
+}
+
+/// Motions of the whole rotor at the speeds where the reduced one differs by more than agreed.
+Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
+                         const std::vector<double> &speeds, double agreed, double &worst) {
+    Eigen::MatrixXcd out;
+    worst = 0;
+    if (reduced.whole())
+        return out;
+    for (const double speed : speeds) {
+        reduced.enter_piece(speed);
+        if (!whole.solve(speed))
+            continue;
+        const double difference = whole.difference(reduced, speed);
+        worst = std::max(worst, difference);
+        if (difference <= agreed)
+            continue;
+        const Eigen::MatrixXcd motion = whole.motion();
+        out.conservativeResize(motion.rows(), out.cols() + motion.cols());
+        out.rightCols(motion.cols()) = motion;
+    }
+    return out;
+}
+
+} // namespace
+
+CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
+                              const std::vector<Quantity> &quantities,
+                              const std::vector<double> &places, double from, double to) {
+    constexpr double agreed = 1e-9;
+    constexpr int most_rounds = 6;
+    ReducedMotion reduced(discretization, form, to, quantities);
+    Comparison whole(discretization, form, quantities);
+    CertifiedPeaks out;
+    for (int round = 0; round < most_rounds; ++round) {
+        const PeakSearch search(reduced, from, to);
+        out.peaks = search.peaks();
+        out.shapes = reduced.size();
+        const Eigen::MatrixXcd news =
+            missing(reduced, whole, telling_speeds(search, from, to), agreed, out.reduction_error);
+        if (news.cols() == 0)
+            break;
+        reduced.take_in(news);
+        if (reduced.size() == out.shapes)
+            break;
+    }
+    out.errors = PeakError(discretization, form, quantities, places).of(out.peaks, reduced);
+    return out;
+}
+
+} // namespace whirl::forced

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "forced/peak_error.h"
+#include "forced/peak_search.h"
+
+#include <vector>
+
+namespace whirl::forced {
+
+/// Peaks as of the whole rotor.
+struct CertifiedPeaks {
+    std::vector<Peak> peaks;        ///< ascending by quantity, then by speed
+    std::vector<PeakErrors> errors; ///< by the elements, of each
+    /// Largest relative difference of a quantity of the reduced rotor from that of the whole rotor,
+    /// at and beside every resonance; 0 where nothing was left out.
+    double reduction_error = 0;
+    int shapes = 0; ///< in one plane
+};
+
+/// Peaks between two speeds (rad/s) under the imbalances of the rotor, by the reduced rotor: it
+/// takes in the motion of the whole rotor wherever the two differ, until they agree to 1e-9 at
+/// every resonance and half the width of the peak beside it.
+///
+/// @param quantities  what is looked at
+/// @param places      z of each, m
+/// @throws linalg::SolverError where the poles of the response are not found
+[[nodiscard]] CertifiedPeaks response_peaks(const assembly::Discretization &discretization,
+                                            results::Form form,
+                                            const std::vector<Quantity> &quantities,
+                                            const std::vector<double> &places, double from,
+                                            double to);
+
+} // namespace whirl::forced
