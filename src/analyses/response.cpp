@@ -261,6 +261,15 @@ void add_peaks(results::ResponseResult &result, const assembly::Discretization &
         out.speed_error = found.errors[i].speed;
         result.peaks.push_back(out);
     }
+    result.curves.values.resize(quantities.size());
+    result.curves.phases.resize(quantities.size());
+    for (const forced::PeakSearch::Sample &sample : found.curve) {
+        result.curves.speeds.push_back(sample.speed);
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            result.curves.values[i].push_back(sample.value[i]);
+            result.curves.phases[i].push_back(sample.phase[i]);
+        }
+    }
 }
 
 /// Empty lists with places and names.

@@ -7,9 +7,11 @@
 #include "modes/formulation.h"
 #include "modes/support_damping.h"
 #include "results/formulation.h"
+#include "synchronous/parts.h"
 
 #include <Eigen/SparseLU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -32,29 +34,94 @@ assembly::Combination stretch_of_bearing(const assembly::Discretization &discret
 ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form)
     : _discretization(discretization),
       _planar(form == results::Form::planar || form == results::Form::rotating),
-      _rotating(form == results::Form::rotating) {
-    assemble(0);
+      _rotating(form == results::Form::rotating),
+      _rows(synchronous::table_speeds(discretization.rotor())) {
+    enter_piece(0);
 }
 
-void ForcedMotion::assemble(double bearing_speed) {
-    if (_rotating) {
-        _turning = std::make_unique<assembly::RotatingSystem>(
-            assembly::assemble_rotating(_discretization, bearing_speed, {}));
-    } else if (_planar) {
-        const assembly::PlanarSystem system =
-            assembly::assemble_planar(_discretization, bearing_speed);
-        const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
-        const linalg::Matrix C = linalg::Matrix::from_entries(
-            _discretization.planar_size(),
-            modes::planar_support_damping(_discretization, bearing_speed));
+namespace {
+
+/// constant + speed * slope, between two speeds.
+struct Linear {
+    linalg::Matrix constant, slope;
+
+    Linear(double from, const linalg::Matrix &at_from, double to, const linalg::Matrix &at_to) {
+        const double width = to - from;
+        constant = linalg::Matrix::sum(to / width, at_from, -from / width, at_to);
+        slope = linalg::Matrix::sum(-1 / width, at_from, 1 / width, at_to);
+    }
+};
+
+} // namespace
+
+void ForcedMotion::assemble(double from, double to) {
+    if (_rotating)
+        assemble_rotating(from, to);
+    else if (_planar)
+        assemble_planar(from, to);
+    else
+        assemble_general(from, to);
+}
+
+void ForcedMotion::assemble_rotating(double from, double to) {
+    _turning = std::make_unique<assembly::RotatingSystem>(
+        assembly::assemble_rotating(_discretization, from, {}));
+    if (!(to > from))
+        return;
+    // (K + s dK) + s (Ks + s dKs) + s^2 Kss
+    const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
+    Linear K(from, _turning->K, to, end.K);
+    Linear Ks(from, _turning->Ks, to, end.Ks);
+    _turning->K = std::move(K.constant);
+    _turning->Ks = linalg::Matrix::sum(1, Ks.constant, 1, K.slope);
+    _turning->Kss = linalg::Matrix::sum(1, _turning->Kss, 1, Ks.slope);
+}
+
+void ForcedMotion::assemble_planar(double from, double to) {
+    const auto damping = [this](double speed) {
+        return linalg::Matrix::from_entries(_discretization.planar_size(),
+                                            modes::planar_support_damping(_discretization, speed));
+    };
+    const assembly::PlanarSystem system = assembly::assemble_planar(_discretization, from);
+    const linalg::Matrix M_G = linalg::Matrix::sum(1, system.M, -1, system.G);
+    if (!(to > from)) {
+        const linalg::Matrix C = damping(from);
         _solver = std::make_unique<linalg::HarmonicSolver>(
             linalg::HarmonicTerms{&M_G, &C, nullptr, &system.K, nullptr});
-    } else {
-        const assembly::FixedSystem system =
-            assembly::assemble_fixed(_discretization, bearing_speed);
+        return;
+    }
+    // (K + s dK) + i s (C + s dC) - s^2 (M - G)
+    const Linear K(from, system.K, to, assembly::assemble_planar(_discretization, to).K);
+    const Linear C(from, damping(from), to, damping(to));
+    _solver = std::make_unique<linalg::HarmonicSolver>(
+        linalg::HarmonicTerms{&M_G, &C.constant, &C.slope, &K.constant, &K.slope});
+}
+
+void ForcedMotion::assemble_general(double from, double to) {
+    const assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
+    if (!(to > from)) {
         _solver = std::make_unique<linalg::HarmonicSolver>(
             linalg::HarmonicTerms{&system.M, &system.C, &system.G, &system.K, &system.Kc});
+        return;
     }
+    // (K + s dK) + s Kc + i s (C + s dC + s G) - s^2 M
+    const assembly::FixedSystem end = assembly::assemble_fixed(_discretization, to);
+    const Linear K(from, system.K, to, end.K);
+    const Linear C(from, system.C, to, end.C);
+    const linalg::Matrix Kc = linalg::Matrix::sum(1, system.Kc, 1, K.slope);
+    const linalg::Matrix G = linalg::Matrix::sum(1, system.G, 1, C.slope);
+    _solver = std::make_unique<linalg::HarmonicSolver>(
+        linalg::HarmonicTerms{&system.M, &C.constant, &G, &K.constant, &Kc});
+}
+
+void ForcedMotion::enter_piece(double speed) {
+    const auto above = std::upper_bound(_rows.begin(), _rows.end(), speed);
+    const auto piece = static_cast<int>(above - _rows.begin());
+    if (piece == _piece)
+        return;
+    const bool between = above != _rows.begin() && above != _rows.end();
+    assemble(between ? *(above - 1) : speed, between ? *above : speed);
+    _piece = piece;
 }
 
 int ForcedMotion::size() const {
@@ -111,8 +178,7 @@ void ForcedMotion::solve(double speed) {
         _rounding = 0;
         return;
     }
-    if (_discretization.rotor().bearings_depend_on_speed())
-        assemble(speed);
+    enter_piece(speed);
     if (_rotating) {
         solve_in_rotating_axes(speed);
         return;

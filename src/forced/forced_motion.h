@@ -9,6 +9,7 @@
 
 #include <complex>
 #include <memory>
+#include <vector>
 
 namespace whirl::forced {
 
@@ -56,15 +57,22 @@ class ForcedMotion {
 
   private:
     const assembly::Discretization &_discretization;
-    bool _planar;   ///< one complex deflection in each place
-    bool _rotating; ///< solved in rotating axes
+    bool _planar;              ///< one complex deflection in each place
+    bool _rotating;            ///< solved in rotating axes
+    std::vector<double> _rows; ///< of bearing tables, rad/s
+    int _piece = -1;           ///< rows below the speeds that the matrices hold for
     std::unique_ptr<assembly::RotatingSystem> _turning;
     std::unique_ptr<linalg::HarmonicSolver> _solver;
     double _speed = 0;
     Eigen::VectorXcd _displacements;
     double _rounding = 0;
 
-    void assemble(double bearing_speed);
+    /// Between two rows of bearing tables, in which the coefficients are linear; equal: constant.
+    void assemble(double from, double to);
+    void assemble_rotating(double from, double to);
+    void assemble_planar(double from, double to);
+    void assemble_general(double from, double to);
+    void enter_piece(double speed);
     void solve_in_rotating_axes(double speed);
     [[nodiscard]] int size() const; ///< of the displacements
     [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;

@@ -120,7 +120,7 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedM
             return {mesh_error::estimate_safety * std::abs(coarse(*coarse_top) - fine(*top)) / size,
                     mesh_error::estimate_safety * std::abs(shift) / peak.speed};
         }
-        constexpr double farthest = 100;
+        constexpr double farthest = 1000;
         centre += std::clamp(fine.pole(), -farthest, farthest) * width;
         if (!(centre > 2 * width))
             break;
@@ -147,9 +147,11 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMot
             continue;
         }
         if (!(peak.speed - middle < width)) {
-            constexpr double widest = 0.05; // of the speed
+            // So near that one resonance and a straight line are all there is to see.
+            constexpr double part = 0.1;
+            constexpr double widest = 0.01; // of the speed
             middle = peak.speed;
-            width = std::min(peak.width, widest * peak.speed);
+            width = std::min(part * peak.width, widest * peak.speed);
         }
         reduced.enter_piece(middle);
         try {

@@ -14,7 +14,7 @@ namespace {
 constexpr double beyond = 0.3;
 /// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
 constexpr double step_to_pole = 0.2;
-constexpr int fewest_steps = 50;
+constexpr int fewest_steps = 300; // for pictures
 /// A pole this near to the real speeds, relative, is one of a rotor without damping.
 constexpr double on_the_axis = 1e-10;
 /// Distance, relative, at which one looks beside such a pole.
@@ -41,10 +41,11 @@ void PeakSearch::enter(int piece) const {
 }
 
 PeakSearch::Sample PeakSearch::sample(int piece, double speed) const {
-    Sample out{speed, piece, {}, {}};
+    Sample out{speed, piece, {}, {}, {}};
     for (const Reading &reading : _motion.at(speed)) {
         out.value.push_back(reading.major());
         out.slope.push_back(reading.major_slope());
+        out.phase.push_back(std::arg(reading.value.x));
     }
     return out;
 }
@@ -120,10 +121,11 @@ void PeakSearch::find(int quantity) {
 
 void PeakSearch::endless_peak(int quantity, std::size_t left) {
     const auto q = static_cast<std::size_t>(quantity);
-    // What is driven grows like the inverse of the distance, which a step changes by a fifth.
-    const bool driven = left > 0 && left + 2 < _samples.size() &&
-                        _samples[left].value[q] > 1.1 * _samples[left - 1].value[q] &&
-                        _samples[left + 1].value[q] > 1.1 * _samples[left + 2].value[q];
+    // What is driven grows like the inverse of the distance: by a third at least in two steps.
+    constexpr double grown = 1.2;
+    const bool driven = left > 1 && left + 3 < _samples.size() &&
+                        _samples[left].value[q] > grown * _samples[left - 2].value[q] &&
+                        _samples[left + 1].value[q] > grown * _samples[left + 3].value[q];
     if (!driven)
         return;
     Peak peak;

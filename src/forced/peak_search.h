@@ -39,13 +39,18 @@ class PeakSearch {
     };
     [[nodiscard]] const std::vector<Resonance> &resonances() const { return _resonances; }
 
-  private:
+    /// All quantities at one speed.
     struct Sample {
-        double speed = 0;
+        double speed = 0; ///< rad/s
         int piece = 0;
-        std::vector<double> value; ///< of each quantity
-        std::vector<double> slope;
+        std::vector<double> value; ///< semi-major axis
+        std::vector<double> slope; ///< what it changes per rad/s
+        std::vector<double> phase; ///< of x, rad
     };
+    /// The speeds looked at, ascending: dense where resonances are sharp.
+    [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }
+
+  private:
     ReducedMotion &_motion;
     double _from, _to;         ///< where peaks count
     double _low, _high;        ///< where half-power points do

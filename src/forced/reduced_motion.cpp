@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whirl::forced {
@@ -45,19 +46,37 @@ Eigen::MatrixXd loads(const assembly::Discretization &d) {
     return out;
 }
 
-/// V^T A V over planar unknowns.
-Eigen::MatrixXcd planar_product(const Eigen::MatrixXd &V, const Sparse &A) {
-    return (V.transpose() * (A * V)).cast<Complex>();
+using Wide = long double;
+using WideDense = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
+/// cancels here: in double precision what is left would be off by 1e-10 and peaks by that times
+/// their amplification.
+Eigen::MatrixXcd planar_product(const WideDense &V, const Eigen::SparseMatrix<Wide> &A) {
+    return WideDense(V.transpose() * WideDense(A * V)).cast<double>().cast<Complex>();
 }
 
 /// The same over unknowns in pairs (x, y), the shapes for both directions: pairs again.
-Eigen::MatrixXcd paired_product(const Eigen::MatrixXd &V, const Sparse &A) {
-    const Eigen::Index r = V.cols();
-    Eigen::MatrixXd W = Eigen::MatrixXd::Zero(2 * V.rows(), 2 * r);
-    for (Eigen::Index k = 0; k < 2; ++k)
-        W(Eigen::seqN(k, V.rows(), 2), Eigen::seqN(k, r, 2)) = V;
-    return (W.transpose() * (A * W)).cast<Complex>();
+Eigen::MatrixXcd paired_product(const WideDense &V, const Eigen::SparseMatrix<Wide> &A) {
+    std::array<std::vector<Eigen::Triplet<Wide>>, 4> entries;
+    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
+        for (Eigen::SparseMatrix<Wide>::InnerIterator entry(A, column); entry; ++entry)
+            entries[static_cast<std::size_t>(2 * (entry.row() % 2) + column % 2)].emplace_back(
+                static_cast<int>(entry.row() / 2), static_cast<int>(column / 2), entry.value());
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(2 * V.cols(), 2 * V.cols());
+    for (Eigen::Index block = 0; block < 4; ++block) {
+        const auto &list = entries[static_cast<std::size_t>(block)];
+        if (list.empty())
+            continue;
+        Eigen::SparseMatrix<Wide> part(V.rows(), V.rows());
+        part.setFromTriplets(list.begin(), list.end());
+        out(Eigen::seqN(block / 2, V.cols(), 2), Eigen::seqN(block % 2, V.cols(), 2)) =
+            planar_product(V, part);
+    }
+    return out;
 }
+
+Eigen::SparseMatrix<Wide> wide(const linalg::Matrix &A) { return Sparse(A.view()).cast<Wide>(); }
 
 } // namespace
 
@@ -123,25 +142,24 @@ std::vector<double> ReducedMotion::cuts(double from, double to) const {
 }
 
 ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
-    const Eigen::MatrixXd &V = _shapes->matrix();
+    const WideDense V = _shapes->matrix().cast<Wide>();
     if (_form == results::Form::planar) {
         const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
         const linalg::Matrix C = linalg::Matrix::from_entries(
             _discretization.planar_size(),
             modes::planar_support_damping(_discretization, bearing_speed));
-        return {planar_product(V, s.K.view()), imaginary_unit * planar_product(V, C.view()),
-                planar_product(V, Sparse(s.G.view()) - Sparse(s.M.view()))};
+        return {planar_product(V, wide(s.K)), imaginary_unit * planar_product(V, wide(C)),
+                planar_product(V, wide(s.G)) - planar_product(V, wide(s.M))};
     }
+    const auto product = [&V](const linalg::Matrix &A) { return paired_product(V, wide(A)); };
     if (_form == results::Form::rotating) {
         const assembly::RotatingSystem s =
             assembly::assemble_rotating(_discretization, bearing_speed, {});
-        return {paired_product(V, s.K.view()), paired_product(V, s.Ks.view()),
-                paired_product(V, s.Kss.view())};
+        return {product(s.K), product(s.Ks), product(s.Kss)};
     }
     const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
-    return {paired_product(V, s.K.view()),
-            paired_product(V, s.Kc.view()) + imaginary_unit * paired_product(V, s.C.view()),
-            imaginary_unit * paired_product(V, s.G.view()) - paired_product(V, s.M.view())};
+    return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
+            imaginary_unit * product(s.G) - product(s.M)};
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {

@@ -99,6 +99,30 @@ Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
     return out;
 }
 
+/// Of the speeds looked at those that a picture needs: a quantity has changed, or some way is made.
+std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, double to) {
+    constexpr double seen = 0.03; // of a value
+    constexpr double steps = 300; // at least, over the range
+    std::vector<PeakSearch::Sample> out;
+    // A curve without limit is drawn up to 1e-5 beside it.
+    const auto without_limit = [&](double speed) {
+        return std::any_of(search.resonances().begin(), search.resonances().end(),
+                           [speed](const PeakSearch::Resonance &r) {
+                               return std::hypot(r.speed - speed, r.width) < 1e-5 * speed;
+                           });
+    };
+    for (const PeakSearch::Sample &s : search.samples()) {
+        if (s.speed < from || s.speed > to || without_limit(s.speed))
+            continue;
+        bool tells = out.empty() || s.speed - out.back().speed > (to - from) / steps;
+        for (std::size_t i = 0; !tells && i < s.value.size(); ++i)
+            tells = std::abs(s.value[i] - out.back().value[i]) > seen * s.value[i];
+        if (tells)
+            out.push_back(s);
+    }
+    return out;
+}
+
 } // namespace
 
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
@@ -113,6 +137,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
         const PeakSearch search(reduced, from, to);
         out.peaks = search.peaks();
         out.shapes = reduced.size();
+        out.curve = drawn(search, from, to);
         const Eigen::MatrixXcd news =
             missing(reduced, whole, telling_speeds(search, from, to), agreed, out.reduction_error);
         if (news.cols() == 0)

@@ -15,6 +15,8 @@ struct CertifiedPeaks {
     /// at and beside every resonance; 0 where nothing was left out.
     double reduction_error = 0;
     int shapes = 0; ///< in one plane
+    /// The curves between, on the reduced rotor: enough speeds to draw every peak.
+    std::vector<PeakSearch::Sample> curve;
 };
 
 /// Peaks between two speeds (rad/s) under the imbalances of the rotor, by the reduced rotor: it

@@ -232,7 +232,11 @@ Json json_of(const ResponseResult &result) {
              json_of_kind(result, result.nodes, place_columns<ResponseNode>("node"), node_series)},
             {"bearings", json_of_kind(result, result.bearings,
                                       place_columns<ResponseBearing>("bearing"), bearing_series)},
-            {"probes", json_of_kind(result, result.probes, probe_places(), probe_series)}};
+            {"probes", json_of_kind(result, result.probes, probe_places(), probe_series)},
+            {"curves",
+             {{"speeds", result.curves.speeds},
+              {"values", result.curves.values},
+              {"phases", result.curves.phases}}}};
 }
 
 std::string csv_of(const ResponseResult &result) {

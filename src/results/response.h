@@ -54,8 +54,16 @@ struct ResponsePeak {
     /// Speed over the distance of the half-power points; none where one of them is not reached.
     std::optional<double> amplification;
     std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
-    double error = 0;       ///< estimated relative error of the value; NaN: not known
-    double speed_error = 0; ///< the same of the speed
+    double error = 0;                   ///< estimated relative error of the value; NaN: not known
+    double speed_error = 0;             ///< the same of the speed
+};
+
+/// The curves with points wherever they bend, to draw: a list over the speeds for each station,
+/// then for each bearing.
+struct ResponseCurves {
+    std::vector<double> speeds;              ///< rad/s
+    std::vector<std::vector<double>> values; ///< semi-major axes, m, and forces, N
+    std::vector<std::vector<double>> phases; ///< of x, rad
 };
 
 struct ResponseResult {
@@ -66,6 +74,7 @@ struct ResponseResult {
     std::vector<ResponseProbe> probes;
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
+    ResponseCurves curves; ///< empty where the range is one speed
 };
 
 } // namespace whirl::results

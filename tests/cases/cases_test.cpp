@@ -109,6 +109,15 @@ std::vector<double> at_node(const json &result, const std::string &path, double 
     throw std::runtime_error("no node at z = " + std::to_string(z));
 }
 
+/// Of every peak of the station at z: its speed (rad/s) or its value (m).
+std::vector<double> peaks_at(const json &result, const char *key, double z) {
+    std::vector<double> out;
+    for (const json &peak : result.at("peaks"))
+        if (peak.at("of") == "station" && std::abs(peak.at("z").get<double>() - z) < 1e-9)
+            out.push_back(peak.at(key).get<double>());
+    return out;
+}
+
 std::vector<double> critical_speeds(const json &result) {
     std::vector<double> speeds;
     for (const json &critical : result.at("critical_speeds"))
@@ -137,6 +146,8 @@ std::vector<double> found_values(const json &result, const json &entry) {
         return critical_speeds(result);
     if (path == "crossings")
         return crossing_speeds(result, entry.at("multiple"));
+    if (path == "peak_speeds" || path == "peak_values")
+        return peaks_at(result, path == "peak_speeds" ? "speed" : "value", entry.at("node"));
     if (path == "amplitude" || path == "major" || path == "minor")
         return at_node(result, path, entry.at("node"));
     return of_modes(result, path);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace whirl::oracles {
 
@@ -121,10 +122,75 @@ Answer answer_critical(const Request &request) {
     no_answer("critical: no oracle for this rotor");
 }
 
+namespace {
+
+/// Place of the largest value of a curve with one maximum between two places: golden section, which
+/// finds it to the root of rounding, then vertices of parabolas through points where the curve has
+/// fallen by 1e-4 and half as far out, extrapolated to none.
+double top_between(const std::function<double(double)> &f, double low, double high) {
+    const double golden = (std::sqrt(5.0) - 1) / 2;
+    double left = high - golden * (high - low);
+    double right = low + golden * (high - low);
+    double at_left = f(left);
+    double at_right = f(right);
+    while (high - low > 1e-8 * high) {
+        if (at_left < at_right) {
+            low = left;
+            left = right;
+            at_left = at_right;
+            at_right = f(right = low + golden * (high - low));
+        } else {
+            high = right;
+            right = left;
+            at_right = at_left;
+            at_left = f(left = high - golden * (high - low));
+        }
+    }
+    const double top = (low + high) / 2;
+    const double value = f(top);
+    double h = 1e-7 * top;
+    while (f(top + h) > value * (1 - 1e-4))
+        h *= 1.5;
+    const auto vertex = [&](double d) {
+        const double below = f(top - d);
+        const double above = f(top + d);
+        return top + d / 2 * (below - above) / (below - 2 * value + above);
+    };
+    return (4 * vertex(h / 2) - vertex(h)) / 3;
+}
+
+/// Local maxima of the semi-major axis over the range of the case: where it is larger than at both
+/// neighbours among many speeds.
+Answer response_peaks(const Request &request, bool speeds) {
+    const CaseRotor &rotor = request.rotor;
+    const auto size = [&](double speed) { return semi_major(rotor, speed, request.node); };
+    constexpr int steps = 400;
+    const double step = (rotor.speed_to - rotor.speed_from) / steps;
+    std::vector<double> at;
+    for (int i = 0; i <= steps; ++i)
+        at.push_back(size(rotor.speed_from + i * step));
+    Answer out{"dense two-node elements, looked for at many speeds", {}, {}, {}};
+    for (std::size_t i = 1; i < steps; ++i) {
+        if (at[i] <= at[i - 1] || at[i] <= at[i + 1])
+            continue;
+        const double top = top_between(size, rotor.speed_from + static_cast<double>(i - 1) * step,
+                                       rotor.speed_from + static_cast<double>(i + 1) * step);
+        out.values.push_back(speeds ? top : size(top));
+    }
+    return out;
+}
+
+} // namespace
+
 Answer answer_response(const Request &request) {
     const CaseRotor &rotor = request.rotor;
+    if (request.path == "peak_speeds" || request.path == "peak_values") {
+        if (!rotor.classical)
+            no_answer("response: peaks of classical elements only");
+        return response_peaks(request, request.path == "peak_speeds");
+    }
     if (request.path != "major")
-        no_answer("response: semi-major axes only");
+        no_answer("response: semi-major axes and peaks only");
     // Four parts of every element of higher order: an error of 1e-4 in sharp peaks
     const int parts = rotor.classical ? 1 : 4;
     return {rotor.classical ? "dense two-node elements" : "dense two-node elements, refined",

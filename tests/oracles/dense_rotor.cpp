@@ -238,21 +238,30 @@ std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple) {
 double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
     const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
     const Eigen::Index n = dense.planar();
-    const std::complex<double> i(0, 1);
-    Eigen::VectorXcd force = Eigen::VectorXcd::Zero(2 * n);
+    // Wide: near resonances the solution loses as many digits as the matrix is stiffer than they.
+    using Wide = std::complex<long double>;
+    using WideMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+    const Wide i(0, 1);
+    Eigen::Matrix<Wide, Eigen::Dynamic, 1> force =
+        Eigen::Matrix<Wide, Eigen::Dynamic, 1>::Zero(2 * n);
     for (const Imbalance &imbalance : rotor.imbalances) {
-        const std::complex<double> f =
-            imbalance.mr * speed * speed * std::polar(1.0, imbalance.phase);
+        const Wide f = static_cast<long double>(imbalance.mr) * speed * speed *
+                       std::polar(1.0L, static_cast<long double>(imbalance.phase));
         const Eigen::Index w = dense.deflection(imbalance.z);
         force[w] += f;
         force[n + w] -= i * f;
     }
-    const Eigen::MatrixXcd dynamic = (dense.K + speed * dense.Kc - speed * speed * dense.M) +
-                                     i * speed * (dense.C + speed * dense.G);
-    const Eigen::VectorXcd q = dynamic.partialPivLu().solve(force);
+    const auto wide = [](const Eigen::MatrixXd &A) -> WideMatrix { return A.cast<long double>(); };
+    const long double W = speed;
+    const WideMatrix stiffness = wide(dense.K) + W * wide(dense.Kc) - W * W * wide(dense.M);
+    const WideMatrix damping = W * (wide(dense.C) + W * wide(dense.G));
+    Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic> dynamic = stiffness.cast<Wide>();
+    dynamic += i * damping.cast<Wide>();
+    const Eigen::Matrix<Wide, Eigen::Dynamic, 1> q = dynamic.partialPivLu().solve(force);
     const Eigen::Index w = dense.deflection(z);
-    return (std::abs(q[w] + i * q[n + w]) + std::abs(std::conj(q[w]) + i * std::conj(q[n + w]))) /
-           2;
+    return static_cast<double>(
+        (std::abs(q[w] + i * q[n + w]) + std::abs(std::conj(q[w]) + i * std::conj(q[n + w]))) /
+        2.0L);
 }
 
 } // namespace whirl::oracles

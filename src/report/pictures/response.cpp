@@ -27,31 +27,31 @@ std::string place_name(const std::string &name, double z) {
     return name.empty() ? at : name + ", " + at;
 }
 
-std::vector<PlotPoint> over_speed(const ResponseResult &result, const std::vector<double> &values,
-                                  double factor) {
+std::vector<PlotPoint> over_speed(const std::vector<double> &speeds,
+                                  const std::vector<double> &values, double factor) {
     std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < result.speeds.size() && i < values.size(); ++i) {
+    for (std::size_t i = 0; i < speeds.size() && i < values.size(); ++i) {
         // A logarithmic axis has no place for zero, the response at rest.
         const bool drawn = std::isfinite(values[i]) && values[i] > 0;
         points.push_back(
-            {result.speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
+            {speeds[i] * rpm, drawn ? std::optional(values[i] * factor) : std::nullopt});
     }
     return points;
 }
 
 /// Phase in degrees within (-180, 180], cut where it jumps from one end to the other.
-std::vector<PlotPoint> phase_points(const ResponseResult &result,
+std::vector<PlotPoint> phase_points(const std::vector<double> &speeds,
                                     const std::vector<double> &phase) {
     std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < result.speeds.size() && i < phase.size(); ++i) {
+    for (std::size_t i = 0; i < speeds.size() && i < phase.size(); ++i) {
         if (!std::isfinite(phase[i])) { // none at a resonance without damping
-            points.push_back({result.speeds[i] * rpm, std::nullopt});
+            points.push_back({speeds[i] * rpm, std::nullopt});
             continue;
         }
         const double degrees = std::remainder(phase[i], 2 * pi) * 180 / pi;
         if (!points.empty() && points.back().y && std::abs(degrees - *points.back().y) > 180)
-            points.push_back({result.speeds[i] * rpm, std::nullopt});
-        points.push_back({result.speeds[i] * rpm, degrees});
+            points.push_back({speeds[i] * rpm, std::nullopt});
+        points.push_back({speeds[i] * rpm, degrees});
     }
     return points;
 }
@@ -133,9 +133,12 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     std::vector<Curve> force;
     for (const std::size_t i : drawn_nodes(result)) {
         const auto &node = result.nodes[i];
+        const bool fine = i < result.curves.values.size();
+        const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
         amplitude.push_back(
-            {place_name(node.name, node.z), over_speed(result, node.amplitude, 1e6)});
-        phase.push_back({"", phase_points(result, node.phase)});
+            {place_name(node.name, node.z),
+             over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, 1e6)});
+        phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
     }
     const std::size_t nodes = amplitude.size();
     for (const auto &probe : result.probes)
@@ -144,13 +147,17 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
                 {fmt::format("{} at {}°",
                              place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
                              readable(probe.angle * 180 / pi, 4)),
-                 over_speed(result, probe.amplitude, 1e6)});
-            phase.push_back({"", phase_points(result, probe.phase)});
+                 over_speed(result.speeds, probe.amplitude, 1e6)});
+            phase.push_back({"", phase_points(result.speeds, probe.phase)});
         }
-    for (const auto &bearing : result.bearings)
-        if (force.size() < most_curves)
-            force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
-                             over_speed(result, bearing.force, 1)});
+    for (std::size_t i = 0; i < result.bearings.size() && i < most_curves; ++i) {
+        const auto &bearing = result.bearings[i];
+        const std::size_t j = result.nodes.size() + i;
+        const bool fine = j < result.curves.values.size();
+        force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+                         over_speed(fine ? result.curves.speeds : result.speeds,
+                                    fine ? result.curves.values[j] : bearing.force, 1)});
+    }
     Figure figure;
     figure.width = 1080;
     figure.height = force.empty() ? 780 : 1040;

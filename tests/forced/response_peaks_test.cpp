@@ -1,0 +1,264 @@
+// Peaks of the response: closed forms, the whole rotor looked at speed by speed, finer elements.
+
+#include "analyses/critical.h"
+#include "analyses/response.h"
+#include "assembly/discretization.h"
+#include "forced/forced_motion.h"
+#include "forced/response_peaks.h"
+#include "modes/orbits.h"
+#include "results/critical.h"
+#include "results/response.h"
+#include "support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace {
+
+using namespace whirl;
+using results::Form;
+using results::ResponsePeak;
+
+/// Uniform in [a, b), the same on every machine.
+class Random {
+  public:
+    explicit Random(unsigned seed) : _engine(seed) {}
+    double operator()(double a, double b) {
+        return a + (b - a) * static_cast<double>(_engine()) / 4294967296.0;
+    }
+    bool coin() { return _engine() % 2 == 0; }
+
+  private:
+    std::mt19937 _engine;
+};
+
+/// A disc on a rigid weightless shaft between two equal bearings: it moves without tilting.
+model::Case jeffcott(double mass, double k, double c, double mr) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.0, 0.05, tests::weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc_at(0.5, mass, 0.1, 0.2)};
+    scene.rotor.bearings = {tests::isotropic_bearing(0, k / 2, c / 2),
+                            tests::isotropic_bearing(1, k / 2, c / 2)};
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, mr)};
+    return scene;
+}
+
+std::vector<ResponsePeak> at_place(const results::ResponseResult &result, const std::string &of,
+                                   double z) {
+    std::vector<ResponsePeak> out;
+    for (const ResponsePeak &peak : result.peaks)
+        if (peak.of == of && peak.z == z)
+            out.push_back(peak);
+    return out;
+}
+
+TEST(ResponsePeaks, JeffcottRotor) {
+    const double mass = 20;
+    const double k = 2e6;
+    const double omega = std::sqrt(k / mass);
+    for (const double zeta : {1e-5, 0.01, 0.1, 0.3, 0.6}) {
+        model::Case scene = jeffcott(mass, k, 2 * zeta * mass * omega, 1e-3);
+        for (const int count : {2, 11, 1001}) {
+            scene.speeds = model::SpeedRange{10, 900, count};
+            const auto result = analyses::unbalance_response(scene);
+            const auto peaks = at_place(result, "station", 0.5);
+            ASSERT_EQ(peaks.size(), 1U) << zeta;
+            // r^2 / sqrt((1 - r^2)^2 + (2 zeta r)^2) is largest at r = 1/sqrt(1 - 2 zeta^2).
+            const double e = 1e-3 / mass;
+            EXPECT_NEAR(peaks[0].speed * std::sqrt(1 - 2 * zeta * zeta) / omega, 1, 1e-10);
+            EXPECT_NEAR(peaks[0].value * 2 * zeta * std::sqrt(1 - zeta * zeta) / e, 1, 1e-9);
+            // tan = -2 zeta r / (1 - r^2), against the imbalance above the resonance.
+            const double r = peaks[0].speed / omega;
+            EXPECT_NEAR(peaks[0].phase, std::atan2(-2 * zeta * r, 1 - r * r), 1e-6 / zeta * 1e-3);
+            // Half the square: with x = 1/r^2, x^2 + (4 zeta^2 - 2) x + 1 = 8 zeta^2 (1 - zeta^2).
+            const double b = 2 * zeta * zeta - 1;
+            const double d = std::sqrt(b * b - 1 + 8 * zeta * zeta * (1 - zeta * zeta));
+            ASSERT_TRUE(peaks[0].lower);
+            EXPECT_NEAR(*peaks[0].lower / (omega / std::sqrt(-b + d)), 1, 1e-9);
+            const double upper = -b - d > 0 ? omega / std::sqrt(-b - d) : INFINITY;
+            if (upper < 1.3 * 900) {
+                ASSERT_TRUE(peaks[0].upper) << zeta;
+                EXPECT_NEAR(*peaks[0].upper / upper, 1, 1e-9);
+                EXPECT_NEAR(*peaks[0].amplification * (*peaks[0].upper - *peaks[0].lower),
+                            peaks[0].speed, 1e-12 * peaks[0].speed);
+            } else {
+                EXPECT_FALSE(peaks[0].upper);
+                EXPECT_FALSE(peaks[0].amplification);
+            }
+        }
+    }
+}
+
+TEST(ResponsePeaks, TooMuchDampingLeavesNone) {
+    model::Case scene = jeffcott(20, 2e6, 0.75 * 2 * 20 * std::sqrt(2e6 / 20), 1e-3);
+    scene.speeds = model::SpeedRange{10, 900, 11};
+    EXPECT_TRUE(at_place(analyses::unbalance_response(scene), "station", 0.5).empty());
+}
+
+TEST(ResponsePeaks, WithoutDampingTheyAreTheCriticalSpeeds) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.2, 0.06, tests::steel());
+    scene.rotor.shaft.segments[0].elements = 4;
+    scene.rotor.discs = {tests::disc_at(0.4, 15, 0.1, 0.18), tests::disc_at(0.9, 25, 0.2, 0.35)};
+    for (const bool equal : {true, false}) {
+        scene.rotor.bearings = {tests::isotropic_bearing(0, 2e7),
+                                tests::isotropic_bearing(1.2, 3e7)};
+        if (!equal)
+            scene.rotor.bearings[0].rows[0].k(1, 1) *= 1.5;
+        scene.rotor.imbalances = {tests::imbalance_at(0.4, 1e-4),
+                                  tests::imbalance_at(0.9, 3e-4, 2)};
+        scene.speeds = model::SpeedRange{0, 1500, 11};
+        const auto peaks = at_place(analyses::unbalance_response(scene), "station", 0.4);
+        std::vector<double> expected;
+        for (const auto &critical : analyses::critical_speeds(scene).critical_speeds)
+            if (critical.speed < 1500 && (!equal || critical.whirl == results::Whirl::forward))
+                expected.push_back(critical.speed); // circles drive forward whirl alone
+        ASSERT_EQ(peaks.size(), expected.size());
+        ASSERT_GE(peaks.size(), 2U);
+        for (std::size_t i = 0; i < peaks.size(); ++i) {
+            EXPECT_NEAR(peaks[i].speed / expected[i], 1, 1e-8);
+            EXPECT_TRUE(std::isinf(peaks[i].value));
+        }
+    }
+}
+
+/// Some flexible rotor with damping.
+model::Case random_rotor(Random &random) {
+    model::Case scene;
+    model::Rotor &rotor = scene.rotor;
+    rotor.shaft = tests::uniform_shaft(1.0, random(0.03, 0.08), tests::steel());
+    rotor.shaft.segments[0].elements = 5;
+    rotor.shaft.internal_damping = random.coin() ? 0 : random(1e-6, 1e-5);
+    for (int i = 0; i < 2; ++i)
+        rotor.discs.push_back(
+            tests::disc_at(random(0.1, 0.95), random(5, 30), random(0.05, 0.2), random(0.05, 0.3)));
+    const bool equal = random.coin();
+    for (const double z : {random(0, 0.2), random(0.8, 1)}) {
+        model::Bearing bearing = tests::isotropic_bearing(z, std::pow(10, random(6, 7.5)),
+                                                          std::pow(10, random(1.5, 3.5)));
+        model::BearingCoefficients &row = bearing.rows[0];
+        if (!equal) {
+            row.k(1, 1) *= random(0.4, 2.5);
+            row.k(0, 1) = random(-0.1, 0.1) * row.k(0, 0);
+            row.c(1, 1) *= random(0.4, 2.5);
+        }
+        if (random(0, 1) < 0.2) {
+            model::BearingCoefficients faster = row;
+            faster.k *= random(1, 3);
+            faster.c *= random(0.3, 1);
+            bearing.rows.push_back(faster);
+            bearing.speeds = {random(100, 400), random(600, 1500)};
+        }
+        if (random.coin())
+            bearing.pedestal = model::Pedestal{random(2, 20), std::pow(10, random(7, 8.5)),
+                                               std::pow(10, random(2, 4))};
+        rotor.bearings.push_back(bearing);
+    }
+    rotor.imbalances = {tests::imbalance_at(rotor.discs[0].z, 1e-4),
+                        tests::imbalance_at(rotor.discs[1].z, random(1e-5, 3e-4), random(0, 6))};
+    scene.speeds = model::SpeedRange{0, random(800, 2000), 11};
+    return scene;
+}
+
+/// Local maxima of the whole rotor's semi-major axis at a place: by looking at very many speeds,
+/// then by parabolas about the largest.
+std::vector<std::pair<double, double>> looked_for(const assembly::Discretization &d, Form form,
+                                                  double z, double from, double to, int count) {
+    forced::ForcedMotion motion(d, form);
+    const auto major = [&](double speed) {
+        motion.solve(speed);
+        const forced::Phasor u = motion.motion(d.deflection_at(z));
+        return modes::ellipse_of(u.x, u.y).major;
+    };
+    std::vector<double> values;
+    const double step = (to - from) / count;
+    for (int i = 0; i <= count; ++i)
+        values.push_back(major(from + i * step));
+    std::vector<std::pair<double, double>> out;
+    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+        if (values[i] < values[i - 1] || values[i] <= values[i + 1])
+            continue;
+        double a = from + static_cast<double>(i - 1) * step;
+        double b = from + static_cast<double>(i + 1) * step;
+        while (b - a > 1e-7 * b) { // thirds
+            const double left = a + (b - a) / 3;
+            const double right = b - (b - a) / 3;
+            if (major(left) < major(right))
+                a = left;
+            else
+                b = right;
+        }
+        out.emplace_back((a + b) / 2, major((a + b) / 2));
+    }
+    return out;
+}
+
+TEST(ResponsePeaks, NoneMissingNoneFalseInRandomRotors) {
+    Random random(11);
+    int found = 0;
+    for (int rotor = 0; rotor < 8; ++rotor) {
+        model::Case scene = random_rotor(random);
+        scene.rotor.shaft.order = 2;
+        const auto result = analyses::unbalance_response(scene);
+        const assembly::Discretization d(scene.rotor, result.model.order);
+        for (const model::Disc &disc : scene.rotor.discs) {
+            const auto peaks = at_place(result, "station", disc.z);
+            const auto expected =
+                looked_for(d, result.model.formulation.form, disc.z, 0.3, scene.speeds->to, 6000);
+            ASSERT_EQ(peaks.size(), expected.size()) << "rotor " << rotor;
+            for (std::size_t i = 0; i < peaks.size(); ++i) {
+                // A search by values finds the place to the root of rounding.
+                EXPECT_NEAR(peaks[i].speed / expected[i].first, 1, 1e-6) << "rotor " << rotor;
+                EXPECT_NEAR(peaks[i].value / expected[i].second, 1, 1e-8) << "rotor " << rotor;
+                ++found;
+            }
+        }
+    }
+    EXPECT_GT(found, 30);
+}
+
+TEST(ResponsePeaks, TheGridDoesNotMatter) {
+    Random random(12);
+    for (int rotor = 0; rotor < 4; ++rotor) {
+        model::Case scene = random_rotor(random);
+        const auto coarse = analyses::unbalance_response(scene).peaks;
+        scene.speeds->count = 1001;
+        const auto fine = analyses::unbalance_response(scene).peaks;
+        ASSERT_EQ(coarse.size(), fine.size());
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            EXPECT_NEAR(coarse[i].speed / fine[i].speed, 1, 1e-8);
+            EXPECT_NEAR(coarse[i].value / fine[i].value, 1, 1e-8);
+        }
+    }
+}
+
+TEST(ResponsePeaks, ErrorsHold) {
+    Random random(13);
+    int compared = 0;
+    for (int rotor = 0; rotor < 12; ++rotor) {
+        model::Case scene = random_rotor(random);
+        scene.rotor.shaft.order = 1 + rotor % 3;
+        const auto coarse = analyses::unbalance_response(scene).peaks;
+        scene.rotor.shaft.order = 10;
+        const auto fine = analyses::unbalance_response(scene).peaks;
+        if (coarse.size() != fine.size())
+            continue; // so coarse that a peak is on the other side of an end
+        for (std::size_t i = 0; i < fine.size(); ++i) {
+            if (std::isnan(coarse[i].error))
+                continue;
+            const double value = std::abs(coarse[i].value / fine[i].value - 1);
+            const double speed = std::abs(coarse[i].speed / fine[i].speed - 1);
+            EXPECT_LE(value, 2 * coarse[i].error + 3e-9) << "rotor " << rotor << " peak " << i;
+            EXPECT_LE(speed, 2 * coarse[i].speed_error + 1e-9) << "rotor " << rotor;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 60);
+}
+
+} // namespace
