@@ -197,7 +197,7 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
 } // namespace
 
 results::CriticalResult critical_speeds(const model::Case &as_given) {
-    const results::Formulation formulation = modes::choose_formulation(as_given);
+    const results::Formulation formulation = modes::choose_formulation(as_given, false);
     refuse_hill(formulation.form);
     const model::Case scene =
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
