@@ -53,7 +53,7 @@ struct Study {
     [[nodiscard]] int unknowns(int order, int refinement) const {
         const int inside = order == 1 ? 0 : 2 * order - 1;
         const int planar = spans(refinement) * (2 + inside) + 2;
-        return form == results::Form::planar ? planar : 2 * planar;
+        return results::is_planar(form) ? planar : 2 * planar;
     }
 };
 

@@ -6,6 +6,7 @@
 #include "modes/formulation.h"
 #include "process/processes.h"
 #include "results/campbell.h"
+#include "results/damping.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
@@ -17,8 +18,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace whirl::analyses {
 
@@ -71,16 +70,13 @@ results::CampbellMode mode_along(const tracking::Line &line,
             continue;
         }
         const modes::WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
-        const double re = mode.eigenvalue.real();
-        const double im = mode.eigenvalue.imag();
-        const double size = std::abs(mode.eigenvalue);
-        out.frequency.emplace_back(im);
+        const results::Damping damping = results::damping_of(mode.eigenvalue);
+        out.frequency.emplace_back(mode.eigenvalue.imag());
         if (rotating)
             out.frequency_rotating.emplace_back(mode.frequency_rotating);
-        out.real.emplace_back(re);
-        // 0 - re: no negative zeros for undamped modes
-        out.damping_ratio.emplace_back(size > 0 ? (0 - re) / size : 0);
-        out.log_dec.emplace_back(im > 0 ? 2 * std::numbers::pi * (0 - re) / im : 0);
+        out.real.emplace_back(mode.eigenvalue.real());
+        out.damping_ratio.push_back(damping.ratio);
+        out.log_dec.push_back(damping.log_dec);
         out.whirl.push_back(mode.whirl);
         out.forward_fraction.push_back(mode.forward_fraction);
         out.residual.emplace_back(mode.residual);
@@ -242,6 +238,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     tracking::Crossings crossed =
         tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
     result.crossings = std::move(crossed.found);
+    result.locked = std::move(crossed.locked);
     note_absent(result, tracking.lines);
     note_real(result, spectra);
     note_few(result.model, spectra, scene.campbell.modes);

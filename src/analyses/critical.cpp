@@ -7,6 +7,7 @@
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "results/critical.h"
+#include "results/damping.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
 #include "synchronous/critical_error.h"
@@ -16,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 
 namespace whirl::analyses {
@@ -130,6 +132,14 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
         speeds.pop_back();
 }
 
+/// The damping of the synchronous eigenvalue as far as the eigensolver tells it from none.
+results::Damping damping_of(const modes::WhirlMode &mode) {
+    std::complex<double> value = mode.eigenvalue;
+    if (std::abs(value.real()) <= (mode.residual + mode.rounding) * std::abs(value))
+        value.real(0);
+    return results::damping_of(value);
+}
+
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
                                  int order) {
@@ -152,8 +162,9 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
         const modes::WhirlMode &mode = list.modes[i];
-        result.critical_speeds.push_back(
-            {mode.eigenvalue.imag(), mode.whirl, mode.eigenvalue.real(), errors[i], mode.residual});
+        result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
+                                          mode.eigenvalue.real(), errors[i], mode.residual,
+                                          damping_of(mode)});
     }
     if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);
@@ -186,7 +197,7 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
 } // namespace
 
 results::CriticalResult critical_speeds(const model::Case &as_given) {
-    const results::Formulation formulation = modes::choose_formulation(as_given);
+    const results::Formulation formulation = modes::choose_formulation(as_given, false);
     refuse_hill(formulation.form);
     const model::Case scene =
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
@@ -199,6 +210,9 @@ results::CriticalResult critical_speeds(const model::Case &as_given) {
             "some; stiffnesses, dampings or element lengths may differ by more orders of magnitude "
             "than double precision holds (campbell shows crossings speed by speed)");
     }
+    if (formulation.form == results::Form::rotating && as_given.rotor.damped())
+        for (results::CriticalSpeed &critical : result.critical_speeds)
+            critical.damping = {};
     note_damping(formulation.form, as_given.rotor.damped(), result.model);
     note_balls_held(formulation.form, result.model);
     return result;

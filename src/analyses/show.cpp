@@ -43,9 +43,12 @@ results::ShowResult show(const model::Case &scene) {
     result.shaft_mass = shaft.mass;
     result.length = rotor.shaft.length();
     const results::Formulation eigen = modes::choose_formulation(scene);
-    for (const char *command : {"campbell", "critical", "modes", "accuracy", "stability"})
-        if (eigen.form != results::Form::hill || std::string_view(command) != "critical")
-            result.formulations.emplace_back(command, eigen);
+    const results::Formulation real = modes::choose_formulation(scene, false);
+    for (const std::string_view command :
+         {"campbell", "critical", "modes", "accuracy", "stability"})
+        if (eigen.form != results::Form::hill || command != "critical")
+            result.formulations.emplace_back(
+                command, command == "critical" || command == "stability" ? real : eigen);
     try {
         result.formulations.emplace_back("response", forced::response_formulation(scene));
     } catch (const model::AnalysisFailure &none) {
@@ -55,7 +58,7 @@ results::ShowResult show(const model::Case &scene) {
     result.model.order = mesh_error::resolve_order(scene, eigen);
     const assembly::Discretization d(rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    result.model.unknowns = (eigen.form == results::Form::planar ? 1 : 2) * d.planar_size();
+    result.model.unknowns = (results::is_planar(eigen.form) ? 1 : 2) * d.planar_size();
     result.balancers = rigid::show_balancers(rotor, all, result.model.notes);
     if (const auto a = rigid::anisotropy_of(rotor, result.balancers)) {
         // Below rounding no axis is the one of smaller inertia.

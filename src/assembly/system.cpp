@@ -47,6 +47,31 @@ PlanarSystem assemble_planar(const Discretization &discretization, double speed)
             linalg::Matrix::from_entries(n, terms[Term::stiffness])};
 }
 
+DampedPlanarSystem assemble_damped_planar(const Discretization &discretization, double speed) {
+    TermEntries terms;
+    TermEntries across;
+    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
+                                                const Eigen::MatrixXd &block) {
+        for_each_entry(unknowns, block,
+                       [&](int i, int j, double v) { terms[term].emplace_back(i, j, v); });
+    });
+    // [a b; -b a] on (x, y) is a - i b on x + i y.
+    assemble_supports(discretization, speed,
+                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                          terms[term].emplace_back(i, j, block(0, 0));
+                          if (block(0, 1) != 0)
+                              across[term].emplace_back(i, j, -block(0, 1));
+                      });
+    const int n = discretization.planar_size();
+    const auto matrix = [n](TermEntries &from, Term term) {
+        return linalg::Matrix::from_entries(n, from[term]);
+    };
+    return {matrix(terms, Term::mass),       matrix(terms, Term::damping),
+            matrix(across, Term::damping),   matrix(terms, Term::gyroscopic),
+            matrix(terms, Term::stiffness),  matrix(across, Term::stiffness),
+            matrix(terms, Term::circulatory)};
+}
+
 FixedSystem assemble_fixed(const Discretization &discretization, double speed) {
     TermEntries terms;
     assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,

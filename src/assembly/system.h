@@ -12,6 +12,15 @@ struct PlanarSystem {
     linalg::Matrix K; ///< symmetric positive semidefinite
 };
 
+/// The same from every direction, with damping and cross coupling:
+/// M w'' + (C + i Cx - i speed G) w' + (K + i Kx - i speed Kc) w = 0, every matrix real and
+/// symmetric. A bearing's kxy = -kyx stands in Kx with a minus; Kc is internal damping.
+struct DampedPlanarSystem {
+    linalg::Matrix M;
+    linalg::Matrix C, Cx, G;
+    linalg::Matrix K, Kx, Kc;
+};
+
 /// In which axes a real system is written. Systems of different frames are different types.
 enum class Frame { fixed, rotating };
 
@@ -27,6 +36,8 @@ using FixedSystem = RealSystem<Frame::fixed>;
 
 /// Bearings as at `speed` (rad/s).
 [[nodiscard]] PlanarSystem assemble_planar(const Discretization &discretization, double speed);
+[[nodiscard]] DampedPlanarSystem assemble_damped_planar(const Discretization &discretization,
+                                                        double speed);
 [[nodiscard]] FixedSystem assemble_fixed(const Discretization &discretization, double speed);
 
 /// S of the symmetric hyperbolic form (w^2 M + w speed S - K) q = 0, where y stands for -i y and

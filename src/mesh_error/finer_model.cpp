@@ -99,13 +99,13 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
     constexpr double nearly = 0.5;
     const modes::Spectrum fine = _fine->at(
         coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));
-    const Eigen::Index n = 2 * _mass.rows();
-    const auto plane = [n](const Eigen::VectorXcd &shape, int which) {
-        return Eigen::VectorXcd(shape(Eigen::seqN(which, n / 2, 2)));
+    const int planes = results::is_planar(_coarse.form()) ? 1 : 2;
+    const auto plane = [this, planes](const Eigen::VectorXcd &shape, int which) {
+        return Eigen::VectorXcd(shape(Eigen::seqN(which, _mass.rows(), planes)));
     };
     const auto product = [&](const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
         std::complex<double> sum = 0;
-        for (const int which : {0, 1})
+        for (int which = 0; which < planes; ++which)
             sum += plane(a, which).dot(Eigen::VectorXcd(_mass * plane(b, which)));
         return sum;
     };
@@ -117,8 +117,9 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
         const Eigen::VectorXcd shape = embedded(mode.shape);
         std::vector<double> likeness;
         for (std::size_t i = 0; i < fine.modes.size(); ++i)
-            likeness.push_back(
-                size[i] > 0 ? std::norm(product(shape, fine.modes[i].shape)) / size[i] : 0);
+            likeness.push_back(size[i] > 0 && (planes == 2 || fine.modes[i].whirl == mode.whirl)
+                                   ? std::norm(product(shape, fine.modes[i].shape)) / size[i]
+                                   : 0);
         const double best =
             likeness.empty() ? 0 : *std::max_element(likeness.begin(), likeness.end());
         std::vector<std::pair<double, std::complex<double>>> candidates;
@@ -131,10 +132,11 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
 }
 
 Eigen::VectorXcd FinerModel::embedded(const Eigen::VectorXcd &shape) const {
-    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(2 * _mass.rows());
+    const int planes = results::is_planar(_coarse.form()) ? 1 : 2;
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(planes * _mass.rows());
     for (std::size_t i = 0; i < _places.size(); ++i)
-        for (const int which : {0, 1})
-            out(2 * _places[i] + which) = shape(2 * static_cast<Eigen::Index>(i) + which);
+        for (int which = 0; which < planes; ++which)
+            out(planes * _places[i] + which) = shape(planes * static_cast<Eigen::Index>(i) + which);
     return out;
 }
 

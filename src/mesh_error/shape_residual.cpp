@@ -90,6 +90,8 @@ double ShapeResidual::of(const modes::WhirlMode &mode, double speed) const {
         const Complex rate = i_unit * (positive ? size : -size);
         return energy(mode.shape, rate, speed) / kinetic(mode.shape);
     }
+    if (_form == results::Form::planar_damped)
+        return energy(mode.shape, mode.rotating_value, speed) / kinetic(mode.shape);
     const Eigen::Index n = _mass.rows();
     const Eigen::VectorXcd x = mode.shape(Eigen::seqN(0, n, 2));
     // In hyperbolic form y stands for -i y.

@@ -26,6 +26,14 @@ Eigen::MatrixXcd times(const Sparse &A, const Eigen::MatrixXcd &X) {
     return out;
 }
 
+Eigen::MatrixXcd times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
+    return A * X;
+}
+
+Eigen::MatrixXcd transposed_times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
+    return A.transpose() * X;
+}
+
 Eigen::MatrixXd transposed_times(const Sparse &A, const Eigen::MatrixXd &X) {
     return A.transpose() * X;
 }
@@ -38,16 +46,16 @@ Eigen::MatrixXcd transposed_times(const Sparse &A, const Eigen::MatrixXcd &X) {
 }
 
 /// y^T (v dD + dK) x of each mode.
-template <class Scalar>
-Values<Scalar> derivatives(const MatrixRates &change, const Values<Scalar> &values,
+template <class Scalar, class Change>
+Values<Scalar> derivatives(const Change &change, const Values<Scalar> &values,
                            const Columns<Scalar> &X, const Columns<Scalar> &Y) {
     const Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal() + times(change.K, X);
     return Y.cwiseProduct(dQ).colwise().sum().transpose();
 }
 
 /// States left and right of given left and right vectors, and rates.
-template <class Scalar>
-void fill(const QuadraticAt &problem, const Values<Scalar> &values, const Columns<Scalar> &X,
+template <class Scalar, class Problem>
+void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Scalar> &X,
           const Columns<Scalar> &Y, Columns<Scalar> &left, Columns<Scalar> &right, ModeBasis &out) {
     const Eigen::Index n = X.rows();
     const Columns<Scalar> KY = transposed_times(problem.K, Y);
@@ -139,6 +147,14 @@ ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                    const Eigen::MatrixXd &vectors) {
     ModeBasis out;
     fill<double>(problem, values, vectors, vectors, out.left, out.right, out);
+    return out;
+}
+
+ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &values,
+                   const Eigen::MatrixXcd &vectors) {
+    ModeBasis out;
+    fill<Complex>(problem, values, vectors, vectors, out.complex_left, out.complex_right, out);
+    separate(out.complex_left, out.complex_right);
     return out;
 }
 

@@ -20,6 +20,16 @@ struct QuadraticAt {
     MatrixRates below, above;
 };
 
+/// The same with complex symmetric matrices (form planar_damped), l itself in the place of v.
+struct ComplexQuadraticAt {
+    using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+    struct Rates {
+        Sparse D, K;
+    };
+    Sparse M, D, K;
+    Rates below, above;
+};
+
 /// Right and left eigenvectors of some modes at one speed as states (x, v x), so that products
 /// left^T right of one speed are the unit matrix. With y the left vector of the problem itself,
 /// y^T Q(v) = 0, the left state is (K^T y, -v M^T y) / y^T (K - v^2 M) x: two modes of one problem
@@ -41,6 +51,10 @@ struct ModeBasis {
 /// Eigenpairs of a symmetric problem: left vectors are the right ones.
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                                  const Eigen::MatrixXd &vectors);
+
+/// Complex symmetric problem: left vectors are the right ones.
+[[nodiscard]] ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &values,
+                                 const Eigen::MatrixXcd &vectors);
 
 /// @param mirrored  the problem is its transpose seen in a mirror (y -> -y): the left vectors are
 ///                  the right ones mirrored, else they are found by inverse iteration

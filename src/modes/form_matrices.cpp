@@ -37,7 +37,7 @@ bool mirrored_bearings(const model::Rotor &rotor) {
 /// direction, `turned` by i.
 void put(Entries &entries, results::Form form, int i, int j, const Eigen::Matrix2d &block,
          bool turned = false) {
-    if (form == results::Form::planar) {
+    if (results::is_planar(form)) {
         entries.emplace_back(i, j, block(0, 0));
         return;
     }
@@ -98,6 +98,10 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
         _mirrored = mirrored_bearings(d.rotor());
         return;
     }
+    if (form == results::Form::planar_damped) {
+        set_damped_planar();
+        return;
+    }
     if (form == results::Form::planar) {
         const assembly::PlanarSystem system = assembly::assemble_planar(d, 0);
         _M = -system.M.view();
@@ -113,14 +117,30 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
         none->resize(_M.rows(), _M.cols());
 }
 
-FormMatrices::Supports FormMatrices::support_change(double from, double to) const {
+void FormMatrices::set_damped_planar() {
+    const assembly::DampedPlanarSystem system =
+        assembly::assemble_damped_planar(_discretization, 0);
+    _M = system.M.view();
+    _D = system.C.view();
+    _iD = system.Cx.view();
+    _iDs = -system.G.view();
+    _K = system.K.view();
+    _iK = system.Kx.view();
+    _iKs = -system.Kc.view();
+    for (Sparse *none : {&_Ds, &_Ks, &_Kss})
+        none->resize(_M.rows(), _M.cols());
+}
+
+FormMatrices::Supports FormMatrices::support_change(double from, double to, Part part) const {
     Entries D;
     Entries K;
     Entries Ks;
     for (const auto &[speed, sign] : {std::pair(from, -1.0), std::pair(to, 1.0)})
         assembly::assemble_supports(
             _discretization, speed,
-            [&, s = sign](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
+            [&, s = sign](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
+                if (part == Part::imaginary) // [a b; -b a] is a - i b
+                    block = -block(0, 1) * Eigen::Matrix2d::Identity();
                 if (term == assembly::Term::stiffness)
                     put(K, _form, i, j, s * block);
                 if (term != assembly::Term::damping)
@@ -138,8 +158,8 @@ FormMatrices::Supports FormMatrices::support_change(double from, double to) cons
     return out;
 }
 
-void FormMatrices::add_tables(QuadraticAt &problem, double speed) const {
-    const Supports now = support_change(0, speed);
+void FormMatrices::add_tables(QuadraticAt &problem, double speed, Part part) const {
+    const Supports now = support_change(0, speed, part);
     problem.D += now.D;
     problem.K += now.K + speed * now.Ks;
     const auto [below, above] = neighbours(_discretization.rotor(), speed);
@@ -148,7 +168,7 @@ void FormMatrices::add_tables(QuadraticAt &problem, double speed) const {
         rates->K += now.Ks;
         if (!std::isfinite(end))
             continue; // constant beyond the tables
-        const Supports change = support_change(speed, end);
+        const Supports change = support_change(speed, end, part);
         const double length = end - speed;
         rates->D += change.D / length;
         rates->K += (change.K + speed * change.Ks) / length;
@@ -163,8 +183,28 @@ QuadraticAt FormMatrices::at(double speed) const {
     out.below = {_Ds, _Ks + 2 * speed * _Kss};
     out.above = out.below;
     if (_discretization.rotor().bearings_depend_on_speed())
-        add_tables(out, speed);
+        add_tables(out, speed, Part::real);
     return out;
+}
+
+ComplexQuadraticAt FormMatrices::complex_at(double speed) const {
+    const QuadraticAt re = at(speed);
+    QuadraticAt im;
+    im.D = _iD + speed * _iDs;
+    im.K = _iK + speed * _iKs;
+    im.below = {_iDs, _iKs};
+    im.above = im.below;
+    if (_discretization.rotor().bearings_depend_on_speed())
+        add_tables(im, speed, Part::imaginary);
+    const auto joined = [](const Sparse &a, const Sparse &b) {
+        using Complex = std::complex<double>;
+        return ComplexQuadraticAt::Sparse(a.cast<Complex>() + Complex(0, 1) * b.cast<Complex>());
+    };
+    return {re.M.cast<std::complex<double>>(),
+            joined(re.D, im.D),
+            joined(re.K, im.K),
+            {joined(re.below.D, im.below.D), joined(re.below.K, im.below.K)},
+            {joined(re.above.D, im.above.D), joined(re.above.K, im.above.K)}};
 }
 
 } // namespace whirl::modes

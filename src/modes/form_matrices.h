@@ -22,6 +22,9 @@ class FormMatrices {
     /// Form hill: without the part of the bearings that turns.
     [[nodiscard]] QuadraticAt at(double speed) const;
 
+    /// Form planar_damped.
+    [[nodiscard]] ComplexQuadraticAt complex_at(double speed) const;
+
     /// The mirror image in y -> -y of each matrix is its transpose, at every speed: so for bearings
     /// without coupling of the planes, or with kxy = -kyx.
     [[nodiscard]] bool mirrored() const { return _mirrored; }
@@ -36,11 +39,17 @@ class FormMatrices {
     bool _mirrored = true;
     Sparse _M, _D, _Ds, _K, _Ks, _Kss; ///< v^2 M + v (D + s Ds) + K + s Ks + s^2 Kss
 
+    /// Form planar_damped: the imaginary parts of D, Ds, K, Ks; at() is then about the real ones.
+    Sparse _iD, _iDs, _iK, _iKs;
+
     struct Supports {
         Sparse D, K, Ks;
     };
-    [[nodiscard]] Supports support_change(double from, double to) const;
-    void add_tables(QuadraticAt &problem, double speed) const;
+    /// Entries of a block on (x, y) as the matrix has them.
+    enum class Part { real, imaginary };
+    void set_damped_planar();
+    void add_tables(QuadraticAt &problem, double speed, Part part) const;
+    [[nodiscard]] Supports support_change(double from, double to, Part part) const;
 };
 
 } // namespace whirl::modes

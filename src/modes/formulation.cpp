@@ -39,6 +39,12 @@ std::string against_hyperbolic(const model::Rotor &rotor) {
     return {};
 }
 
+/// Damping and cross coupling act on w = x + i y alone, and the rotor without them has frequencies.
+bool turns_alike(const model::Rotor &rotor) {
+    return against_fixed(rotor).empty() && rotor.bearings_rotation_invariant() &&
+           (!may_push_away(rotor) || stiffness_positive(rotor, std::max(1, rotor.shaft.order)));
+}
+
 void require(const std::string &reason, results::Form form) {
     if (!reason.empty())
         throw model::BadInput(
@@ -70,7 +76,7 @@ results::Formulation forced(const model::Case &scene) {
 
 } // namespace
 
-results::Formulation choose_formulation(const model::Case &scene) {
+results::Formulation choose_formulation(const model::Case &scene, bool damped_planar) {
     const model::Rotor &rotor = scene.rotor;
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
@@ -99,6 +105,11 @@ results::Formulation choose_formulation(const model::Case &scene) {
                 "isotropic bearings, axisymmetric rotor, no damping: w = x + i y "
                 "halves the unknowns and the matrices are symmetric"};
     const std::string no_hyperbolic = against_hyperbolic(rotor);
+    if (damped_planar && turns_alike(rotor))
+        return {results::Form::planar_damped,
+                "bearings that are the same from every direction, axisymmetric rotor: w = x + i y "
+                "halves the unknowns with damping and cross coupling too, and the sign of Im of "
+                "the eigenvalue is the direction of whirl"};
     if (no_hyperbolic.empty())
         return {results::Form::hyperbolic,
                 "bearings differ between x and y without coupling them, no "

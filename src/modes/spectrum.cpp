@@ -7,6 +7,7 @@
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
 #include "modes/orbits.h"
+#include "modes/planar_damped.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/symmetric_spectrum.h"
 #include "results/formulation.h"
@@ -58,6 +59,7 @@ struct SpectrumSolver::Data {
     bool tables; ///< bearings change with speed: assemble again at every speed
     Stations stations;
     std::unique_ptr<SymmetricSpectrum> symmetric;
+    std::unique_ptr<PlanarDamped> planar_damped;
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
@@ -71,6 +73,8 @@ struct SpectrumSolver::Data {
                 balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
             rotating = std::make_unique<RotatingSpectrum>(
                 d, 0, balancers, form == results::Form::hill ? harmonics : 0);
+        } else if (form == results::Form::planar_damped && !tables) {
+            planar_damped = std::make_unique<PlanarDamped>(d, 0);
         } else if (form == results::Form::general && !tables) {
             general = std::make_unique<GeneralSpectrum>(d, 0);
         } else if (!tables) {
@@ -100,6 +104,14 @@ Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     return spectrum;
 }
 
+Spectrum SpectrumSolver::planar_damped(double speed, int wanted) const {
+    GeneralSpectrum::Modes found = _data->tables
+                                       ? PlanarDamped(_data->d, speed).modes(speed, wanted)
+                                       : _data->planar_damped->modes(speed, wanted);
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
+}
+
 Spectrum SpectrumSolver::general(double speed, int wanted) const {
     GeneralSpectrum::Modes found = _data->tables
                                        ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
@@ -120,7 +132,7 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {
     // At speed each mode in rotating axes comes with its dominant whirl, which is circular.
-    if (_data->form == results::Form::planar ||
+    if (results::is_planar(_data->form) ||
         (results::in_rotating_axes(_data->form) && spectrum.speed != 0))
         return;
     separate_degenerate(*this, _data->stations, spectrum.modes);
@@ -135,9 +147,11 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 
 Spectrum SpectrumSolver::at(double speed, int wanted) const {
     try {
-        Spectrum spectrum = results::in_rotating_axes(_data->form)  ? rotating(speed, wanted)
-                            : _data->form == results::Form::general ? general(speed, wanted)
-                                                                    : symmetric(speed, wanted);
+        const results::Form form = _data->form;
+        Spectrum spectrum = results::in_rotating_axes(form)        ? rotating(speed, wanted)
+                            : form == results::Form::general       ? general(speed, wanted)
+                            : form == results::Form::planar_damped ? planar_damped(speed, wanted)
+                                                                   : symmetric(speed, wanted);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)
             drop_undetermined_damping(mode);
@@ -179,14 +193,23 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         return out;
     }
     const bool turning = form == results::Form::rotating;
+    const bool planar = form == results::Form::planar_damped;
     Eigen::VectorXcd values(count);
     Eigen::MatrixXcd X(n, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        values(i) = turning ? mode(i).rotating_value : mode(i).eigenvalue;
+        values(i) = turning || planar ? mode(i).rotating_value : mode(i).eigenvalue;
         X.col(i) = turning ? mode(i).rotating_vector : mode(i).shape;
     }
     if (form == results::Form::hill)
         return dual_basis_of(_data->matrices->mass(), values, X);
+    if (planar) {
+        ModeBasis out = basis_of(_data->matrices->complex_at(spectrum.speed), values, X);
+        for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+            for (Eigen::Index i = 0; i < count; ++i)
+                if (values(i).imag() < 0)
+                    (*rates)(i) = std::conj((*rates)(i));
+        return out;
+    }
     ModeBasis out =
         basis_of(_data->matrices->at(spectrum.speed), values, X, _data->matrices->mirrored());
     out.conjugates = turning;
@@ -199,6 +222,11 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
 Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
     if (_data->form == results::Form::planar)
         return stations.deflections(mode.shape);
+    if (_data->form == results::Form::planar_damped) {
+        // w exp(l t) with Im l < 0 is as seen by x = Re(conj(w) exp(conj(l) t)).
+        const Eigen::VectorXcd w = stations.deflections(mode.shape);
+        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(w.conjugate()) : w;
+    }
     const Eigen::Index n = mode.shape.size() / 2;
     return stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
 }
@@ -211,6 +239,11 @@ Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &sta
         const Eigen::VectorXcd w = stations.deflections(mode.shape);
         return mode.whirl == results::Whirl::forward ? Eigen::VectorXcd(-i * w)
                                                      : Eigen::VectorXcd(i * w);
+    }
+    if (_data->form == results::Form::planar_damped) {
+        const Eigen::VectorXcd w = stations.deflections(mode.shape);
+        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(i * w.conjugate())
+                                              : Eigen::VectorXcd(-i * w);
     }
     const Eigen::Index n = mode.shape.size() / 2;
     const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));

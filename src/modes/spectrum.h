@@ -66,6 +66,7 @@ class SpectrumSolver {
     std::unique_ptr<Data> _data;
 
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
+    [[nodiscard]] Spectrum planar_damped(double speed, int wanted) const;
     [[nodiscard]] Spectrum general(double speed, int wanted) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
     void classify(Spectrum &spectrum) const;

@@ -19,12 +19,14 @@ inline constexpr double real_axis = 0.02;
 struct WhirlMode {
     std::complex<double> eigenvalue; ///< Im >= 0, 1/s
     /// Over the unknowns of the form. Planar: real w with w(t) = w exp(i s t), s = +-Im by
-    /// `whirl`. Hyperbolic: real (x, y') with y = i y'. General: complex (x, y).
+    /// `whirl`. Planar damped: complex w with w(t) = w exp(rotating_value t). Hyperbolic: real
+    /// (x, y') with y = i y'. General: complex (x, y).
     Eigen::VectorXcd shape;
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
-    /// The eigenpair in rotating axes, which is what can be followed; in form rotating only.
+    /// What can be followed: form rotating, the eigenpair in rotating axes; form planar_damped, the
+    /// eigenvalue with the direction of whirl as the sign of its Im. In no other form.
     std::complex<double> rotating_value;
     Eigen::VectorXcd rotating_vector;
     double residual = 0;

@@ -17,6 +17,7 @@ namespace whirl::report {
 using results::CampbellMode;
 using results::CampbellResult;
 using results::Crossing;
+using results::Locked;
 
 namespace {
 
@@ -96,10 +97,14 @@ std::vector<ModeAt> at_speed(const CampbellResult &result, std::size_t index) {
     return rows;
 }
 
+std::string label_of(const CampbellResult &result, int mode) {
+    const auto index = static_cast<std::size_t>(mode);
+    return index < result.modes.size() ? result.modes[index].label : "";
+}
+
 Columns<Crossing> crossing_columns(const CampbellResult &result) {
     const auto label = [&result](const Crossing &crossing) {
-        const auto index = static_cast<std::size_t>(crossing.mode);
-        return index < result.modes.size() ? result.modes[index].label : "";
+        return label_of(result, crossing.mode);
     };
     return {{"", "", {"Mode"}, {}, label},
             {"multiple", "", {"Multiple", "{:.5g}×"}, {"line", "{:.6g}x"}, &Crossing::multiple},
@@ -116,7 +121,38 @@ Columns<Crossing> crossing_columns(const CampbellResult &result) {
              {},
              [](const auto &crossing) { return crossing.frequency * hertz; }},
             {"", "", {}, {"Hz"}, [](const auto &crossing) { return crossing.speed * hertz; }},
+            {"damping_ratio",
+             "",
+             {"Damping ratio"},
+             {"damping ratio"},
+             [](const auto &crossing) { return crossing.damping.ratio; }},
+            {"log_dec", "", {}, {}, [](const auto &crossing) { return crossing.damping.log_dec; }},
+            {"amplification",
+             "",
+             {"Amplification factor", "{:.5g}"},
+             {"amplification", "{:.5g}"},
+             [](const auto &crossing) { return crossing.damping.amplification; }},
+            {"",
+             "",
+             {"Damped"},
+             {"damped"},
+             [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
             {"mode", "", {}, {}, &Crossing::mode},
+            {"", "", {}, {"mode"}, label}};
+}
+
+Columns<Locked> locked_columns(const CampbellResult &result) {
+    const auto label = [&result](const Locked &locked) { return label_of(result, locked.mode); };
+    const auto in_rpm = [](double Locked::*speed) {
+        return [speed](const Locked &locked) { return locked.*speed * rpm; };
+    };
+    return {{"", "", {"Mode"}, {}, label},
+            {"multiple", "", {"Multiple", "{:.5g}×"}, {"line", "{:.6g}x"}, &Locked::multiple},
+            {"mode", "", {}, {}, &Locked::mode},
+            {"", "", {"From (rpm)", "{:.10g}"}, {"from rpm"}, in_rpm(&Locked::from)},
+            {"", "", {"To (rpm)", "{:.10g}"}, {"to rpm"}, in_rpm(&Locked::to)},
+            {"from", "", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &Locked::from},
+            {"to", "", {"To (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &Locked::to},
             {"", "", {}, {"mode"}, label}};
 }
 
@@ -135,6 +171,7 @@ Json json_of(const CampbellResult &result) {
             {"modes",
              json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode); })},
             {"crossings", json_rows(crossing_columns(result), result.crossings)},
+            {"locked", json_rows(locked_columns(result), result.locked)},
             {"divergence", result.divergence}};
 }
 
@@ -152,6 +189,9 @@ std::vector<Section> sections_of(const CampbellResult &result) {
             ? "<p>No mode crosses a multiple of the spin speed in this range.</p>\n"
             : page_table(crossing_columns(result), result.crossings);
     std::vector<Section> sections{{"Critical speeds (1×) and other crossings", crossings}};
+    if (!result.locked.empty())
+        sections.push_back({"Modes that stay on a multiple of the spin speed",
+                            page_table(locked_columns(result), result.locked)});
     if (!result.speeds.empty())
         sections.push_back({fmt::format("Whirl modes at {:.6g} rpm", result.speeds.back() * rpm),
                             page_table(columns, at_speed(result, result.speeds.size() - 1))});
@@ -171,6 +211,9 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
     if (!result.crossings.empty())
         text += "\nCrossings with multiples of the spin speed:\n" +
                 text_table(crossing_columns(result), result.crossings);
+    if (!result.locked.empty())
+        text += "\nModes that stay on a multiple of the spin speed:\n" +
+                text_table(locked_columns(result), result.locked);
     return text + model_text(result.model);
 }
 

@@ -20,6 +20,10 @@ std::string form_formula(results::Form form) {
     case results::Form::planar:
         return "<b>M</b> ẅ − iΩ<b>G</b> ẇ + <b>K</b> w = 0, w = x + iy; with w = ŵ "
                "e<sup>iωt</sup>: (−ω²<b>M</b> + ωΩ<b>G</b> + <b>K</b>) ŵ = 0";
+    case results::Form::planar_damped:
+        return "<b>M</b> ẅ + (<b>C</b> + i<b>C</b><sub>x</sub> − iΩ<b>G</b>) ẇ + (<b>K</b> + "
+               "i<b>K</b><sub>x</sub> − iΩ<b>K</b><sub>c</sub>) w = 0, w = x + iy; with w = ŵ "
+               "e<sup>λt</sup> the sign of Im λ is the direction of whirl";
     case results::Form::hyperbolic:
         return "(ω²<b>M</b> + ωΩ<b>S</b> − <b>K</b>) q = 0, <b>S</b> = [0 <b>G</b>; <b>G</b> 0], "
                "with λ = iω and y → iy";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/damping.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
@@ -30,6 +31,16 @@ struct Crossing {
     double speed = 0;     ///< rad/s
     double frequency = 0; ///< rad/s
     int mode = 0;         ///< index into CampbellResult::modes
+    Damping damping;      ///< at the crossing itself
+};
+
+/// A mode's frequency is a multiple of the spin speed over a whole interval of speeds, as of balls
+/// that stand still in the rotor.
+struct Locked {
+    double multiple = 1;
+    int mode = 0;    ///< index into CampbellResult::modes
+    double from = 0; ///< rad/s; where the range of speeds ends, if it goes on beyond
+    double to = 0;
 };
 
 struct CampbellResult {
@@ -37,6 +48,7 @@ struct CampbellResult {
     std::vector<double> speeds; ///< rad/s
     std::vector<CampbellMode> modes;
     std::vector<Crossing> crossings;
+    std::vector<Locked> locked; ///< ascending by `from` within each multiple
     /// The largest real eigenvalue that grows at each speed, 1/s: divergence.
     std::vector<std::optional<double>> divergence;
 };

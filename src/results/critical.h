@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/damping.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
@@ -13,6 +14,7 @@ struct CriticalSpeed {
     double real = 0;  ///< 1/s, of the synchronous eigenvalue
     double error = 0; ///< relative estimate
     double residual = 0;
+    Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
 };
 
 struct CriticalResult {

@@ -9,6 +9,8 @@ std::string form_name(Form form) {
     switch (form) {
     case Form::planar:
         return "planar";
+    case Form::planar_damped:
+        return "planar_damped";
     case Form::hyperbolic:
         return "hyperbolic";
     case Form::rotating:
@@ -22,7 +24,7 @@ std::string form_name(Form form) {
 
 std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(form) : "fixed"; }
 
-std::string unknowns_name(Form form) { return form == Form::planar ? "planar" : "real"; }
+std::string unknowns_name(Form form) { return is_planar(form) ? "planar" : "real"; }
 
 std::string whirl_name(Whirl whirl) {
     switch (whirl) {

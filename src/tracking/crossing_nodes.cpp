@@ -33,4 +33,35 @@ Node node_at(const modes::SpectrumSolver &solver, double speed, const Node &a, c
     return node;
 }
 
+std::vector<int> SweepNodes::lines_at(std::size_t k) const {
+    std::vector<int> out(_spectra[k].modes.size(), no_line);
+    for (std::size_t line = 0; line < _tracking.lines.size(); ++line)
+        if (_tracking.lines[line].place[k] != Line::absent)
+            out[static_cast<std::size_t>(_tracking.lines[line].place[k])] = static_cast<int>(line);
+    return out;
+}
+
+Node SweepNodes::bare(std::size_t k) const {
+    modes::ModeBasis basis;
+    basis.rate_below = _tracking.rates[k].below;
+    basis.rate_above = _tracking.rates[k].above;
+    return {{_spectra[k], std::move(basis)}, lines_at(k)};
+}
+
+Node SweepNodes::full(std::size_t k) const {
+    return {{_spectra[k], _solver.basis(_spectra[k])}, lines_at(k)};
+}
+
+std::vector<Link> SweepNodes::links(std::size_t k) const {
+    std::vector<Link> out;
+    for (std::size_t line = 0; line < _tracking.lines.size(); ++line) {
+        const int a = _tracking.lines[line].place[k];
+        const int b = _tracking.lines[line].place[k + 1];
+        if (a != Line::absent && b != Line::absent)
+            out.push_back(
+                {static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<int>(line)});
+    }
+    return out;
+}
+
 } // namespace whirl::tracking

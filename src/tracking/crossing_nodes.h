@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracking/mode_matching.h"
+#include "tracking/tracking.h"
 
 #include <vector>
 
@@ -34,5 +35,33 @@ struct Link {
 /// The node at a speed between two others, with their lines.
 [[nodiscard]] Node node_at(const modes::SpectrumSolver &solver, double speed, const Node &a,
                            const Node &b);
+
+/// The speeds of a sweep as nodes.
+class SweepNodes {
+  public:
+    SweepNodes(const modes::SpectrumSolver &solver, const Tracking &tracking,
+               const std::vector<modes::Spectrum> &spectra)
+        : _solver(solver), _tracking(tracking), _spectra(spectra) {}
+
+    [[nodiscard]] std::size_t count() const { return _spectra.size(); }
+    [[nodiscard]] double speed(std::size_t k) const { return _spectra[k].speed; }
+    [[nodiscard]] const modes::Spectrum &spectrum(std::size_t k) const { return _spectra[k]; }
+    [[nodiscard]] const std::vector<Line> &lines() const { return _tracking.lines; }
+    [[nodiscard]] const Rates &rates(std::size_t k) const { return _tracking.rates[k]; }
+    [[nodiscard]] const modes::SpectrumSolver &solver() const { return _solver; }
+
+    /// Without the vectors of its modes.
+    [[nodiscard]] Node bare(std::size_t k) const;
+    [[nodiscard]] Node full(std::size_t k) const;
+    /// Lines that are there at a speed and at the next.
+    [[nodiscard]] std::vector<Link> links(std::size_t k) const;
+
+  private:
+    const modes::SpectrumSolver &_solver;
+    const Tracking &_tracking;
+    const std::vector<modes::Spectrum> &_spectra;
+
+    [[nodiscard]] std::vector<int> lines_at(std::size_t k) const;
+};
 
 } // namespace whirl::tracking

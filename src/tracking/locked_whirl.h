@@ -14,6 +14,14 @@ namespace whirl::tracking {
 struct LockEnd {
     double speed = 0;   ///< rad/s, relative 1e-11
     double outside = 0; ///< a speed close by at which the motion has left the band
+    double real = 0;    ///< of the eigenvalue at the end, 1/s
+};
+
+/// The same with the line of the motion outside the band.
+struct BandEnd {
+    double speed = 0;    ///< rad/s
+    bool enters = false; ///< the band lies above this speed
+    int line = 0;
 };
 
 /// Ends of such bands between two speeds of one sign, neither of them 0: where the number of locked
@@ -24,8 +32,10 @@ struct LockEnd {
 [[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from,
                                              double to, int parts, int wanted);
 
-/// The same over a whole range, which may hold 0, in 200 parts: bands narrower than one of them are
-/// left to whoever follows a motion into them.
+/// The same over a whole range, which may hold 0, in 200 parts, and closely about each speed near
+/// which the rotor without damping would have a motion stand still: a narrow band lies about one of
+/// these. (Without such speeds, as with bearing tables, bands narrower than a part are left to
+/// whoever follows a motion into them.)
 [[nodiscard]] std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from,
                                                   double to, int wanted);
 

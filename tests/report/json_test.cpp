@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace whirl::report {
 
@@ -58,6 +59,12 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
     EXPECT_EQ(json.at("crossings").at(0).at("speed"), 82.5);
     EXPECT_EQ(json.at("crossings").at(0).at("mode"), 0);
     EXPECT_EQ(json.at("crossings").at(0).at("multiple"), 1);
+    const double ratio = 33 / std::hypot(33, 82.5);
+    EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("damping_ratio"), ratio);
+    EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("log_dec"), 2 * std::numbers::pi * 0.4);
+    EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("amplification"), 1 / (2 * ratio));
+    EXPECT_EQ(json.at("locked"),
+              Json::parse(R"([{"multiple": 1.0, "mode": 1, "from": 90.0, "to": 110.0}])"));
     for (const char *key : {"label", "frequency", "real", "damping_ratio", "log_dec", "whirl",
                             "forward_fraction", "error", "residual"})
         EXPECT_TRUE(modes.at(1).contains(key)) << key;
@@ -66,11 +73,18 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
 
 TEST(Json, OtherResultsHaveTheirKeys) {
     results::CriticalResult critical;
-    critical.critical_speeds = {{86.5, results::Whirl::backward, 0, 1e-12, 1e-15}};
+    critical.critical_speeds = {
+        {86.5, results::Whirl::backward, 0, 1e-12, 1e-15, results::damping_of({0, 86.5})},
+        {90, results::Whirl::forward, -30, 1e-12, 1e-15, results::damping_of({-30, 90})}};
     const Json speeds = Json::parse(to_json(sample_case(), critical)).at("critical_speeds");
     EXPECT_EQ(speeds.at(0).at("speed"), 86.5);
     EXPECT_EQ(speeds.at(0).at("whirl"), "backward");
     EXPECT_EQ(speeds.at(0).at("error"), 1e-12);
+    EXPECT_EQ(speeds.at(0).at("damping_ratio"), 0);
+    EXPECT_TRUE(speeds.at(0).at("amplification").is_null()) << "nothing limits it";
+    EXPECT_EQ(speeds.at(0).at("heavily_damped"), false);
+    EXPECT_DOUBLE_EQ(speeds.at(1).at("amplification"), std::sqrt(10.) / 2);
+    EXPECT_EQ(speeds.at(1).at("heavily_damped"), true);
 
     results::ResponseResult response;
     response.speeds = {100};

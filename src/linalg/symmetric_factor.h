@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <vector>
+
+namespace whirl::linalg {
+
+/// L D L^T of sparse matrices that are complex and symmetric (not Hermitian), all with one pattern:
+/// the order of elimination (minimum degree) is found once. Rows are not exchanged: whoever solves
+/// with it looks at the residual.
+class SymmetricFactor {
+  public:
+    using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+
+    /// @param pattern  compressed, every entry with its mirror image, the whole diagonal
+    explicit SymmetricFactor(const Sparse &pattern);
+
+    /// @throws SolverError where a pivot is zero or not a number.
+    void factorize(const Sparse &A);
+
+    [[nodiscard]] Eigen::VectorXcd solve(const Eigen::VectorXcd &b) const;
+
+    /// Argument of the determinant, rad, with some multiple of 2 pi.
+    [[nodiscard]] double determinant_phase() const;
+
+  private:
+    using Complex = std::complex<double>;
+    /// An entry of the upper triangle in the order of elimination, and its place in the matrix.
+    struct Entry {
+        int row, value;
+    };
+    std::vector<int> _order;       ///< unknown eliminated at each step
+    std::vector<int> _first;       ///< of each column in `_entries`
+    std::vector<Entry> _entries;   ///< by column
+    std::vector<int> _reach_first; ///< of each row in `_reach`
+    std::vector<int> _reach;       ///< columns of L that a row has entries in, in order
+    std::vector<int> _start;       ///< of each column in `_rows`, `_L`
+    std::vector<int> _rows;        ///< of L below the diagonal
+    std::vector<Complex> _L, _D, _inverse;
+    std::vector<Complex> _work; ///< zero between calls
+    std::vector<int> _filled;   ///< entries of each column so far
+
+    void analyse();
+};
+
+} // namespace whirl::linalg

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "tracking/crossing_nodes.h"
+#include "tracking/crossing_step.h"
+#include "tracking/crossings.h"
+#include "tracking/locked_whirl.h"
+
+#include <optional>
+#include <vector>
+
+namespace whirl::tracking {
+
+/// A distance is zero below this share of the frequency, and a step too short to be split below
+/// this share of the speed: eigenvalues are known to some 1e-12.
+inline constexpr double resolved = 1e-11;
+
+/// Distance of a mode of a spectrum from a multiple of the spin speed.
+[[nodiscard]] StepEnd end_of(const modes::Spectrum &spectrum, const Rates &rates, std::size_t place,
+                             double multiple, bool towards_higher);
+
+/// Crossings of all lines with one multiple.
+class CrossingSearch {
+  public:
+    CrossingSearch(const modes::SpectrumSolver &solver, double multiple, Crossings &out)
+        : _solver(solver), _multiple(multiple), _out(out) {}
+
+    /// A node given by the sweep: roots that lie on it.
+    void visit(const Node &node);
+
+    void search(const Node &a, const Node &b, const std::vector<Link> &links, int depth = 0);
+
+    /// For the line of the motion that leaves the band there, between two nodes.
+    void take_lock_end(const LockEnd &end, const Node &a, const Node &b);
+
+    /// A line that is there at one node and real at the other.
+    void follow_to_zero(Node there, Node gone, int line);
+
+    /// Ends of bands of locked motion met so far, in any order.
+    [[nodiscard]] const std::vector<BandEnd> &band_ends() const { return _ends; }
+
+  private:
+    const modes::SpectrumSolver &_solver;
+    double _multiple;
+    Crossings &_out;
+    std::vector<BandEnd> _ends;
+
+    [[nodiscard]] static int slowest_line(const Node &node, bool or_stands);
+    void find_lock_ends(const Node &a, const Node &b, int line);
+    void take_lock_end(const LockEnd &end, int line);
+    [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const;
+    [[nodiscard]] bool held(const Node &node, std::size_t place) const;
+    [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const;
+    void take(int line, double speed, double real);
+    void take_if_root(const Node &node, std::size_t place);
+    [[nodiscard]] std::optional<double> look(const Node &a, const Node &b, const Link &link,
+                                             int depth);
+    void settle_short(const Node &a, const Node &b, const Link &link, const StepEnd &from,
+                      const StepEnd &to);
+    void split(const Node &a, const Node &b, const std::vector<Link> &links, double speed,
+               int depth);
+};
+
+} // namespace whirl::tracking

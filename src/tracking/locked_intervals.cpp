@@ -1,0 +1,207 @@
+#include "tracking/locked_intervals.h"
+
+#include "results/formulation.h"
+#include "tracking/crossing_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace whirl::tracking {
+
+namespace {
+
+using results::Locked;
+
+bool overlap(const Locked &a, const Locked &b) { return a.from < b.to && b.from < a.to; }
+
+/// Lines that stand still at a node.
+std::vector<int> standing_lines(const Node &node) {
+    std::vector<int> out;
+    for (std::size_t i = 0; i < node.lines.size(); ++i)
+        if (node.lines[i] != no_line && locked(mode_at(node, i), node.snapshot.spectrum.speed))
+            out.push_back(node.lines[i]);
+    return out;
+}
+
+/// Intervals of one sense of the spin, opened and closed by the ends of bands in ascending order.
+class OpenIntervals {
+  public:
+    /// @param already  motions that stand still from the beginning, their lines not known yet
+    OpenIntervals(double low, std::ptrdiff_t already)
+        : _open(static_cast<std::size_t>(already), {1, no_line, low, low}) {}
+
+    void pass(const BandEnd &end) {
+        if (end.enters) {
+            _open.push_back({1, end.line, end.speed, end.speed});
+            return;
+        }
+        auto leaves = std::find_if(_open.rbegin(), _open.rend(),
+                                   [&](const Locked &open) { return open.mode == end.line; });
+        if (leaves == _open.rend())
+            leaves = _open.rbegin();
+        if (leaves == _open.rend())
+            return; // entered where the motion was not among those computed
+        leaves->to = end.speed;
+        if (leaves->mode == no_line)
+            leaves->mode = end.line;
+        _closed.push_back(*leaves);
+        _open.erase(std::next(leaves).base());
+    }
+
+    [[nodiscard]] std::vector<Locked> closed_at(double high) {
+        for (Locked &open : _open) {
+            open.to = high;
+            _closed.push_back(open);
+        }
+        return std::move(_closed);
+    }
+
+  private:
+    std::vector<Locked> _open, _closed;
+};
+
+/// Names an interval by the line that stands still at most speeds inside it, and not in another one
+/// at the same time. Those without such a speed or line are dropped.
+void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
+    for (Locked &interval : intervals) {
+        if (interval.mode != no_line)
+            continue;
+        std::map<int, int> votes;
+        for (std::size_t k = 0; k < sweep.count(); ++k)
+            if (sweep.speed(k) >= interval.from && sweep.speed(k) <= interval.to)
+                for (const int line : standing_lines(sweep.bare(k)))
+                    ++votes[line];
+        for (const Locked &other : intervals)
+            if (overlap(interval, other))
+                votes.erase(other.mode);
+        const auto most = std::max_element(votes.begin(), votes.end(),
+                                           [](auto &a, auto &b) { return a.second < b.second; });
+        if (most != votes.end())
+            interval.mode = most->first;
+    }
+    std::erase_if(intervals, [](const Locked &interval) { return interval.mode == no_line; });
+}
+
+std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<BandEnd> &ends,
+                                 double low, double high) {
+    // Close to the beginning, as at rest nothing is said to stand still.
+    const double inside = low + 1e-5 * (high - low);
+    const auto wanted = static_cast<int>(sweep.spectrum(0).modes.size());
+    const modes::Spectrum first = sweep.solver().at(inside, wanted);
+    const auto already =
+        std::count_if(first.modes.begin(), first.modes.end(),
+                      [inside](const modes::WhirlMode &mode) { return locked(mode, inside); });
+    OpenIntervals intervals(low, already);
+    for (const BandEnd &end : ends)
+        if (end.speed > inside && end.speed <= high)
+            intervals.pass(end);
+    return intervals.closed_at(high);
+}
+
+/// Places of the lines at a node, by line.
+std::optional<std::size_t> place_of(const Node &node, int line) {
+    const auto found = std::find(node.lines.begin(), node.lines.end(), line);
+    if (found == node.lines.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - node.lines.begin());
+}
+
+bool on_multiple(const modes::SpectrumSolver &solver, const modes::WhirlMode &mode, double speed,
+                 double multiple) {
+    const bool stands =
+        multiple == 1 && results::in_rotating_axes(solver.form()) && locked(mode, speed);
+    // At rest a motion without a frequency is on every multiple; nothing else is known of it.
+    const double target = multiple * std::abs(speed);
+    return !stands && std::abs(mode.eigenvalue.imag() - target) <= resolved * target;
+}
+
+/// Follows one line over its speeds on a multiple.
+class Ride {
+  public:
+    Ride(const SweepNodes &sweep, double multiple, int line)
+        : _sweep(sweep), _multiple(multiple), _line(line) {}
+
+    void find(std::vector<Locked> &out) const {
+        for (std::size_t k = 0; k + 1 < _sweep.count(); ++k) {
+            std::size_t last = k;
+            while (last + 1 < _sweep.count() && joined(last))
+                ++last;
+            if (last == k)
+                continue;
+            const double a = k > 0 ? end_between(k, k - 1) : _sweep.speed(k);
+            const double b =
+                last + 1 < _sweep.count() ? end_between(last, last + 1) : _sweep.speed(last);
+            out.push_back({_multiple, _line, std::min(a, b), std::max(a, b)});
+            k = last;
+        }
+    }
+
+  private:
+    const SweepNodes &_sweep;
+    double _multiple;
+    int _line;
+
+    [[nodiscard]] bool on(const Node &node) const {
+        const auto place = place_of(node, _line);
+        return place && on_multiple(_sweep.solver(), mode_at(node, *place),
+                                    node.snapshot.spectrum.speed, _multiple);
+    }
+    [[nodiscard]] bool on(std::size_t k) const {
+        const int place = _sweep.lines()[static_cast<std::size_t>(_line)].place[k];
+        return place != Line::absent &&
+               on_multiple(_sweep.solver(),
+                           _sweep.spectrum(k).modes[static_cast<std::size_t>(place)],
+                           _sweep.speed(k), _multiple);
+    }
+    [[nodiscard]] bool joined(std::size_t k) const {
+        if (!on(k) || !on(k + 1) || (_sweep.speed(k) == 0 && _sweep.speed(k + 1) == 0))
+            return false;
+        // Off the middle, where a line symmetric about it would be too.
+        const double between = 0.37 * _sweep.speed(k) + 0.63 * _sweep.speed(k + 1);
+        return on(node_at(_sweep.solver(), between, _sweep.full(k), _sweep.full(k + 1)));
+    }
+    /// Between a speed on the multiple and one where the line is not.
+    [[nodiscard]] double end_between(std::size_t inside, std::size_t outside) const {
+        Node in = _sweep.full(inside);
+        Node out = _sweep.full(outside);
+        const auto speed = [](const Node &node) { return node.snapshot.spectrum.speed; };
+        for (int i = 0; i < 60 && std::abs(speed(out) - speed(in)) > resolved * std::abs(speed(in));
+             ++i) {
+            Node middle = node_at(_sweep.solver(), (speed(in) + speed(out)) / 2, in, out);
+            (on(middle) ? in : out) = std::move(middle);
+        }
+        return speed(in);
+    }
+};
+
+} // namespace
+
+std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends) {
+    std::sort(ends.begin(), ends.end(),
+              [](const BandEnd &a, const BandEnd &b) { return a.speed < b.speed; });
+    double low = sweep.speed(0);
+    double high = sweep.speed(sweep.count() - 1);
+    if (low > high)
+        std::swap(low, high);
+    std::vector<Locked> out;
+    for (const auto &[a, b] :
+         {std::pair(low, std::min(high, 0.0)), std::pair(std::max(low, 0.0), high)}) {
+        if (!(a < b))
+            continue;
+        const std::vector<Locked> more = of_one_sense(sweep, ends, a, b);
+        out.insert(out.end(), more.begin(), more.end());
+    }
+    name_by_lines(sweep, out);
+    return out;
+}
+
+std::vector<Locked> riding_intervals(const SweepNodes &sweep, double multiple) {
+    std::vector<Locked> out;
+    for (std::size_t line = 0; line < sweep.lines().size(); ++line)
+        Ride(sweep, multiple, static_cast<int>(line)).find(out);
+    return out;
+}
+
+} // namespace whirl::tracking

@@ -1,0 +1,161 @@
+// Damping at crossings, and motions that stay on a multiple of the spin speed, against formulas of
+// rigid rotors and over grids.
+
+#include "analyses/campbell.h"
+#include "input/case_file.h"
+#include "results/campbell.h"
+#include "support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using namespace whirl;
+
+constexpr double mass = 40;
+constexpr double Id = 2;
+constexpr double Ip = 1.2;
+constexpr double l = 0.5; ///< from the centre of mass to each bearing
+
+/// A rigid rotor on two equal bearings.
+model::Case rigid_scene(double k, double c, model::SpeedRange range) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(2 * l, 0.02, tests::weightless_steel());
+    scene.rotor.shaft.rigid = true;
+    scene.rotor.discs = {tests::disc_at(l, mass, Id, Ip)};
+    if (k > 0)
+        scene.rotor.bearings = {tests::isotropic_bearing(0, k), tests::isotropic_bearing(2 * l, k)};
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].c = c * Eigen::Matrix2d::Identity();
+    scene.campbell.modes = 4;
+    scene.speeds = range;
+    return scene;
+}
+
+/// The same tilting rotor with unequal diametral inertias: it stands still in the rotor between
+/// sqrt(K/(Id - Ip + dI)) and sqrt(K/(Id - Ip - dI)).
+model::Case uneven_scene(double dI, model::SpeedRange range) {
+    model::Case scene = rigid_scene(1e5, 0, range);
+    scene.rotor.anisotropies = {{"", l, dI, 0.4}};
+    return scene;
+}
+
+TEST(CrossingDamping, OfTheBounceIsItsFormulaOnEveryGrid) {
+    // m w'' + 2 c w' + 2 k w = 0: Re = -c/m, modulus sqrt(2k/m), whatever the speed.
+    const double k = 1e5;
+    const double natural = std::sqrt(2 * k / mass);
+    for (const double ratio : {1e-3, 0.1, 0.4, 0.7}) {
+        const double c = ratio * std::sqrt(2 * k * mass);
+        const double damped = natural * std::sqrt(1 - ratio * ratio);
+        for (const int count : {2, 7, 40}) {
+            const auto result = analyses::campbell(rigid_scene(k, c, {1, 200, count}));
+            int met = 0;
+            for (const results::Crossing &crossing : result.crossings) {
+                if (std::abs(crossing.speed / damped - 1) > 1e-9)
+                    continue; // of the tilt
+                ++met;
+                EXPECT_NEAR(*crossing.damping.ratio / ratio, 1, 1e-9);
+                EXPECT_NEAR(*crossing.damping.log_dec * damped,
+                            2 * std::numbers::pi * ratio * natural, 1e-9 * natural);
+                EXPECT_NEAR(*crossing.damping.amplification * 2 * ratio, 1, 1e-9);
+                EXPECT_EQ(crossing.damping.heavy(), ratio > 0.2);
+            }
+            EXPECT_EQ(met, 2) << "forward and backward, " << ratio << " " << count;
+        }
+    }
+}
+
+TEST(CrossingDamping, IsNoneWithoutDamping) {
+    const auto result = analyses::campbell(rigid_scene(1e5, 0, {1, 200, 5}));
+    ASSERT_FALSE(result.crossings.empty());
+    for (const results::Crossing &crossing : result.crossings) {
+        EXPECT_EQ(crossing.damping.ratio, 0);
+        EXPECT_EQ(crossing.damping.log_dec, 0);
+        EXPECT_FALSE(crossing.damping.amplification);
+        EXPECT_FALSE(crossing.damping.heavy());
+    }
+}
+
+TEST(Locked, AFreeTiltLiesOnTheRatioOfItsInertias) {
+    for (const int count : {3, 9, 30})
+        for (const double from : {-300.0, 0.0, 20.0}) {
+            model::Case scene = rigid_scene(0, 0, {from, 500, count});
+            scene.campbell.multiples = {1, Ip / Id};
+            const auto result = analyses::campbell(scene);
+            EXPECT_TRUE(result.crossings.empty()) << count << " " << from;
+            ASSERT_FALSE(result.locked.empty()) << count << " " << from;
+            for (const results::Locked &locked : result.locked) {
+                EXPECT_EQ(locked.multiple, Ip / Id);
+                EXPECT_EQ(result.modes[static_cast<std::size_t>(locked.mode)].label.back(), 'F');
+            }
+            EXPECT_EQ(result.locked.back().to, 500);
+            if (from >= 0) {
+                EXPECT_EQ(result.locked.front().from, from);
+            }
+        }
+}
+
+TEST(Locked, BetweenTheTwoCriticalSpeedsOfAnAsymmetricRotor) {
+    const double K = 2 * 1e5 * l * l;
+    for (const double dI : {0.2, 0.01, 1e-3, 1e-5}) { // the narrow ones: 1/1000 of the range, less
+        const double low = std::sqrt(K / (Id - Ip + dI));
+        const double high = std::sqrt(K / (Id - Ip - dI));
+        for (const int count : {2, 3, 21}) {
+            const auto result = analyses::campbell(uneven_scene(dI, {150, 400, count}));
+            ASSERT_EQ(result.locked.size(), 1U) << dI << " " << count;
+            EXPECT_EQ(result.locked[0].multiple, 1);
+            EXPECT_NEAR(result.locked[0].from / low, 1, 1e-9);
+            EXPECT_NEAR(result.locked[0].to / high, 1, 1e-9);
+        }
+    }
+}
+
+TEST(Locked, EndsWithTheRange) {
+    const double K = 2 * 1e5 * l * l;
+    const double low = std::sqrt(K / (Id - Ip + 0.2));
+    const double high = std::sqrt(K / (Id - Ip - 0.2));
+    const double middle = (low + high) / 2;
+    for (const int count : {2, 8}) {
+        const auto below = analyses::campbell(uneven_scene(0.2, {150, middle, count})).locked;
+        ASSERT_EQ(below.size(), 1U);
+        EXPECT_NEAR(below[0].from / low, 1, 1e-9);
+        EXPECT_EQ(below[0].to, middle);
+        const auto above = analyses::campbell(uneven_scene(0.2, {middle, 400, count})).locked;
+        ASSERT_EQ(above.size(), 1U);
+        EXPECT_EQ(above[0].from, middle);
+        EXPECT_NEAR(above[0].to / high, 1, 1e-9);
+        const auto turned = analyses::campbell(uneven_scene(0.2, {-400, -150, count})).locked;
+        ASSERT_EQ(turned.size(), 1U);
+        EXPECT_NEAR(turned[0].from / -high, 1, 1e-9);
+        EXPECT_NEAR(turned[0].to / -low, 1, 1e-9);
+    }
+}
+
+TEST(Locked, OfBallsIsTheSameOnEveryGrid) {
+    for (const char *name : {"extractor_two_plane", "centrifuge_two_balls"}) {
+        std::vector<results::Locked> coarse;
+        for (const int count : {8, 36}) {
+            model::Case scene = input::load_case(std::string(WHIRL_ROOT "/cases/") + name);
+            scene.speeds = model::SpeedRange{50, 400, count};
+            scene.campbell.modes = 4;
+            const results::CampbellResult result = analyses::campbell(scene);
+            for (const results::Crossing &crossing : result.crossings)
+                for (const double speed : result.speeds)
+                    EXPECT_GT(std::abs(crossing.speed / speed - 1), 1e-9) << "of the grid";
+            if (coarse.empty())
+                coarse = result.locked;
+            EXPECT_FALSE(coarse.empty()) << name;
+            ASSERT_EQ(result.locked.size(), coarse.size()) << name;
+            for (std::size_t i = 0; i < coarse.size(); ++i) {
+                EXPECT_NEAR(result.locked[i].from / coarse[i].from, 1, 1e-8) << name << i;
+                EXPECT_NEAR(result.locked[i].to / coarse[i].to, 1, 1e-8) << name << i;
+            }
+        }
+    }
+}
+
+} // namespace
