@@ -67,18 +67,19 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     // Balls that can roll on without any effect neither grow nor die out.
-    const bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
+    bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
     for (const Root &root : roots) {
-        if (root.value.imag() < 0)
-            continue;
-        if (root.sign() == 0 || (root.sign() < 0 && neutral))
+        neutral = neutral || root.sign() == 0;
+        if (root.value.imag() < 0 || root.sign() == 0)
+            continue; // a zero that rounding blurs must not hide one that grows
+        if (root.sign() < 0 && neutral)
             return 0;
         const auto found = at_its_speed(_whole, lifted(root, speed));
         // What the whole rotor does not have is a motion of the shapes alone.
         if (found && std::abs(found->value - root.value) <= same_root * std::abs(root.value))
             return found->value;
     }
-    return roots.empty() ? 0 : roots.front().value;
+    return roots.empty() || neutral ? 0 : roots.front().value;
 }
 
 } // namespace whirl::ends

@@ -182,37 +182,4 @@ EndsFound find_ends(const AllMotions &motions, double from, double to,
     return EndSearch(motions, from, to, looks).ends();
 }
 
-void reconcile(std::vector<StabilityEnd> &ends, std::vector<SpeedInterval> &bands, double from,
-               double to) {
-    constexpr double same = 1e-6;
-    const auto near = [](double a, double b) { return std::abs(a - b) <= same * std::abs(b); };
-    double start = from; // of what grows
-    bool grows = !ends.empty() && ends.front().growing_below > 0;
-    std::vector<SpeedInterval> missing;
-    const auto take = [&](double first, double last) {
-        if (std::none_of(bands.begin(), bands.end(), [&](const SpeedInterval &band) {
-                return band.first <= first + same * std::abs(first) &&
-                       band.second >= last - same * std::abs(last);
-            }))
-            missing.emplace_back(first, last);
-    };
-    for (StabilityEnd &end : ends) {
-        if ((end.growing_below > 0) == (end.growing_above > 0))
-            continue;
-        for (const SpeedInterval &band : bands) {
-            const double edge = end.growing_above > 0 ? band.first : band.second;
-            if (edge > from && edge < to && near(end.speed, edge))
-                end.speed = edge;
-        }
-        if (grows)
-            take(start, end.speed);
-        start = end.speed;
-        grows = !grows;
-    }
-    if (grows)
-        take(start, to);
-    bands.insert(bands.end(), missing.begin(), missing.end());
-    std::sort(bands.begin(), bands.end());
-}
-
 } // namespace whirl::ends

@@ -2,13 +2,13 @@
 
 #include "ends/all_motions.h"
 #include "results/stability.h"
+#include "stability/unstable_bands.h"
 
-#include <utility>
 #include <vector>
 
 namespace whirl::ends {
 
-using SpeedInterval = std::pair<double, double>; ///< rad/s
+using stability::SpeedInterval;
 
 struct EndsFound {
     std::vector<results::StabilityEnd> ends; ///< ascending
@@ -22,11 +22,5 @@ struct EndsFound {
 /// @param looks  speeds that should be looked at, as inside of bands known already
 [[nodiscard]] EndsFound find_ends(const AllMotions &motions, double from, double to,
                                   const std::vector<double> &looks);
-
-/// Makes the ends and the unstable bands tell one story: what grows for one grows for the other.
-/// An end at which growth begins or ceases altogether is the band's end, to the last digit; bands
-/// that were not known are taken up, and ends that were not.
-void reconcile(std::vector<results::StabilityEnd> &ends, std::vector<SpeedInterval> &bands,
-               double from, double to);
 
 } // namespace whirl::ends

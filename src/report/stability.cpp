@@ -101,6 +101,41 @@ std::vector<Line> map_lines(const results::StabilityMap &map) {
     return all;
 }
 
+/// Ends of growth, and the lines of the file that they are.
+const Columns<results::StabilityEnd> end_columns{
+    {"speed",
+     "from",
+     {"Speed (rad/s)", "{:.10g}"},
+     {"speed rad/s", precise},
+     &results::StabilityEnd::speed},
+    {"", "to", {}, {}, &results::StabilityEnd::speed},
+    {"", "", {"rpm", "{:.8g}"}, {"rpm"}, [](const auto &end) { return end.speed * rpm; }},
+    {"kind",
+     "verdict",
+     {"What happens"},
+     {"kind"},
+     [](const auto &end) { return results::end_kind_name(end.kind); }},
+    {"growing_below",
+     "growing below",
+     {"growing below"},
+     {"growing below"},
+     &results::StabilityEnd::growing_below},
+    {"growing_above",
+     "growing above",
+     {"growing above"},
+     {"growing above"},
+     &results::StabilityEnd::growing_above},
+    {"frequency_rotating",
+     "frequency in rotating axes [rad/s]",
+     {"frequency in rotating axes (rad/s)", "{:.8g}"},
+     {"in rotating axes rad/s", "{:#.8g}"},
+     &results::StabilityEnd::frequency_rotating},
+    {"frequency",
+     "frequency in fixed axes [rad/s]",
+     {"in fixed axes (rad/s)", "{:.8g}"},
+     {"in fixed axes rad/s", "{:#.8g}"},
+     &results::StabilityEnd::frequency}};
+
 const Columns<PermissibleAnisotropy> permissible_columns{
     {"name", "", {"Element"}, {}, &PermissibleAnisotropy::name},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &PermissibleAnisotropy::z},
@@ -155,6 +190,7 @@ Json json_of(const StabilityResult &result) {
                                   })},
             {"unstable", result.unstable},
             {"unstable_error", result.unstable_error},
+            {"ends", json_rows(end_columns, result.ends)},
             {"critical_speeds", result.critical_speeds},
             {"zero_root_speeds", result.zero_root_speeds},
             {"additional_speeds", result.additional_speeds},

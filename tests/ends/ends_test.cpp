@@ -52,11 +52,11 @@ Drawn drawn(int seed) {
             rotor.anisotropies.push_back(
                 {"", disc.z, uniform(0.02, 0.2) * disc.Id, uniform(0, 3.1)});
     const int balancers = rotating ? static_cast<int>(uniform(0, 2.999)) : 0;
-    for (int i = 0; i < balancers; ++i) {
+    for (int i = 0; i < std::min(balancers, discs); ++i) {
         const double mass = std::exp(uniform(-4, -1));
         const double radius = uniform(0.05, 0.2);
         rotor.balancers.push_back(
-            tests::ball_balancer(rotor.discs[static_cast<std::size_t>(i % discs)].z, 2, mass,
+            tests::ball_balancer(rotor.discs[static_cast<std::size_t>(i)].z, 2, mass,
                                  radius, std::exp(uniform(-2, 4)) * mass,
                                  uniform(0.2, 0.95) * 2 * mass * radius));
     }
