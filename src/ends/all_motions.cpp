@@ -51,6 +51,42 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
         const double speed = to != 0 ? to : from;
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
     }
+    set_reach(from, to);
+}
+
+void AllMotions::set_reach(double from, double to) {
+    constexpr int samples = 5;
+    constexpr std::size_t fewest = 8;
+    const double top = std::max(std::abs(from), std::abs(to));
+    double least = 2.1 * top;
+    std::vector<double> sizes; // of all motions at speeds all over the range
+    for (int k = 0; k < samples; ++k) {
+        std::vector<double> here;
+        for (const Root &root : at(from + (to - from) * (k + 0.5) / samples).roots)
+            if (root.value.imag() >= 0)
+                here.push_back(std::abs(root.value));
+        std::sort(here.begin(), here.end());
+        if (!here.empty())
+            least = std::max(least, here[std::min(here.size(), fewest) - 1]);
+        sizes.insert(sizes.end(), here.begin(), here.end());
+    }
+    std::sort(sizes.begin(), sizes.end());
+    // The widest gap up to twice as far.
+    double below = least;
+    double widest = 1;
+    _reach = 2 * least;
+    for (const double size : sizes) {
+        if (size <= least)
+            continue;
+        const double above = std::min(size, 2 * least);
+        if (above / below > widest) {
+            widest = above / below;
+            _reach = std::sqrt(above * below);
+        }
+        if (size >= 2 * least)
+            break;
+        below = size;
+    }
 }
 
 Spectrum AllMotions::at(double speed, int piece) const {
@@ -69,8 +105,9 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     // Balls that can roll on without any effect neither grow nor die out.
     bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
     for (const Root &root : roots) {
-        neutral = neutral || root.sign() == 0;
-        if (root.value.imag() < 0 || root.sign() == 0)
+        neutral = neutral || (root.sign() == 0 && std::abs(root.value) <= _reach);
+        const bool counts = std::abs(root.value) <= _reach || root.sign() > 0;
+        if (root.value.imag() < 0 || root.sign() == 0 || !counts)
             continue; // a zero that rounding blurs must not hide one that grows
         if (root.sign() < 0 && neutral)
             return 0;

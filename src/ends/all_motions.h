@@ -32,10 +32,16 @@ class AllMotions {
 
     /// A root as a motion of the whole rotor to begin with.
     [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
+    /// The same at all speeds of the range, 1/s: twice its largest speed, so that all whirls up to
+    /// that speed are among them in rotating axes too, and as much more as leaves at least eight
+    /// and brings it between two motions that are far apart all over the range.
+    [[nodiscard]] double reach() const { return _reach; }
     [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
 
-    /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s; 0
-    /// where rounding hides the real part.
+    /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s, of
+    /// the motions with |l| up to reach() and of those that grow, however fast they are; 0 where
+    /// rounding hides the real part. The fastest motions of a mesh are no motions of the rotor:
+    /// how little they are damped says nothing.
     [[nodiscard]] std::complex<double> fastest_growing(double speed) const;
 
     [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
@@ -48,7 +54,10 @@ class AllMotions {
     modes::FormMatrices _whole;
     std::unique_ptr<RotorPieces> _rotor;
     double _slow = 0; ///< of the order of the motions on the supports, 1/s
+    double _reach = 0;
     int _zeros = 0;
+
+    void set_reach(double from, double to);
 };
 
 } // namespace whirl::ends

@@ -50,25 +50,6 @@ void snap(std::vector<StabilityEnd> &ends, const std::vector<SpeedInterval> &ban
     }
 }
 
-/// Where something grows by the ends.
-std::vector<SpeedInterval> bands_of(const std::vector<StabilityEnd> &ends,
-                                    const SpeedInterval &range) {
-    std::vector<SpeedInterval> out;
-    double start = range.first;
-    bool unstable = !ends.empty() && ends.front().growing_below > 0;
-    for (const StabilityEnd &end : ends) {
-        if (!begins_or_ends_growth(end))
-            continue;
-        if (unstable)
-            out.emplace_back(start, end.speed);
-        start = end.speed;
-        unstable = end.growing_above > 0;
-    }
-    if (unstable)
-        out.emplace_back(start, range.second);
-    return out;
-}
-
 /// A band that the ends do not know.
 void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const MotionsAt &at,
              results::Form form, const SpeedInterval &range) {
@@ -95,6 +76,24 @@ bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
 }
 
 } // namespace
+
+std::vector<SpeedInterval> bands_of(const std::vector<StabilityEnd> &ends,
+                                    const SpeedInterval &range) {
+    std::vector<SpeedInterval> out;
+    double start = range.first;
+    bool unstable = !ends.empty() && ends.front().growing_below > 0;
+    for (const StabilityEnd &end : ends) {
+        if (!begins_or_ends_growth(end))
+            continue;
+        if (unstable)
+            out.emplace_back(start, end.speed);
+        start = end.speed;
+        unstable = end.growing_above > 0;
+    }
+    if (unstable)
+        out.emplace_back(start, range.second);
+    return out;
+}
 
 std::vector<double> reconcile(std::vector<StabilityEnd> &ends, std::vector<SpeedInterval> &bands,
                               const MotionsAt &at, results::Form form, const SpeedInterval &range) {

@@ -7,6 +7,10 @@
 
 namespace whirl::ends {
 
+/// Where something grows by the ends: the unstable bands of the range.
+[[nodiscard]] std::vector<stability::SpeedInterval>
+bands_of(const std::vector<results::StabilityEnd> &ends, const stability::SpeedInterval &range);
+
 /// Makes the ends and the unstable bands tell one story. An end at which growth begins or ceases
 /// altogether is the band's end, to the last digit; bands that only the ends know are taken up, and
 /// so are ends of bands that only the search for bands knows: collisions of undamped motions.

@@ -29,11 +29,15 @@ class Settled {
     double _before = HUGE_VAL;
 };
 
+Eigen::VectorXcd times(const Sparse &A, const Eigen::VectorXcd &x) {
+    Eigen::VectorXcd out(x.size());
+    out.real() = A * x.real();
+    out.imag() = A * x.imag();
+    return out;
+}
+
 Complex product(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &x) {
-    Eigen::VectorXcd Ax(x.size());
-    Ax.real() = A * x.real();
-    Ax.imag() = A * x.imag();
-    return y.dot(Ax);
+    return y.dot(times(A, x));
 }
 
 /// y^H Q(l) x and its derivatives.
@@ -48,7 +52,7 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
             l * product(m.left, p.above.D, m.right) + product(m.left, p.above.K, m.right)};
 }
 
-/// Better vectors of the root next to l by a step of inverse iteration with both.
+/// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
 /// @returns whether Q(l) could be factorised
 bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
     const double size = std::max(std::abs(l), 1e-300);
@@ -64,9 +68,11 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
     Eigen::SparseLU<ComplexSparse> lu(Q);
     if (lu.info() != Eigen::Success)
         return false;
-    const Eigen::VectorXd back = d.cwiseInverse();
-    const Eigen::VectorXcd x = lu.solve(Eigen::VectorXcd(back.asDiagonal() * m.right));
-    const Eigen::VectorXcd y = lu.adjoint().solve(Eigen::VectorXcd(back.asDiagonal() * m.left));
+    const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(p.D, m.right);
+    const Eigen::VectorXcd to_left =
+        2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(p.D.transpose(), m.left);
+    const Eigen::VectorXcd x = lu.solve(Eigen::VectorXcd(d.asDiagonal() * to_right));
+    const Eigen::VectorXcd y = lu.adjoint().solve(Eigen::VectorXcd(d.asDiagonal() * to_left));
     if (!x.allFinite() || !y.allFinite())
         return false;
     m.right = d.asDiagonal() * x.normalized();
@@ -126,7 +132,9 @@ std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
         if (!iterate_near(problem, m.value, scale, m))
             return std::nullopt;
         const Forms f = forms(problem, m.value, m);
-        const Complex change = -f.value / f.by_root;
+        Complex change = -f.value / f.by_root;
+        if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
+            change = change.real();
         if (!std::isfinite(std::abs(change)))
             return std::nullopt;
         m.value += change;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace whirl::report {
 
 using results::PermissibleAnisotropy;
@@ -109,6 +111,7 @@ const Columns<results::StabilityEnd> end_columns{
      {"speed rad/s", precise},
      &results::StabilityEnd::speed},
     {"", "to", {}, {}, &results::StabilityEnd::speed},
+    {"", "kind", {}, {}, [](const auto &) { return "end"; }},
     {"", "", {"rpm", "{:.8g}"}, {"rpm"}, [](const auto &end) { return end.speed * rpm; }},
     {"kind",
      "verdict",
@@ -204,9 +207,13 @@ Json json_of(const StabilityResult &result) {
 std::string csv_of(const StabilityResult &result) {
     const Columns<Line> all = with_errors();
     std::vector<std::string> head = csv_head(all);
+    for (const std::string &heading : csv_head(end_columns))
+        if (std::find(head.begin(), head.end(), heading) == head.end())
+            head.push_back(heading);
     const auto rows = [&](const std::vector<Line> &of) { return csv_rows(head, all, of); };
     std::string csv = csv_line(head) + rows(growth_lines(result)) +
                       rows(lines("unstable", result.unstable, result.unstable_error)) +
+                      csv_rows(head, end_columns, result.ends) +
                       rows(lines("critical speed", result.critical_speeds)) +
                       rows(lines("zero root", result.zero_root_speeds)) +
                       rows(lines("additional speed", result.additional_speeds));
@@ -255,6 +262,9 @@ std::vector<Section> sections_of(const StabilityResult &result) {
         sections.push_back(
             {"Unstable spin speeds",
              bands_section(lines("", result.unstable, result.unstable_error), with_errors())});
+    if (!result.ends.empty())
+        sections.push_back({"Speeds at which the number of growing motions changes",
+                            page_table(end_columns, result.ends)});
     if (const std::vector<Line> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
                             page_table(still_columns, still)});
@@ -312,6 +322,9 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
                 ? verdict_text(result)
                 : bands_text("Unstable", lines("", result.unstable, result.unstable_error),
                              with_errors());
+    if (!result.ends.empty())
+        text += "Speeds at which the number of growing motions changes:\n" +
+                text_table(end_columns, result.ends);
     text +=
         speeds_text("Critical speeds, balls held, undamped", result.critical_speeds) +
         speeds_text("A root is zero at", result.zero_root_speeds) +
