@@ -1,5 +1,6 @@
 #include "analyses/stability.h"
 
+#include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -216,11 +218,9 @@ void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid
     grid = described(grid, model);
 }
 
-/// Bands, their errors, and where they may have been missed.
-void search_bands(const model::Case &scene, const stability::StabilityModel &model,
-                  const balancers::Arrangement &arrangement, stability::BandFinder &finder,
-                  const stability::MotionsAt &at, const std::vector<double> &grid,
-                  results::StabilityResult &result) {
+/// Bands, and where they may have been missed.
+void search_bands(stability::BandFinder &finder, const stability::MotionsAt &at,
+                  const std::vector<double> &grid, results::StabilityResult &result) {
     const stability::BandsFound found = finder.find(at, grid);
     result.unstable = found.bands;
     for (const auto &[from, to] : found.doubtful)
@@ -228,8 +228,6 @@ void search_bands(const model::Case &scene, const stability::StabilityModel &mod
             fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
                         "unstable band narrower than that may be missing there",
                         from, to));
-    result.unstable_error = stability::band_errors(at, scene.rotor, model, arrangement, found.bands,
-                                                   {grid.front(), grid.back()});
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
@@ -252,6 +250,19 @@ void search_zero_roots(const model::Case &scene, const stability::StabilityModel
                                         "beside the other roots: they are not listed");
 }
 
+/// Largest real part and verdict at the speeds of the result that the Hill series describes.
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const double speed : result.speeds) {
+        const bool known = std::abs(speed) >= model.from;
+        const std::vector<stability::Motion> motions =
+            known ? at(speed) : std::vector<stability::Motion>{};
+        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+    }
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const model::Case &scene, stability::StabilityModel &model,
             results::StabilityResult &result) {
@@ -263,22 +274,26 @@ void search(const model::Case &scene, stability::StabilityModel &model,
     KeptMotions kept(solver, grid);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, grid, model);
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const double speed : result.speeds) {
-        const bool known = std::abs(speed) >= model.from;
-        const std::vector<stability::Motion> motions =
-            known ? at(speed) : std::vector<stability::Motion>{};
-        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
-        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+    std::optional<ends::AllMotions> all;
+    if (model.form == results::Form::hill) {
+        add_hill_growth(at, model, result);
+    } else {
+        all.emplace(solver.discretization(), model.form, arrangement, finder.good_shapes(grid),
+                    grid.front(), grid.back());
+        add_growth(*all, result);
     }
     if (grid.size() > 1)
-        search_bands(scene, model, arrangement, finder, at, grid, result);
+        search_bands(finder, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
         search_zero_roots(scene, model, arrangement, solver.discretization(), grid, result);
-    if (grid.size() > 1)
+    if (grid.size() > 1) {
+        add_ends(all ? &*all : nullptr, model.form, at, grid, result);
+        result.unstable_error = stability::band_errors(
+            at, scene.rotor, model, arrangement, result.unstable, {grid.front(), grid.back()});
         result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
+    }
     const std::vector<balancers::Arrangement> arrangements =
         balancers::sampled_arrangements(scene.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)

@@ -25,7 +25,15 @@ Eigen::MatrixXd in_pairs(const Eigen::MatrixXd &shapes, Eigen::Index unknowns) {
 } // namespace
 
 linalg::Matrix Projection::of(const linalg::Matrix &A) const {
-    const Sparse full = A.view();
+    return linalg::Matrix::from_sparse(of(Sparse(A.view())).sparseView());
+}
+
+Eigen::VectorXcd Projection::lifted(const Eigen::VectorXcd &reduced) const {
+    const Eigen::Index attached = reduced.size() - 2 * _shapes.cols();
+    return in_pairs(_shapes, 2 * _shapes.rows() + attached) * reduced;
+}
+
+Eigen::MatrixXd Projection::of(const Sparse &full) const {
     const Sparse transposed = full.transpose();
     const Eigen::MatrixXd W = in_pairs(_shapes, full.rows());
     const auto product = [&W](const Sparse &half) -> Eigen::MatrixXd {
@@ -33,9 +41,7 @@ linalg::Matrix Projection::of(const linalg::Matrix &A) const {
     };
     const Eigen::MatrixXd symmetric = product((full + transposed) / 2);
     const Eigen::MatrixXd skew = product((full - transposed) / 2);
-    const Eigen::MatrixXd sum =
-        (symmetric + symmetric.transpose()) / 2 + (skew - skew.transpose()) / 2;
-    return linalg::Matrix::from_sparse(sum.sparseView());
+    return (symmetric + symmetric.transpose()) / 2 + (skew - skew.transpose()) / 2;
 }
 
 assembly::FixedSystem Projection::of(const assembly::FixedSystem &s) const {

@@ -4,6 +4,7 @@
 #include "assembly/system.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace whirl::reduction {
 
@@ -17,9 +18,13 @@ class Projection {
     explicit Projection(const Eigen::MatrixXd &shapes) : _shapes(shapes) {}
 
     [[nodiscard]] linalg::Matrix of(const linalg::Matrix &A) const;
+    [[nodiscard]] Eigen::MatrixXd of(const Eigen::SparseMatrix<double> &A) const;
     [[nodiscard]] assembly::FixedSystem of(const assembly::FixedSystem &system) const;
     [[nodiscard]] assembly::RotatingSystem of(const assembly::RotatingSystem &system) const;
     [[nodiscard]] assembly::TurningSupports of(const assembly::TurningSupports &supports) const;
+
+    /// A vector over the amplitudes as one over all unknowns.
+    [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &reduced) const;
 
   private:
     const Eigen::MatrixXd &_shapes;

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace whirl::report {
 
 using results::PermissibleAnisotropy;
@@ -101,6 +103,42 @@ std::vector<Line> map_lines(const results::StabilityMap &map) {
     return all;
 }
 
+/// Ends of growth, and the lines of the file that they are.
+const Columns<results::StabilityEnd> end_columns{
+    {"speed",
+     "from",
+     {"Speed (rad/s)", "{:.10g}"},
+     {"speed rad/s", precise},
+     &results::StabilityEnd::speed},
+    {"", "to", {}, {}, &results::StabilityEnd::speed},
+    {"", "kind", {}, {}, [](const auto &) { return "end"; }},
+    {"", "", {"rpm", "{:.8g}"}, {"rpm"}, [](const auto &end) { return end.speed * rpm; }},
+    {"kind",
+     "verdict",
+     {"What happens"},
+     {"kind"},
+     [](const auto &end) { return results::end_kind_name(end.kind); }},
+    {"growing_below",
+     "growing below",
+     {"growing below"},
+     {"growing below"},
+     &results::StabilityEnd::growing_below},
+    {"growing_above",
+     "growing above",
+     {"growing above"},
+     {"growing above"},
+     &results::StabilityEnd::growing_above},
+    {"frequency_rotating",
+     "frequency in rotating axes [rad/s]",
+     {"frequency in rotating axes (rad/s)", "{:.8g}"},
+     {"in rotating axes rad/s", "{:#.8g}"},
+     &results::StabilityEnd::frequency_rotating},
+    {"frequency",
+     "frequency in fixed axes [rad/s]",
+     {"in fixed axes (rad/s)", "{:.8g}"},
+     {"in fixed axes rad/s", "{:#.8g}"},
+     &results::StabilityEnd::frequency}};
+
 const Columns<PermissibleAnisotropy> permissible_columns{
     {"name", "", {"Element"}, {}, &PermissibleAnisotropy::name},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &PermissibleAnisotropy::z},
@@ -155,6 +193,7 @@ Json json_of(const StabilityResult &result) {
                                   })},
             {"unstable", result.unstable},
             {"unstable_error", result.unstable_error},
+            {"ends", json_rows(end_columns, result.ends)},
             {"critical_speeds", result.critical_speeds},
             {"zero_root_speeds", result.zero_root_speeds},
             {"additional_speeds", result.additional_speeds},
@@ -168,9 +207,13 @@ Json json_of(const StabilityResult &result) {
 std::string csv_of(const StabilityResult &result) {
     const Columns<Line> all = with_errors();
     std::vector<std::string> head = csv_head(all);
+    for (const std::string &heading : csv_head(end_columns))
+        if (std::find(head.begin(), head.end(), heading) == head.end())
+            head.push_back(heading);
     const auto rows = [&](const std::vector<Line> &of) { return csv_rows(head, all, of); };
     std::string csv = csv_line(head) + rows(growth_lines(result)) +
                       rows(lines("unstable", result.unstable, result.unstable_error)) +
+                      csv_rows(head, end_columns, result.ends) +
                       rows(lines("critical speed", result.critical_speeds)) +
                       rows(lines("zero root", result.zero_root_speeds)) +
                       rows(lines("additional speed", result.additional_speeds));
@@ -219,6 +262,9 @@ std::vector<Section> sections_of(const StabilityResult &result) {
         sections.push_back(
             {"Unstable spin speeds",
              bands_section(lines("", result.unstable, result.unstable_error), with_errors())});
+    if (!result.ends.empty())
+        sections.push_back({"Speeds at which the number of growing motions changes",
+                            page_table(end_columns, result.ends)});
     if (const std::vector<Line> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
                             page_table(still_columns, still)});
@@ -276,6 +322,9 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
                 ? verdict_text(result)
                 : bands_text("Unstable", lines("", result.unstable, result.unstable_error),
                              with_errors());
+    if (!result.ends.empty())
+        text += "Speeds at which the number of growing motions changes:\n" +
+                text_table(end_columns, result.ends);
     text +=
         speeds_text("Critical speeds, balls held, undamped", result.critical_speeds) +
         speeds_text("A root is zero at", result.zero_root_speeds) +

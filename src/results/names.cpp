@@ -37,6 +37,19 @@ std::string whirl_name(Whirl whirl) {
     }
 }
 
+std::string end_kind_name(EndKind kind) {
+    switch (kind) {
+    case EndKind::zero:
+        return "zero";
+    case EndKind::pair:
+        return "pair";
+    case EndKind::collision:
+        return "collision";
+    default:
+        return "multiplier";
+    }
+}
+
 std::string verdict_name(Verdict verdict) {
     switch (verdict) {
     case Verdict::stable:

@@ -52,6 +52,29 @@ struct StabilityMap {
     std::string why;                         ///< of one such point, what was wrong with it
 };
 
+/// How a motion begins or ceases to grow.
+enum class EndKind {
+    zero,      ///< a real root passes zero
+    pair,      ///< a complex pair crosses the imaginary axis
+    collision, ///< two undamped pairs meet on the axis and part
+    multiplier ///< a Floquet multiplier passes the unit circle (form hill)
+};
+
+/// "zero", "pair", "collision" or "multiplier".
+[[nodiscard]] std::string end_kind_name(EndKind kind);
+
+/// A speed at which the number of growing motions changes. Eigenvalues with a positive real part
+/// are counted, conjugates both.
+struct StabilityEnd {
+    double speed = 0;                         ///< rad/s
+    std::optional<double> frequency_rotating; ///< |Im l| in rotating axes, rad/s; none: the motion
+                                              ///< has no single one there
+    std::optional<double> frequency;          ///< |Im l| in the fixed axes, where the former is none
+    EndKind kind = EndKind::pair;
+    int growing_below = 0; ///< motions that grow just below this speed
+    int growing_above = 0;
+};
+
 struct StabilityResult {
     ModelSummary model;
     std::vector<double> speeds;   ///< rad/s
@@ -60,6 +83,9 @@ struct StabilityResult {
     std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
     /// Error of both ends of each, rad/s (band_errors.h).
     std::vector<std::pair<double, double>> unstable_error;
+    /// All speeds in the range at which the number of growing motions changes, ascending: ends of
+    /// the unstable bands and changes inside of them.
+    std::vector<StabilityEnd> ends;
     /// Forward critical speeds in the range, balls held in place and without damping, rad/s
     /// (rotating form): what critical lists.
     std::vector<double> critical_speeds;

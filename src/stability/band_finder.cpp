@@ -169,6 +169,7 @@ std::unique_ptr<MotionSolver> BandFinder::reduced() const {
 /// With shapes enough, or none where there is no such rotor.
 std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> &speeds) {
     const assembly::Discretization &d = _whole.discretization();
+    _good = false;
     if (d.rigid() || d.planar_size() <= small)
         return nullptr;
     const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
@@ -197,7 +198,18 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
             !missing(whole, out->pairs(speed), speed, repeats).empty())
             return nullptr;
     }
+    _good = true;
     return out;
+}
+
+std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector<double> &speeds) {
+    try {
+        if (!_good)
+            (void)reduced_for(speeds);
+    } catch (const linalg::SolverError &) {
+    } catch (const model::AnalysisFailure &) {
+    }
+    return _good ? _shapes : nullptr;
 }
 
 BandsFound BandFinder::find(const std::vector<double> &speeds) {

@@ -32,12 +32,19 @@ class BandFinder {
     [[nodiscard]] BandsFound find(const MotionsAt &at, const std::vector<double> &speeds);
     [[nodiscard]] BandsFound find(const std::vector<double> &speeds);
 
+    /// Planar shapes with which the eigenvalues at these speeds are those of the whole rotor; none
+    /// where the whole rotor is as small.
+    /// @param speeds  ascending
+    [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
+    good_shapes(const std::vector<double> &speeds);
+
   private:
     model::Rotor _rotor;
     StabilityModel _model;
     balancers::Arrangement _arrangement;
     MotionSolver _whole;
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
+    bool _good = false; ///< the shapes are good for the speeds asked for
 
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);

@@ -1,0 +1,122 @@
+#include "ends/all_motions.h"
+
+#include "balancers/linear_element.h"
+#include "modes/zero_modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+/// The range and the rows of bearing tables inside of it, ascending. At rest, where frequencies of
+/// both directions are equal and balls do not stand anywhere by themselves, the range is cut.
+std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
+    std::vector<double> out{from, to};
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const double row : bearing.speeds)
+            if (row > from && row < to)
+                out.push_back(row);
+    if (from < 0 && to > 0)
+        out.push_back(0);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    if (out.size() < 2) // one speed
+        out = {from, from + std::max(1.0, std::abs(from))};
+    return out;
+}
+
+/// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
+constexpr double same_root = 1e-3;
+
+} // namespace
+
+AllMotions::AllMotions(const assembly::Discretization &discretization, results::Form form,
+                       const balancers::Arrangement &arrangement,
+                       std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to)
+    : _discretization(discretization), _form(form), _shapes(std::move(shapes)),
+      _whole(discretization, form,
+             results::in_rotating_axes(form)
+                 ? balancers::balancer_elements(discretization.rotor(), arrangement)
+                 : std::vector<balancers::BalancerElement>{}),
+      _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
+                                           borders(discretization.rotor(), from, to))),
+      _slow(modes::support_scale(discretization)) {
+    if (results::in_rotating_axes(form)) {
+        for (const auto &balancer :
+             balancers::balancer_elements(discretization.rotor(), arrangement))
+            _zeros += balancer.parts.zero_roots;
+    } else {
+        const double speed = to != 0 ? to : from;
+        _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
+    }
+    set_reach(from, to);
+}
+
+void AllMotions::set_reach(double from, double to) {
+    constexpr int samples = 5;
+    constexpr std::size_t fewest = 8;
+    const double top = std::max(std::abs(from), std::abs(to));
+    double least = 2.1 * top;
+    std::vector<double> sizes; // of all motions at speeds all over the range
+    for (int k = 0; k < samples; ++k) {
+        std::vector<double> here;
+        for (const Root &root : at(from + (to - from) * (k + 0.5) / samples).roots)
+            if (root.value.imag() >= 0)
+                here.push_back(std::abs(root.value));
+        std::sort(here.begin(), here.end());
+        if (!here.empty())
+            least = std::max(least, here[std::min(here.size(), fewest) - 1]);
+        sizes.insert(sizes.end(), here.begin(), here.end());
+    }
+    std::sort(sizes.begin(), sizes.end());
+    // The widest gap up to twice as far.
+    double below = least;
+    double widest = 1;
+    _reach = 2 * least;
+    for (const double size : sizes) {
+        if (size <= least)
+            continue;
+        const double above = std::min(size, 2 * least);
+        if (above / below > widest) {
+            widest = above / below;
+            _reach = std::sqrt(above * below);
+        }
+        if (size >= 2 * least)
+            break;
+        below = size;
+    }
+}
+
+Spectrum AllMotions::at(double speed, int piece) const {
+    const double shift = 0.31 * std::max(std::abs(speed), _slow);
+    return all_roots(_rotor->at(speed, piece), speed, shift, _zeros);
+}
+
+WholeMotion AllMotions::lifted(const Root &root, double speed) const {
+    return {speed, root.value, _rotor->lifted(root.right), _rotor->lifted(root.left), root.rate};
+}
+
+std::complex<double> AllMotions::fastest_growing(double speed) const {
+    std::vector<Root> roots = at(speed).roots;
+    std::sort(roots.begin(), roots.end(),
+              [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
+    // Balls that can roll on without any effect neither grow nor die out.
+    bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
+    for (const Root &root : roots) {
+        neutral = neutral || (root.sign() == 0 && std::abs(root.value) <= _reach);
+        const bool counts = std::abs(root.value) <= _reach || root.sign() > 0;
+        if (root.value.imag() < 0 || root.sign() == 0 || !counts)
+            continue; // a zero that rounding blurs must not hide one that grows
+        if (root.sign() < 0 && neutral)
+            return 0;
+        const auto found = at_its_speed(_whole, lifted(root, speed));
+        // What the whole rotor does not have is a motion of the shapes alone.
+        if (found && std::abs(found->value - root.value) <= same_root * std::abs(root.value))
+            return found->value;
+    }
+    return roots.empty() || neutral ? 0 : roots.front().value;
+}
+
+} // namespace whirl::ends

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/arrangement.h"
+#include "ends/refinement.h"
+#include "ends/spectrum.h"
+#include "modes/form_matrices.h"
+#include "results/formulation.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::ends {
+
+/// All free motions of a rotor over a range of speeds, forms general and rotating: those of the
+/// rotor on few planar shapes, or of the whole rotor where it is small, and single ones of them as
+/// the whole rotor has them.
+class AllMotions {
+  public:
+    /// @param shapes  good for the range (stability::BandFinder), or none: the whole rotor
+    /// @param from,to  of the range, rad/s
+    AllMotions(const assembly::Discretization &discretization, results::Form form,
+               const balancers::Arrangement &arrangement,
+               std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
+
+    [[nodiscard]] int pieces() const { return _rotor->pieces(); }
+    [[nodiscard]] const RotorPieces &rotor() const { return *_rotor; }
+    /// @param piece  of the range between table rows, which decides what the rates are at a row
+    [[nodiscard]] Spectrum at(double speed, int piece) const;
+    [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor->piece_of(speed)); }
+
+    /// A root as a motion of the whole rotor to begin with.
+    [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
+    /// The same at all speeds of the range, 1/s: twice its largest speed, so that all whirls up to
+    /// that speed are among them in rotating axes too, and as much more as leaves at least eight
+    /// and brings it between two motions that are far apart all over the range.
+    [[nodiscard]] double reach() const { return _reach; }
+    [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
+
+    /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s, of
+    /// the motions with |l| up to reach() and of those that grow, however fast they are; 0 where
+    /// rounding hides the real part. The fastest motions of a mesh are no motions of the rotor:
+    /// how little they are damped says nothing.
+    [[nodiscard]] std::complex<double> fastest_growing(double speed) const;
+
+    [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
+    [[nodiscard]] results::Form form() const { return _form; }
+
+  private:
+    const assembly::Discretization &_discretization;
+    results::Form _form;
+    std::shared_ptr<const Eigen::MatrixXd> _shapes;
+    modes::FormMatrices _whole;
+    std::unique_ptr<RotorPieces> _rotor;
+    double _slow = 0; ///< of the order of the motions on the supports, 1/s
+    double _reach = 0;
+    int _zeros = 0;
+
+    void set_reach(double from, double to);
+};
+
+} // namespace whirl::ends

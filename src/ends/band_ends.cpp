@@ -1,0 +1,196 @@
+#include "ends/band_ends.h"
+
+#include "results/formulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace whirl::ends {
+
+namespace {
+
+using results::EndKind;
+using results::StabilityEnd;
+using stability::Motion;
+using stability::MotionsAt;
+using stability::SpeedInterval;
+
+/// Part of the speed within which an end of a band and a change of the count are the same.
+constexpr double same = 1e-6;
+
+bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
+
+bool grows(const Motion &motion) { return motion.value.real() > motion.noise; }
+
+int growing(const std::vector<Motion> &motions) {
+    return static_cast<int>(std::count_if(motions.begin(), motions.end(), grows));
+}
+
+const Motion &fastest(const std::vector<Motion> &motions) {
+    return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
+        return a.value.real() < b.value.real();
+    });
+}
+
+bool begins_or_ends_growth(const StabilityEnd &end) {
+    return (end.growing_below > 0) != (end.growing_above > 0);
+}
+
+/// Ends move onto those of bands.
+void snap(std::vector<StabilityEnd> &ends, const std::vector<SpeedInterval> &bands) {
+    for (StabilityEnd &end : ends) {
+        if (!begins_or_ends_growth(end))
+            continue;
+        for (const SpeedInterval &band : bands) {
+            const double edge = end.growing_above > 0 ? band.first : band.second;
+            if (near(end.speed, edge))
+                end.speed = edge;
+        }
+    }
+}
+
+/// A band that the ends do not know.
+void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const MotionsAt &at,
+             results::Form form, const SpeedInterval &range) {
+    const std::vector<Motion> inside = at((band.first + band.second) / 2);
+    const int count = std::max(1, growing(inside));
+    const double frequency = std::abs(fastest(inside).value.imag());
+    for (const bool begins : {true, false}) {
+        const double speed = begins ? band.first : band.second;
+        if (speed == range.first || speed == range.second)
+            continue;
+        StabilityEnd end;
+        end.speed = speed;
+        end.kind = frequency == 0 ? EndKind::zero : EndKind::collision;
+        (results::in_rotating_axes(form) ? end.frequency_rotating : end.frequency) = frequency;
+        (begins ? end.growing_above : end.growing_below) = count;
+        ends.push_back(end);
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+}
+
+bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
+    return std::max(a.first, b.first) < std::min(a.second, b.second);
+}
+
+} // namespace
+
+std::vector<SpeedInterval> bands_of(const std::vector<StabilityEnd> &ends,
+                                    const SpeedInterval &range) {
+    std::vector<SpeedInterval> out;
+    double start = range.first;
+    bool unstable = !ends.empty() && ends.front().growing_below > 0;
+    for (const StabilityEnd &end : ends) {
+        if (!begins_or_ends_growth(end))
+            continue;
+        if (unstable)
+            out.emplace_back(start, end.speed);
+        start = end.speed;
+        unstable = end.growing_above > 0;
+    }
+    if (unstable)
+        out.emplace_back(start, range.second);
+    return out;
+}
+
+std::vector<double> reconcile(std::vector<StabilityEnd> &ends, std::vector<SpeedInterval> &bands,
+                              const MotionsAt &at, results::Form form, const SpeedInterval &range) {
+    snap(ends, bands);
+    const std::vector<SpeedInterval> by_ends = bands_of(ends, range);
+    for (const SpeedInterval &band : bands)
+        if (std::none_of(by_ends.begin(), by_ends.end(),
+                         [&](const auto &other) { return overlap(band, other); }))
+            take_up(ends, band, at, form, range);
+    const std::vector<SpeedInterval> all = bands_of(ends, range);
+    std::vector<double> unexplained;
+    for (const SpeedInterval &band : bands)
+        for (const double edge : {band.first, band.second})
+            if (std::none_of(all.begin(), all.end(), [&](const SpeedInterval &other) {
+                    return near(edge, other.first) || near(edge, other.second);
+                }))
+                unexplained.push_back(edge);
+    if (unexplained.empty())
+        bands = all;
+    return unexplained;
+}
+
+namespace {
+
+/// A count at a speed, and the motions behind it.
+struct Look {
+    double speed = 0;
+    std::vector<Motion> motions;
+    int count = 0;
+};
+
+class CountSearch {
+  public:
+    explicit CountSearch(const MotionsAt &at) : _at(at) {}
+
+    [[nodiscard]] Look look(double speed) const {
+        Look out{speed, _at(speed), 0};
+        out.count = growing(out.motions);
+        return out;
+    }
+    void between(const Look &a, const Look &b) {
+        if (a.count == b.count)
+            return;
+        if (b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
+            const Look &more = b.count > a.count ? b : a;
+            StabilityEnd end;
+            end.speed = (a.speed + b.speed) / 2;
+            end.kind = EndKind::multiplier;
+            end.growing_below = a.count;
+            end.growing_above = b.count;
+            end.frequency_rotating = std::abs(least_growing(more.motions).value.imag());
+            ends.push_back(end);
+            return;
+        }
+        const Look middle = look((a.speed + b.speed) / 2);
+        between(a, middle);
+        between(middle, b);
+    }
+
+    std::vector<StabilityEnd> ends;
+
+  private:
+    const MotionsAt &_at;
+
+    /// Of those that grow the one that has just begun to.
+    [[nodiscard]] static const Motion &least_growing(const std::vector<Motion> &motions) {
+        const Motion *out = &motions.front();
+        for (const Motion &motion : motions)
+            if (grows(motion) && (!grows(*out) || motion.value.real() < out->value.real()))
+                out = &motion;
+        return *out;
+    }
+};
+
+} // namespace
+
+std::vector<StabilityEnd> multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
+                                          const std::vector<SpeedInterval> &bands) {
+    std::vector<double> looks = speeds;
+    constexpr double beside = 1e-9;
+    for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
+        const double step = std::min(beside * std::abs(to), (to - from) / 8);
+        for (const double speed : {from - step, from + step, (from + to) / 2, to - step, to + step})
+            looks.push_back(speed);
+    }
+    std::sort(looks.begin(), looks.end());
+    CountSearch search(at);
+    std::optional<Look> before;
+    for (const double speed : looks) {
+        if (speed < speeds.front() || speed > speeds.back())
+            continue;
+        Look now = search.look(speed);
+        if (before)
+            search.between(*before, now);
+        before = std::move(now);
+    }
+    return std::move(search.ends);
+}
+
+} // namespace whirl::ends

@@ -1,0 +1,148 @@
+#include "ends/refinement.h"
+
+#include <Eigen/SparseLU>
+
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Sparse = Eigen::SparseMatrix<double>;
+using ComplexSparse = Eigen::SparseMatrix<Complex>;
+
+constexpr int most_steps = 25;
+constexpr double converged = 1e-13;
+
+/// Steps have become nothing, or as small as rounding leaves them.
+class Settled {
+  public:
+    /// @param change  of this step, relative
+    bool operator()(double change) {
+        const bool out = change <= converged || (change <= 1e-9 && change >= 0.3 * _before);
+        _before = change;
+        return out;
+    }
+
+  private:
+    double _before = HUGE_VAL;
+};
+
+Eigen::VectorXcd times(const Sparse &A, const Eigen::VectorXcd &x) {
+    Eigen::VectorXcd out(x.size());
+    out.real() = A * x.real();
+    out.imag() = A * x.imag();
+    return out;
+}
+
+Complex product(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &x) {
+    return y.dot(times(A, x));
+}
+
+/// y^H Q(l) x and its derivatives.
+struct Forms {
+    Complex value, by_root, by_speed;
+};
+
+Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
+    const Complex mass = product(m.left, p.M, m.right);
+    const Complex damping = product(m.left, p.D, m.right);
+    return {l * l * mass + l * damping + product(m.left, p.K, m.right), 2.0 * l * mass + damping,
+            l * product(m.left, p.above.D, m.right) + product(m.left, p.above.K, m.right)};
+}
+
+/// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
+/// @returns whether Q(l) could be factorised
+bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
+    const double size = std::max(std::abs(l), 1e-300);
+    const Eigen::VectorXd diagonal =
+        p.K.diagonal().cwiseAbs() + size * size * p.M.diagonal().cwiseAbs();
+    const double mean = diagonal.mean();
+    const Eigen::VectorXd d =
+        diagonal.unaryExpr([mean](double a) { return 1 / std::sqrt(a > 0 ? a : mean); });
+    const ComplexSparse whole =
+        l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>() + p.K.cast<Complex>();
+    ComplexSparse Q = d.asDiagonal() * whole * d.asDiagonal();
+    Q.makeCompressed();
+    Eigen::SparseLU<ComplexSparse> lu(Q);
+    if (lu.info() != Eigen::Success)
+        return false;
+    const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(p.D, m.right);
+    const Eigen::VectorXcd to_left =
+        2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(p.D.transpose(), m.left);
+    const Eigen::VectorXcd x = lu.solve(Eigen::VectorXcd(d.asDiagonal() * to_right));
+    const Eigen::VectorXcd y = lu.adjoint().solve(Eigen::VectorXcd(d.asDiagonal() * to_left));
+    if (!x.allFinite() || !y.allFinite())
+        return false;
+    m.right = d.asDiagonal() * x.normalized();
+    m.left = d.asDiagonal() * y.normalized();
+    return true;
+}
+
+/// At an eigenvalue itself the factorisation can fail: a little beside it does as well.
+bool iterate_near(const modes::QuadraticAt &p, Complex l, double scale, WholeMotion &m) {
+    return iterate(p, l, m) || iterate(p, l + 1e-10 * scale, m);
+}
+
+} // namespace
+
+std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
+                                       bool standing) {
+    WholeMotion m = guess;
+    double w = standing ? 0 : guess.value.imag();
+    const double scale = std::max(std::abs(guess.speed), std::abs(w));
+    Settled settled;
+    for (int step = 0; step < most_steps; ++step) {
+        const modes::QuadraticAt problem = whole.at(m.speed);
+        if (!iterate_near(problem, {0, w}, scale, m))
+            return std::nullopt;
+        const Forms f = forms(problem, {0, w}, m);
+        const Complex of_w = Complex(0, 1) * f.by_root;
+        double change = 0;
+        double change_w = 0;
+        if (standing) {
+            change = -(f.value / f.by_speed).real();
+        } else { // value + of_w dw + by_speed dspeed = 0
+            const double determinant = (std::conj(of_w) * f.by_speed).imag();
+            change = -(std::conj(of_w) * f.value).imag() / determinant;
+            change_w = (std::conj(f.by_speed) * f.value).imag() / determinant;
+        }
+        if (!std::isfinite(change) || !std::isfinite(change_w))
+            return std::nullopt;
+        m.speed += change;
+        w += change_w;
+        m.value = {0, w};
+        m.rate = -f.by_speed / f.by_root;
+        if (std::abs(m.speed - guess.speed) > 0.5 * std::abs(guess.speed))
+            return std::nullopt;
+        if (settled(std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale))))
+            return m;
+    }
+    return std::nullopt;
+}
+
+std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
+                                        const WholeMotion &guess) {
+    WholeMotion m = guess;
+    const modes::QuadraticAt problem = whole.at(guess.speed);
+    const double scale = std::max(std::abs(guess.speed), std::abs(guess.value));
+    Settled settled;
+    for (int step = 0; step < most_steps; ++step) {
+        if (!iterate_near(problem, m.value, scale, m))
+            return std::nullopt;
+        const Forms f = forms(problem, m.value, m);
+        Complex change = -f.value / f.by_root;
+        if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
+            change = change.real();
+        if (!std::isfinite(std::abs(change)))
+            return std::nullopt;
+        m.value += change;
+        m.rate = -f.by_speed / f.by_root;
+        if (settled(std::abs(change / m.value)))
+            return m;
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::ends

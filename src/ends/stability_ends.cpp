@@ -1,0 +1,185 @@
+#include "ends/stability_ends.h"
+
+#include "ends/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+using results::EndKind;
+using results::StabilityEnd;
+using Complex = std::complex<double>;
+
+constexpr int base_steps = 48;
+/// At rest nothing is told from nothing: the part of the largest speed that is left out there.
+constexpr double at_rest = 1e-6;
+
+/// Speeds to begin with in one piece of the range, which is ascending and does not cross zero.
+std::vector<double> base_speeds(double from, double to, const std::vector<double> &looks,
+                                double top, double step) {
+    const double rest = at_rest * top;
+    const double low = std::abs(from) < rest ? rest : from;
+    const double high = std::abs(to) < rest ? -rest : to;
+    std::vector<double> out{low, high};
+    for (double speed = rest; speed < step; speed *= 10) // balls: powers of the speed
+        for (const double signed_speed : {-speed, speed})
+            out.push_back(signed_speed);
+    const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / step)));
+    for (int k = 1; k < steps; ++k)
+        out.push_back(low + (high - low) * k / steps);
+    out.insert(out.end(), looks.begin(), looks.end());
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    out.erase(std::remove_if(out.begin(), out.end(),
+                             [&](double speed) { return speed < low || speed > high; }),
+              out.end());
+    return out;
+}
+
+const Root &nearest(const Spectrum &spectrum, Complex value) {
+    return *std::min_element(spectrum.roots.begin(), spectrum.roots.end(),
+                             [&](const Root &a, const Root &b) {
+                                 return std::abs(a.value - value) < std::abs(b.value - value);
+                             });
+}
+
+/// A change as the whole rotor has it, with what it does to the number of growing motions.
+struct Found {
+    WholeMotion motion;
+    EndKind kind = EndKind::pair;
+    int gain = 0;
+};
+
+class EndSearch {
+  public:
+    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks)
+        : _motions(motions) {
+        const double top = std::max(std::abs(from), std::abs(to));
+        for (int piece = 0; piece < motions.pieces(); ++piece) {
+            const SpectrumAt at = [&, piece](double speed) { return motions.at(speed, piece); };
+            const double low = motions.rotor().from(piece);
+            const double high = motions.rotor().to(piece);
+            const auto speeds = base_speeds(low, high, looks, top, (to - from) / base_steps);
+            if (speeds.size() < 2)
+                continue;
+            const Sweep sweep(at, speeds);
+            for (const Change &change : sweep.changes())
+                take(change, piece);
+            _counts.insert(sweep.counts().begin(), sweep.counts().end());
+            _out.doubtful.insert(_out.doubtful.end(), sweep.doubtful().begin(),
+                                 sweep.doubtful().end());
+        }
+    }
+
+    EndsFound ends() {
+        std::sort(_found.begin(), _found.end(),
+                  [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
+        const std::vector<int> growing = growing_between();
+        for (std::size_t i = 0; i < _found.size(); ++i) {
+            const Found &found = _found[i];
+            StabilityEnd end;
+            end.speed = found.motion.speed;
+            end.kind = found.kind;
+            end.growing_below = growing[i];
+            end.growing_above = growing[i + 1];
+            if (end.growing_below + found.gain != end.growing_above)
+                _out.doubtful.emplace_back(end.speed, end.speed);
+            fill_frequency(end, found.motion);
+            if (end.growing_below != end.growing_above)
+                _out.ends.push_back(end);
+        }
+        return std::move(_out);
+    }
+
+  private:
+    const AllMotions &_motions;
+    std::vector<Found> _found;
+    std::map<double, Count> _counts;
+    EndsFound _out;
+
+    void take(const Change &change, int piece) {
+        const Spectrum there = _motions.at(change.speed, piece);
+        const Root &root = nearest(there, change.value);
+        WholeMotion guess = _motions.lifted(root, change.speed);
+        // A pair that has come to the real axis moves along it as two.
+        const bool standing = root.value.imag() == 0 || change.value.imag() == 0;
+        guess.value = {0, standing ? 0 : std::abs(root.value.imag())};
+        if (root.value.imag() < 0) {
+            guess.right = guess.right.conjugate().eval();
+            guess.left = guess.left.conjugate().eval();
+        }
+        const auto exact = on_the_axis(_motions.whole(), guess, standing);
+        const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
+        const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach;
+        const int single = change.gain > 0 ? 1 : -1;
+        if (confirmed && (standing || exact->rate.real() * single > 0)) {
+            _found.push_back({*exact, standing ? EndKind::zero : EndKind::pair,
+                              standing ? change.gain : 2 * single});
+        } else if (!change.smooth && change.from != change.to &&
+                   change.to - change.from < 1e-9 * std::abs(change.speed)) {
+            guess.value = {0, std::abs(change.value.imag())};
+            _found.push_back({guess, EndKind::collision, change.gain});
+        } else if (change.smooth) {
+            _out.doubtful.emplace_back(change.from, change.to);
+        }
+    }
+
+    /// |Im l| in rotating axes, where there is one.
+    void fill_frequency(StabilityEnd &end, const WholeMotion &motion) const {
+        const double w = std::abs(motion.value.imag());
+        if (results::in_rotating_axes(_motions.form())) {
+            end.frequency_rotating = w;
+            return;
+        }
+        if (!_motions.discretization().rotor().bearings_rotation_invariant()) {
+            end.frequency = w;
+            return;
+        }
+        // x + i y = (X + i Y) exp(i w t) + conj(X - i Y) exp(-i w t), over 2.
+        const Eigen::Index n = motion.right.size() / 2;
+        const Eigen::VectorXcd X = motion.right(Eigen::seqN(0, n, 2));
+        const Eigen::VectorXcd Y = motion.right(Eigen::seqN(1, n, 2));
+        const bool positive = (X + Complex(0, 1) * Y).norm() >= (X - Complex(0, 1) * Y).norm();
+        end.frequency_rotating = std::abs((positive ? w : -w) - end.speed);
+    }
+
+    /// How many grow between neighbouring ends, before the first one and after the last one: at
+    /// every speed looked at as many, but for those that rounding hides there.
+    [[nodiscard]] std::vector<int> growing_between() {
+        constexpr int none = -1;
+        std::vector<int> out(_found.size() + 1, none);
+        std::size_t passed = 0;
+        const auto apart = [&](std::size_t k, double speed) {
+            return k >= _found.size() ||
+                   std::abs(_found[k].motion.speed - speed) > 1e-9 * std::abs(speed);
+        };
+        std::vector<std::pair<std::size_t, std::pair<double, Count>>> seen;
+        for (const auto &[speed, count] : _counts) {
+            while (passed < _found.size() && _found[passed].motion.speed <= speed)
+                ++passed;
+            if (!apart(passed, speed) || (passed > 0 && !apart(passed - 1, speed)))
+                continue;
+            out[passed] = std::max(out[passed], count.growing);
+            seen.push_back({passed, {speed, count}});
+        }
+        for (const auto &[interval, look] : seen)
+            if (look.second.growing + look.second.unknown < out[interval])
+                _out.doubtful.emplace_back(look.first, look.first);
+        for (std::size_t k = 0; k < out.size(); ++k)
+            if (out[k] == none)
+                out[k] = k > 0 ? out[k - 1] + _found[k - 1].gain : 0;
+        return out;
+    }
+};
+
+} // namespace
+
+EndsFound find_ends(const AllMotions &motions, double from, double to,
+                    const std::vector<double> &looks) {
+    return EndSearch(motions, from, to, looks).ends();
+}
+
+} // namespace whirl::ends

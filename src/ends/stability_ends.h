@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ends/all_motions.h"
+#include "results/stability.h"
+#include "stability/unstable_bands.h"
+
+#include <vector>
+
+namespace whirl::ends {
+
+using stability::SpeedInterval;
+
+struct EndsFound {
+    std::vector<results::StabilityEnd> ends; ///< ascending
+    /// Where the number of growing motions is not what the ends make of it.
+    std::vector<SpeedInterval> doubtful;
+};
+
+/// Every speed between two at which the number of growing motions changes. All eigenvalues of the
+/// reduced rotor are followed through the range (sweep.h); each change is found again with the
+/// whole rotor, as a root (refinement.h), relative 1e-12 but for rounding.
+/// @param looks  speeds that should be looked at, as inside of bands known already
+[[nodiscard]] EndsFound find_ends(const AllMotions &motions, double from, double to,
+                                  const std::vector<double> &looks);
+
+} // namespace whirl::ends

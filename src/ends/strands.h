@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ends/spectrum.h"
+
+#include <optional>
+#include <vector>
+
+namespace whirl::ends {
+
+/// One motion over a step of speed: eigenvalues and rates at both ends, a cubic between them.
+struct Strand {
+    const Root *from = nullptr, *to = nullptr;
+    double step = 0; ///< rad/s
+
+    /// @param t  from 0 to 1
+    [[nodiscard]] std::complex<double> at(double t) const;
+    /// How far the real part is from a parabola, whose rates are linear: the part of the cubic that
+    /// another look in between could disprove, 1/s.
+    [[nodiscard]] double bend() const;
+};
+
+/// The motions of a step, followed as far as values and rates at its ends tell which is which.
+/// Those that cannot be told apart are left out where this does not matter: all of them die out,
+/// or all grow, by far more than they differ.
+struct Strands {
+    std::vector<Strand> strands;
+    bool clear = true; ///< false: some that matter could not be followed
+};
+[[nodiscard]] Strands followed(const Spectrum &from, const Spectrum &to);
+
+/// Where in a step (between 0 and 1) another look is needed before the signs of all real parts are
+/// known throughout; nothing: they are.
+///  - a motion could not be followed,
+///  - a real part may pass zero twice, or its cubic is not to be trusted,
+///  - two motions pass each other in frequency: coupling, however weak, shows right there.
+/// @param scale  speed below whose rounding frequencies are equal, rad/s
+[[nodiscard]] std::optional<double> look_at(const Strands &strands, double scale);
+
+} // namespace whirl::ends

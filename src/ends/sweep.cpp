@@ -1,0 +1,114 @@
+#include "ends/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+/// Parts of the speed: in a step shorter than the first nothing that counts can hide where as many
+/// motions grow at both ends; a change in one shorter than the second is known well enough.
+constexpr double minute = 1e-7;
+constexpr double least = 2e-11;
+constexpr int most_looks = 20000;
+
+/// Where the real part of a strand passes zero.
+double zero_of(const Strand &strand) {
+    double low = 0;
+    double high = 1;
+    const bool grows = strand.to->value.real() > 0;
+    if ((strand.from->value.real() > 0) == grows)
+        return strand.from->sign() == 0 ? 0 : 1; // at one end it is as good as zero
+    for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        ((strand.at(middle).real() > 0) == grows ? high : low) = middle;
+    }
+    return (low + high) / 2;
+}
+
+} // namespace
+
+Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds)
+    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
+      _looks_left(most_looks) {
+    Spectrum before = look(speeds.front());
+    for (std::size_t k = 1; k < speeds.size(); ++k) {
+        Spectrum now = look(speeds[k]);
+        through(before, now);
+        before = std::move(now);
+    }
+}
+
+Spectrum Sweep::look(double speed) {
+    --_looks_left;
+    Spectrum out = _at(speed);
+    const auto unknown = std::count_if(out.roots.begin(), out.roots.end(),
+                                       [](const Root &root) { return root.sign() == 0; });
+    _counts[speed] = {out.growing(), static_cast<int>(unknown)};
+    return out;
+}
+
+void Sweep::through(const Spectrum &a, const Spectrum &b) {
+    const double step = b.speed - a.speed;
+    const double size = std::max(std::abs(a.speed), std::abs(b.speed));
+    const Strands strands = followed(a, b);
+    std::optional<double> cut = look_at(strands, _scale);
+    if (!cut) {
+        if (take(a, b, strands))
+            return;
+        cut = 0.5; // motions that were not followed began or ceased to grow
+    }
+    if (step < minute * size && a.growing() == b.growing())
+        return;
+    if (step < least * size) {
+        take_abrupt(a, b);
+        return;
+    }
+    if (_looks_left <= 0) {
+        _doubtful.emplace_back(a.speed, b.speed);
+        return;
+    }
+    const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
+    through(a, middle);
+    through(middle, b);
+}
+
+/// @returns whether what becomes of each strand explains how many grow at the ends.
+bool Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
+    std::vector<Change> found;
+    int sum = 0;
+    for (const Strand &strand : strands.strands) {
+        const int gain = (strand.to->sign() > 0 ? 1 : 0) - (strand.from->sign() > 0 ? 1 : 0);
+        sum += gain;
+        const double t = gain != 0 ? zero_of(strand) : 0;
+        const std::complex<double> value = strand.at(t);
+        if (gain == 0 || value.imag() < -1e-9 * _scale)
+            continue;
+        found.push_back({a.speed + t * (b.speed - a.speed),
+                         a.speed,
+                         b.speed,
+                         {value.real(), std::abs(value.imag())},
+                         gain,
+                         strand.from->sign() * strand.to->sign() != 0});
+    }
+    if (sum != b.growing() - a.growing())
+        return false;
+    _changes.insert(_changes.end(), found.begin(), found.end());
+    return true;
+}
+
+/// Of the roots that grow at the one end those farthest from any at the other, which move most.
+void Sweep::take_abrupt(const Spectrum &a, const Spectrum &b) {
+    const int gain = b.growing() - a.growing();
+    const Spectrum &more = gain > 0 ? b : a;
+    const Root *best = nullptr;
+    for (const Root &root : more.roots)
+        if (root.sign() > 0 && root.value.imag() >= 0 &&
+            (best == nullptr || root.value.real() < best->value.real()))
+            best = &root;
+    const std::complex<double> value = best != nullptr ? best->value : 0.0;
+    _changes.push_back({(a.speed + b.speed) / 2, a.speed, b.speed, value, gain, false});
+}
+
+} // namespace whirl::ends
