@@ -7,6 +7,7 @@
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "process/parallel.h"
@@ -33,7 +34,8 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 void refuse_what_is_missing(const model::Case &scene) {
     if (scene.rotor.imbalances.empty())
-        throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]] to "
+        throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
+                                          "the imbalance of a balancer, to "
                                           "drive the response, got none",
                                           scene.file.string()));
 }
@@ -304,7 +306,9 @@ void note_resonances(results::ResponseResult &result) {
 
 } // namespace
 
-results::ResponseResult unbalance_response(const model::Case &scene) {
+results::ResponseResult unbalance_response(const model::Case &asked) {
+    model::Case scene = asked;
+    scene.rotor = model::with_balancer_imbalances(asked.rotor);
     refuse_what_is_missing(scene);
     const std::vector<double> speeds = model::required_speeds(scene).values();
     results::ResponseResult result;
@@ -332,7 +336,9 @@ results::ResponseResult unbalance_response(const model::Case &scene) {
     note_resonances(result);
     add_peaks(result, d, nodes, *scene.speeds);
     if (!scene.rotor.balancers.empty())
-        result.model.notes.emplace_back("the response is that of the rotor without its balancers");
+        result.model.notes.emplace_back(
+            "the rotor is driven by its imbalances and by those that its balancers are to balance; "
+            "the balancers' own parts are left out");
     return result;
 }
 

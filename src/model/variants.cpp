@@ -67,4 +67,12 @@ Rotor without_balancers(Rotor rotor) {
     return rotor;
 }
 
+Rotor with_balancer_imbalances(Rotor rotor) {
+    for (const Balancer &balancer : rotor.balancers)
+        if (balancer.imbalance > 0)
+            rotor.imbalances.push_back(
+                {balancer.name, balancer.z, balancer.imbalance, balancer.imbalance_phase});
+    return rotor;
+}
+
 } // namespace whirl::model

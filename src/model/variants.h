@@ -26,4 +26,7 @@ namespace whirl::model {
 
 [[nodiscard]] Rotor without_balancers(Rotor rotor);
 
+/// The imbalances that balancers are there for among those of the rotor.
+[[nodiscard]] Rotor with_balancer_imbalances(Rotor rotor);
+
 } // namespace whirl::model

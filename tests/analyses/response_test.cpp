@@ -249,4 +249,22 @@ TEST(UnbalanceResponse, published_peaks_of_the_rotor_with_three_discs) {
     }
 }
 
+TEST(Response, ImbalanceOfABalancerDrivesLikeAnyOther) {
+    Jeffcott rotor;
+    model::Case &scene = rotor.scene;
+    scene.speeds = model::SpeedRange{50, 300, 6};
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, 2e-3, 0.7), tests::imbalance_at(0.3, 1e-3)};
+    const ResponseResult expected = unbalance_response(scene);
+    scene.rotor.imbalances.pop_back();
+    model::Balancer balancer;
+    balancer.z = 0.3;
+    balancer.imbalance = 1e-3;
+    scene.rotor.balancers = {balancer};
+    const ResponseResult found = unbalance_response(scene);
+    for (std::size_t i = 0; i < 6; ++i)
+        EXPECT_DOUBLE_EQ(node_at(found, 0.5).major[i], node_at(expected, 0.5).major[i]);
+    scene.rotor.imbalances.clear();
+    EXPECT_GT(node_at(unbalance_response(scene), 0.5).major[0], 0);
+}
+
 } // namespace
