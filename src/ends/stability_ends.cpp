@@ -78,6 +78,14 @@ class EndSearch {
         std::sort(_found.begin(), _found.end(),
                   [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
         const std::vector<int> growing = growing_between();
+        _out.growing_from = growing.front();
+        const double top = _counts.empty() ? 0
+                                           : std::max(std::abs(_counts.begin()->first),
+                                                      std::abs(_counts.rbegin()->first));
+        constexpr double slow = 0.05; // balls near rest: powers of the speed
+        for (const auto &[speed, count] : _counts)
+            _out.undamped = _out.undamped || (count.unknown > 0 && std::abs(speed) > slow * top &&
+                                              !at_an_end(speed));
         for (std::size_t i = 0; i < _found.size(); ++i) {
             const Found &found = _found[i];
             StabilityEnd end;
@@ -99,6 +107,12 @@ class EndSearch {
     std::vector<Found> _found;
     std::map<double, Count> _counts;
     EndsFound _out;
+
+    [[nodiscard]] bool at_an_end(double speed) const {
+        return std::any_of(_found.begin(), _found.end(), [speed](const Found &found) {
+            return std::abs(found.motion.speed - speed) <= 1e-6 * std::abs(speed);
+        });
+    }
 
     void take(const Change &change, int piece) {
         const Spectrum there = _motions.at(change.speed, piece);
