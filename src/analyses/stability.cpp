@@ -197,17 +197,6 @@ int neutral_pairs(const model::Rotor &rotor) {
     return pairs;
 }
 
-results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
-    const double growth = stability::growth_of(motions);
-    if (growth <= 0)
-        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
-    const bool real =
-        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
-            return motion.value.real() == growth && motion.value.imag() == 0;
-        });
-    return real ? results::Verdict::diverges : results::Verdict::unstable;
-}
-
 /// Speeds at which the Hill series does not settle, and all slower ones, are given up.
 void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
                        stability::StabilityModel &model) {
@@ -259,19 +248,6 @@ void search_bands(stability::BandFinder &finder, const ends::AllMotions *motions
         result.ends = std::move(found->ends);
     } else {
         add_bands_and_ends(finder, motions, form, at, grid, result);
-    }
-}
-
-/// Largest real part and verdict at the speeds of the result that the Hill series describes.
-void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     results::StabilityResult &result) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const double speed : result.speeds) {
-        const bool known = std::abs(speed) >= model.from;
-        const std::vector<stability::Motion> motions =
-            known ? at(speed) : std::vector<stability::Motion>{};
-        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
-        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
     }
 }
 

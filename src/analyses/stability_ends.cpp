@@ -5,6 +5,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace whirl::analyses {
 
 namespace {
@@ -26,7 +30,31 @@ results::Verdict verdict_of(std::complex<double> fastest) {
     return fastest.imag() == 0 ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
+/// Of one speed: the fastest growing decides.
+results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
+    const double growth = stability::growth_of(motions);
+    if (growth <= 0)
+        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
+    const bool real =
+        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
+            return motion.value.real() == growth && motion.value.imag() == 0;
+        });
+    return real ? results::Verdict::diverges : results::Verdict::unstable;
+}
+
 } // namespace
+
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const double speed : result.speeds) {
+        const bool known = std::abs(speed) >= model.from;
+        const std::vector<stability::Motion> motions =
+            known ? at(speed) : std::vector<stability::Motion>{};
+        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+    }
+}
 
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {
     for (const double speed : result.speeds) {

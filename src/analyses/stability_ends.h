@@ -13,6 +13,10 @@ namespace whirl::analyses {
 /// Largest real part and verdict at the speeds of the result, of all motions of the rotor.
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result);
 
+/// The same of the speeds that a Hill series describes.
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result);
+
 /// All speeds at which the number of growing motions changes, where they tell all there is to tell
 /// of the unstable bands: every motion is damped or grows, and was followed throughout.
 /// @param grid  range of speeds, its ends alone matter

@@ -65,7 +65,7 @@ class EndSearch {
             const auto speeds = base_speeds(low, high, looks, top, (to - from) / base_steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(at, speeds);
+            const Sweep sweep(at, speeds, motions.reach());
             for (const Change &change : sweep.changes())
                 take(change, piece);
             _counts.insert(sweep.counts().begin(), sweep.counts().end());
@@ -125,7 +125,8 @@ class EndSearch {
             guess.right = guess.right.conjugate().eval();
             guess.left = guess.left.conjugate().eval();
         }
-        const auto exact = on_the_axis(_motions.whole(), guess, standing);
+        const bool collide = change.undamped && !standing;
+        const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, standing);
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach;
         const int single = change.gain > 0 ? 1 : -1;
