@@ -4,6 +4,7 @@
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
+#include "ends/band_ends.h"
 #include "linalg/check.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -73,13 +74,18 @@ std::vector<stability::SpeedInterval> intervals_of(const std::vector<std::vector
 }
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
-void sharpen(std::vector<stability::SpeedInterval> &bands,
+void sharpen(results::StabilityResult &result,
              const std::vector<stability::ZeroRootSpeed> &standing) {
-    for (stability::SpeedInterval &band : bands)
-        for (double *end : {&band.first, &band.second})
-            for (const stability::ZeroRootSpeed &at : standing)
-                if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
-                    *end = at.speed;
+    std::vector<double *> ends;
+    for (stability::SpeedInterval &band : result.unstable)
+        ends.insert(ends.end(), {&band.first, &band.second});
+    for (results::StabilityEnd &end : result.ends)
+        if (end.kind == results::EndKind::zero)
+            ends.push_back(&end.speed);
+    for (double *end : ends)
+        for (const stability::ZeroRootSpeed &at : standing)
+            if (at.exact && std::abs(*end - at.speed) < 1e-7 * std::abs(at.speed))
+                *end = at.speed;
 }
 
 /// Those inside the range; spinning the other way, the rotor has the same ones with a minus.
@@ -133,8 +139,13 @@ results::ArrangementFamily family_of(const model::Case &scene,
     std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
         stability::BandFinder finder(scene.rotor, model, arrangements[k], shapes);
-        const auto bands = k == 0 ? first : finder.find(grid).bands;
-        shapes = finder.shapes();
+        const stability::MotionsAt at = [&finder](double speed) {
+            return finder.solver().at(speed);
+        };
+        const auto bands =
+            k == 0 ? first : bands_between_ends(finder, model, arrangements[k], at, grid).bands;
+        if (k > 0)
+            shapes = finder.shapes();
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
@@ -186,17 +197,6 @@ int neutral_pairs(const model::Rotor &rotor) {
     return pairs;
 }
 
-results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
-    const double growth = stability::growth_of(motions);
-    if (growth <= 0)
-        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
-    const bool real =
-        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
-            return motion.value.real() == growth && motion.value.imag() == 0;
-        });
-    return real ? results::Verdict::diverges : results::Verdict::unstable;
-}
-
 /// Speeds at which the Hill series does not settle, and all slower ones, are given up.
 void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
                        stability::StabilityModel &model) {
@@ -218,18 +218,6 @@ void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid
     grid = described(grid, model);
 }
 
-/// Bands, and where they may have been missed.
-void search_bands(stability::BandFinder &finder, const stability::MotionsAt &at,
-                  const std::vector<double> &grid, results::StabilityResult &result) {
-    const stability::BandsFound found = finder.find(at, grid);
-    result.unstable = found.bands;
-    for (const auto &[from, to] : found.doubtful)
-        result.model.notes.push_back(
-            fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
-                        "unstable band narrower than that may be missing there",
-                        from, to));
-}
-
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
 void search_zero_roots(const model::Case &scene, const stability::StabilityModel &model,
                        const balancers::Arrangement &arrangement, const assembly::Discretization &d,
@@ -244,22 +232,22 @@ void search_zero_roots(const model::Case &scene, const stability::StabilityModel
     for (const stability::ZeroRootSpeed &standing : free)
         if (standing.exact)
             result.zero_root_speeds.push_back(standing.speed);
-    sharpen(result.unstable, free);
+    sharpen(result, free);
     if (failed)
         result.model.notes.emplace_back("critical or additional speeds could not be resolved "
                                         "beside the other roots: they are not listed");
 }
 
-/// Largest real part and verdict at the speeds of the result that the Hill series describes.
-void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     results::StabilityResult &result) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const double speed : result.speeds) {
-        const bool known = std::abs(speed) >= model.from;
-        const std::vector<stability::Motion> motions =
-            known ? at(speed) : std::vector<stability::Motion>{};
-        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
-        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+/// Unstable bands and the speeds at which the number of growing motions changes.
+void search_bands(stability::BandFinder &finder, const ends::AllMotions *motions,
+                  results::Form form, const stability::MotionsAt &at,
+                  const std::vector<double> &grid, results::StabilityResult &result) {
+    auto found = motions != nullptr ? certain_ends(*motions, grid) : std::nullopt;
+    if (found) {
+        result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
+        result.ends = std::move(found->ends);
+    } else {
+        add_bands_and_ends(finder, motions, form, at, grid, result);
     }
 }
 
@@ -283,13 +271,12 @@ void search(const model::Case &scene, stability::StabilityModel &model,
         add_growth(*all, result);
     }
     if (grid.size() > 1)
-        search_bands(finder, at, grid, result);
+        search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
         search_zero_roots(scene, model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
-        add_ends(all ? &*all : nullptr, model.form, at, grid, result);
         result.unstable_error = stability::band_errors(
             at, scene.rotor, model, arrangement, result.unstable, {grid.front(), grid.back()});
         result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
@@ -348,7 +335,7 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, known, model);
     if (known.size() > 1) {
-        stability::BandsFound found = finder.find(at, known);
+        stability::BandsFound found = bands_between_ends(finder, model, arrangement, at, known);
         out.bands = std::move(found.bands);
         out.doubtful = std::move(found.doubtful);
         if (with_errors)

@@ -1,9 +1,13 @@
 #include "analyses/stability_ends.h"
 
 #include "ends/band_ends.h"
-#include "ends/stability_ends.h"
+#include "linalg/check.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace whirl::analyses {
 
@@ -26,7 +30,31 @@ results::Verdict verdict_of(std::complex<double> fastest) {
     return fastest.imag() == 0 ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
+/// Of one speed: the fastest growing decides.
+results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
+    const double growth = stability::growth_of(motions);
+    if (growth <= 0)
+        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
+    const bool real =
+        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
+            return motion.value.real() == growth && motion.value.imag() == 0;
+        });
+    return real ? results::Verdict::diverges : results::Verdict::unstable;
+}
+
 } // namespace
+
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const double speed : result.speeds) {
+        const bool known = std::abs(speed) >= model.from;
+        const std::vector<stability::Motion> motions =
+            known ? at(speed) : std::vector<stability::Motion>{};
+        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+    }
+}
 
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {
     for (const double speed : result.speeds) {
@@ -36,26 +64,57 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
     }
 }
 
-void add_ends(const ends::AllMotions *motions, results::Form form, const stability::MotionsAt &at,
-              const std::vector<double> &grid, results::StabilityResult &result) {
+std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
+                                            const std::vector<double> &grid) {
+    ends::EndsFound found = ends::find_ends(motions, grid.front(), grid.back(), {});
+    if (found.undamped || !found.doubtful.empty())
+        return std::nullopt;
+    return found;
+}
+
+stability::BandsFound bands_between_ends(stability::BandFinder &finder,
+                                         const stability::StabilityModel &model,
+                                         const balancers::Arrangement &arrangement,
+                                         const stability::MotionsAt &at,
+                                         const std::vector<double> &grid) {
+    if (model.form != results::Form::hill)
+        try {
+            const ends::AllMotions motions(finder.solver().discretization(), model.form,
+                                           arrangement, finder.good_shapes(grid), grid.front(),
+                                           grid.back());
+            if (const auto found = certain_ends(motions, grid))
+                return {ends::bands_of(*found, {grid.front(), grid.back()}), {}};
+        } catch (const linalg::SolverError &) { // the search for bands has other ways
+        }
+    return finder.find(at, grid);
+}
+
+void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
+                        results::Form form, const stability::MotionsAt &at,
+                        const std::vector<double> &grid, results::StabilityResult &result) {
+    auto &notes = result.model.notes;
+    const stability::BandsFound bands = finder.find(at, grid);
+    result.unstable = bands.bands;
+    for (const auto &[from, to] : bands.doubtful)
+        notes.push_back(
+            fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
+                        "unstable band narrower than that may be missing there",
+                        from, to));
     const stability::SpeedInterval range{grid.front(), grid.back()};
-    if (motions != nullptr) {
-        ends::EndsFound found =
-            ends::find_ends(*motions, range.first, range.second, looks(result.unstable));
-        result.ends = std::move(found.ends);
-        for (const auto &[from, to] : found.doubtful)
-            result.model.notes.push_back(
-                fmt::format("between {:.10g} and {:.10g} rad/s the number of growing motions is in "
-                            "doubt",
-                            from, to));
-    } else {
-        result.ends = ends::multiplier_ends(at, grid, result.unstable);
-    }
-    for (const double edge : ends::reconcile(result.ends, result.unstable, at, form, range))
-        result.model.notes.push_back(fmt::format(
-            "at {:.10g} rad/s an unstable band ends, but no change of the number of growing "
-            "motions was found",
-            edge));
+    ends::EndsFound found =
+        motions != nullptr
+            ? ends::find_ends(*motions, range.first, range.second, looks(result.unstable))
+            : ends::multiplier_ends(at, grid, result.unstable);
+    if (!found.doubtful.empty())
+        notes.push_back(fmt::format("the number of growing motions is in doubt at {} speeds, the "
+                                    "first of them {:.10g} rad/s: ends inside of unstable bands "
+                                    "may be missing there",
+                                    found.doubtful.size(), found.doubtful.front().first));
+    for (const double edge : ends::reconcile(found, result.unstable, at, form, range))
+        notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
+                                    "number of growing motions was found",
+                                    edge));
+    result.ends = std::move(found.ends);
 }
 
 } // namespace whirl::analyses

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "ends/all_motions.h"
+#include "ends/stability_ends.h"
 #include "results/stability.h"
-#include "stability/unstable_bands.h"
+#include "stability/band_finder.h"
 
+#include <optional>
 #include <vector>
 
 namespace whirl::analyses {
@@ -11,12 +13,29 @@ namespace whirl::analyses {
 /// Largest real part and verdict at the speeds of the result, of all motions of the rotor.
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result);
 
-/// Speeds at which the number of growing motions changes, beside the bands of the result, which
-/// they complete; notes where the two cannot be made to agree.
+/// The same of the speeds that a Hill series describes.
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result);
+
+/// All speeds at which the number of growing motions changes, where they tell all there is to tell
+/// of the unstable bands: every motion is damped or grows, and was followed throughout.
+/// @param grid  range of speeds, its ends alone matter
+[[nodiscard]] std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
+                                                          const std::vector<double> &grid);
+
+/// Unstable bands by the ends of growth, where these are certain, else by the search for bands.
+/// @param at  motions of the whole rotor of the finder
+[[nodiscard]] stability::BandsFound bands_between_ends(stability::BandFinder &finder,
+                                                       const stability::StabilityModel &model,
+                                                       const balancers::Arrangement &arrangement,
+                                                       const stability::MotionsAt &at,
+                                                       const std::vector<double> &grid);
+
+/// Bands and ends where the search for bands is needed beside that for ends: motions without
+/// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
 /// @param motions  of the rotor; none: form hill
-/// @param at       motions at a speed, for the bands
-/// @param grid     speeds at which bands were looked for
-void add_ends(const ends::AllMotions *motions, results::Form form, const stability::MotionsAt &at,
-              const std::vector<double> &grid, results::StabilityResult &result);
+void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
+                        results::Form form, const stability::MotionsAt &at,
+                        const std::vector<double> &grid, results::StabilityResult &result);
 
 } // namespace whirl::analyses

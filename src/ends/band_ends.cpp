@@ -77,12 +77,11 @@ bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
 
 } // namespace
 
-std::vector<SpeedInterval> bands_of(const std::vector<StabilityEnd> &ends,
-                                    const SpeedInterval &range) {
+std::vector<SpeedInterval> bands_of(const EndsFound &found, const SpeedInterval &range) {
     std::vector<SpeedInterval> out;
     double start = range.first;
-    bool unstable = !ends.empty() && ends.front().growing_below > 0;
-    for (const StabilityEnd &end : ends) {
+    bool unstable = found.growing_from > 0;
+    for (const StabilityEnd &end : found.ends) {
         if (!begins_or_ends_growth(end))
             continue;
         if (unstable)
@@ -95,15 +94,15 @@ std::vector<SpeedInterval> bands_of(const std::vector<StabilityEnd> &ends,
     return out;
 }
 
-std::vector<double> reconcile(std::vector<StabilityEnd> &ends, std::vector<SpeedInterval> &bands,
+std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &bands,
                               const MotionsAt &at, results::Form form, const SpeedInterval &range) {
-    snap(ends, bands);
-    const std::vector<SpeedInterval> by_ends = bands_of(ends, range);
+    snap(found.ends, bands);
+    const std::vector<SpeedInterval> by_ends = bands_of(found, range);
     for (const SpeedInterval &band : bands)
         if (std::none_of(by_ends.begin(), by_ends.end(),
                          [&](const auto &other) { return overlap(band, other); }))
-            take_up(ends, band, at, form, range);
-    const std::vector<SpeedInterval> all = bands_of(ends, range);
+            take_up(found.ends, band, at, form, range);
+    const std::vector<SpeedInterval> all = bands_of(found, range);
     std::vector<double> unexplained;
     for (const SpeedInterval &band : bands)
         for (const double edge : {band.first, band.second})
@@ -170,8 +169,8 @@ class CountSearch {
 
 } // namespace
 
-std::vector<StabilityEnd> multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
-                                          const std::vector<SpeedInterval> &bands) {
+EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
+                          const std::vector<SpeedInterval> &bands) {
     std::vector<double> looks = speeds;
     constexpr double beside = 1e-9;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
@@ -181,6 +180,7 @@ std::vector<StabilityEnd> multiplier_ends(const MotionsAt &at, const std::vector
     }
     std::sort(looks.begin(), looks.end());
     CountSearch search(at);
+    EndsFound out;
     std::optional<Look> before;
     for (const double speed : looks) {
         if (speed < speeds.front() || speed > speeds.back())
@@ -188,9 +188,12 @@ std::vector<StabilityEnd> multiplier_ends(const MotionsAt &at, const std::vector
         Look now = search.look(speed);
         if (before)
             search.between(*before, now);
+        else
+            out.growing_from = now.count;
         before = std::move(now);
     }
-    return std::move(search.ends);
+    out.ends = std::move(search.ends);
+    return out;
 }
 
 } // namespace whirl::ends

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/stability.h"
+#include "ends/stability_ends.h"
 #include "stability/unstable_bands.h"
 
 #include <vector>
@@ -8,8 +8,8 @@
 namespace whirl::ends {
 
 /// Where something grows by the ends: the unstable bands of the range.
-[[nodiscard]] std::vector<stability::SpeedInterval>
-bands_of(const std::vector<results::StabilityEnd> &ends, const stability::SpeedInterval &range);
+[[nodiscard]] std::vector<stability::SpeedInterval> bands_of(const EndsFound &found,
+                                                             const stability::SpeedInterval &range);
 
 /// Makes the ends and the unstable bands tell one story. An end at which growth begins or ceases
 /// altogether is the band's end, to the last digit; bands that only the ends know are taken up, and
@@ -17,7 +17,7 @@ bands_of(const std::vector<results::StabilityEnd> &ends, const stability::SpeedI
 /// @param at    motions at a speed, for how many grow inside of such a band
 /// @param form  whose axes their frequencies are in
 /// @returns ends of bands that the ends do not explain: the bands then stay as they are
-[[nodiscard]] std::vector<double> reconcile(std::vector<results::StabilityEnd> &ends,
+[[nodiscard]] std::vector<double> reconcile(EndsFound &found,
                                             std::vector<stability::SpeedInterval> &bands,
                                             const stability::MotionsAt &at, results::Form form,
                                             const stability::SpeedInterval &range);
@@ -26,8 +26,8 @@ bands_of(const std::vector<results::StabilityEnd> &ends, const stability::SpeedI
 /// outside of the unit circle. Where neighbouring speeds differ in that number it is bisected.
 /// @param speeds  ascending; a change that is undone before the next of them or the next end of a
 ///                band is not seen
-[[nodiscard]] std::vector<results::StabilityEnd>
-multiplier_ends(const stability::MotionsAt &at, const std::vector<double> &speeds,
-                const std::vector<stability::SpeedInterval> &bands);
+[[nodiscard]] EndsFound multiplier_ends(const stability::MotionsAt &at,
+                                        const std::vector<double> &speeds,
+                                        const std::vector<stability::SpeedInterval> &bands);
 
 } // namespace whirl::ends

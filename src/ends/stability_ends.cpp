@@ -65,7 +65,7 @@ class EndSearch {
             const auto speeds = base_speeds(low, high, looks, top, (to - from) / base_steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(at, speeds);
+            const Sweep sweep(at, speeds, motions.reach());
             for (const Change &change : sweep.changes())
                 take(change, piece);
             _counts.insert(sweep.counts().begin(), sweep.counts().end());
@@ -78,6 +78,14 @@ class EndSearch {
         std::sort(_found.begin(), _found.end(),
                   [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
         const std::vector<int> growing = growing_between();
+        _out.growing_from = growing.front();
+        const double top = _counts.empty() ? 0
+                                           : std::max(std::abs(_counts.begin()->first),
+                                                      std::abs(_counts.rbegin()->first));
+        constexpr double slow = 0.05; // balls near rest: powers of the speed
+        for (const auto &[speed, count] : _counts)
+            _out.undamped = _out.undamped || (count.unknown > 0 && std::abs(speed) > slow * top &&
+                                              !at_an_end(speed));
         for (std::size_t i = 0; i < _found.size(); ++i) {
             const Found &found = _found[i];
             StabilityEnd end;
@@ -100,6 +108,12 @@ class EndSearch {
     std::map<double, Count> _counts;
     EndsFound _out;
 
+    [[nodiscard]] bool at_an_end(double speed) const {
+        return std::any_of(_found.begin(), _found.end(), [speed](const Found &found) {
+            return std::abs(found.motion.speed - speed) <= 1e-6 * std::abs(speed);
+        });
+    }
+
     void take(const Change &change, int piece) {
         const Spectrum there = _motions.at(change.speed, piece);
         const Root &root = nearest(there, change.value);
@@ -111,7 +125,8 @@ class EndSearch {
             guess.right = guess.right.conjugate().eval();
             guess.left = guess.left.conjugate().eval();
         }
-        const auto exact = on_the_axis(_motions.whole(), guess, standing);
+        const bool collide = change.undamped && !standing;
+        const auto exact = collide ? std::nullopt : on_the_axis(_motions.whole(), guess, standing);
         const double reach = 3 * (change.to - change.from) + 1e-4 * std::abs(change.speed);
         const bool confirmed = exact && std::abs(exact->speed - change.speed) <= reach;
         const int single = change.gain > 0 ? 1 : -1;

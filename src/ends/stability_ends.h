@@ -12,8 +12,12 @@ using stability::SpeedInterval;
 
 struct EndsFound {
     std::vector<results::StabilityEnd> ends; ///< ascending
+    int growing_from = 0;                    ///< motions that grow at the beginning of the range
     /// Where the number of growing motions is not what the ends make of it.
     std::vector<SpeedInterval> doubtful;
+    /// Of some motions rounding does not let one tell whether they grow: there is no damping, and
+    /// collisions of theirs are found more surely by a search for them (stability/).
+    bool undamped = false;
 };
 
 /// Every speed between two at which the number of growing motions changes. All eigenvalues of the

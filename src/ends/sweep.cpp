@@ -29,8 +29,8 @@ double zero_of(const Strand &strand) {
 
 } // namespace
 
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds)
-    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
+Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, double reach)
+    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))), _reach(reach),
       _looks_left(most_looks) {
     Spectrum before = look(speeds.front());
     for (std::size_t k = 1; k < speeds.size(); ++k) {
@@ -43,8 +43,10 @@ Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds)
 Spectrum Sweep::look(double speed) {
     --_looks_left;
     Spectrum out = _at(speed);
-    const auto unknown = std::count_if(out.roots.begin(), out.roots.end(),
-                                       [](const Root &root) { return root.sign() == 0; });
+    const auto unknown =
+        std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
+            return root.sign() == 0 && std::abs(root.value) <= _reach;
+        });
     _counts[speed] = {out.growing(), static_cast<int>(unknown)};
     return out;
 }
@@ -98,17 +100,26 @@ bool Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
     return true;
 }
 
-/// Of the roots that grow at the one end those farthest from any at the other, which move most.
+/// Of the roots that grow at the one end that which has just begun to.
 void Sweep::take_abrupt(const Spectrum &a, const Spectrum &b) {
     const int gain = b.growing() - a.growing();
     const Spectrum &more = gain > 0 ? b : a;
+    const Spectrum &fewer = gain > 0 ? a : b;
     const Root *best = nullptr;
     for (const Root &root : more.roots)
         if (root.sign() > 0 && root.value.imag() >= 0 &&
             (best == nullptr || root.value.real() < best->value.real()))
             best = &root;
-    const std::complex<double> value = best != nullptr ? best->value : 0.0;
-    _changes.push_back({(a.speed + b.speed) / 2, a.speed, b.speed, value, gain, false});
+    Change change{(a.speed + b.speed) / 2, a.speed, b.speed, 0, gain, false, false};
+    if (best != nullptr) {
+        change.value = best->value;
+        const auto from = std::min_element(
+            fewer.roots.begin(), fewer.roots.end(), [&](const Root &x, const Root &y) {
+                return std::abs(x.value - best->value) < std::abs(y.value - best->value);
+            });
+        change.undamped = from->sign() == 0;
+    }
+    _changes.push_back(change);
 }
 
 } // namespace whirl::ends

@@ -19,9 +19,11 @@ struct Change {
     std::complex<double> value; ///< l there, Im >= 0
     int gain = 0;               ///< 1 begins to grow, -1 ceases, as the speed rises
     bool smooth = true;         ///< false: motions meet there, found by halving alone
+    bool undamped = false;      ///< they did neither grow nor die out before they met
 };
 
-/// How many motions grow at a speed, and of how many rounding does not let one tell.
+/// How many motions grow at a speed, and of how many of those that are not too fast rounding does
+/// not let one tell.
 struct Count {
     int growing = 0;
     int unknown = 0;
@@ -34,7 +36,8 @@ struct Count {
 class Sweep {
   public:
     /// @param speeds  ascending, to begin with
-    Sweep(const SpectrumAt &at, const std::vector<double> &speeds);
+    /// @param reach   |l| of motions that are too fast to be known to grow or not, 1/s
+    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, double reach);
 
     [[nodiscard]] const std::vector<Change> &changes() const { return _changes; }
     /// At all speeds looked at.
@@ -50,6 +53,7 @@ class Sweep {
     std::map<double, Count> _counts;
     std::vector<std::pair<double, double>> _doubtful;
     double _scale = 0; ///< largest speed, rad/s
+    double _reach;
     int _looks_left;
 
     [[nodiscard]] Spectrum look(double speed);
