@@ -175,8 +175,10 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
         notes.emplace_back("one speed only: bands need a range of speeds");
 }
 
-results::BalanceResult criterion(const model::Case &scene, const criterion::BalanceScene &s,
-                                 const assembly::Discretization &d) {
+results::BalanceResult empirical_criterion(const model::Case &scene,
+                                           const criterion::BalanceScene &s,
+                                           const assembly::Discretization &d) {
+    const process::Stage stage("empirical criterion", 0, 0.1);
     criterion::BalanceForm form(d, s.formulation.form, s.places(d), s.plane_positions());
     results::BalanceResult result;
     result.model.formulation = s.formulation;
@@ -191,13 +193,13 @@ results::BalanceResult criterion(const model::Case &scene, const criterion::Bala
         criterion::balance_breakpoints(s, d, form.receptance().undamped());
     result.sharp = points.sharp;
     result.critical_speeds = points.critical;
-    process::report_progress(0.1);
+    process::report_progress(0.3);
     if (s.has_range())
         fill_bands(s, points, form, result);
-    process::report_progress(0.2);
+    process::report_progress(0.6);
     if (s.has_range())
         criterion::judge_band_ends(s, form, result);
-    process::report_progress(0.3);
+    process::report_progress(0.9);
     fill_rigid(s, result);
     fill_signature(s, form, result);
     fill_notes(scene, s, result);
@@ -210,16 +212,24 @@ results::BalanceResult balance(const model::Case &scene, const BalanceOptions &o
     const criterion::BalanceScene s(scene);
     const assembly::Discretization d(s.rotor, s.order);
     try {
-        results::BalanceResult result = criterion(scene, s, d);
-        if (options.map)
+        results::BalanceResult result = empirical_criterion(scene, s, d);
+        if (options.map) {
+            const process::Stage stage("placement of the correction planes", 0.1, 0.25);
             result.placement = criterion::placement(s, d, result.critical_speeds);
-        result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
-        process::report_progress(0.5);
-        result.balanced_position = balanced_position(scene, result.model.notes);
-        if (s.has_range())
+        }
+        {
+            const process::Stage stage("pendulums", 0.25, 0.4);
+            result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
+        }
+        {
+            const process::Stage stage("linear stability with real balancers", 0.4, 0.7);
+            result.balanced_position = balanced_position(scene, result.model.notes);
+        }
+        if (s.has_range()) {
+            const process::Stage stage("motions in time", 0.7, 1);
             result.simulated = simulated_speeds(scene, result.model.notes);
+        }
         result.findings = balance_findings(result, scene);
-        process::report_progress(1);
         return result;
     } catch (const linalg::SolverError &error) {
         throw model::AnalysisFailure(fmt::format("balance: {}", error.what()));

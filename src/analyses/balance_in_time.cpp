@@ -71,6 +71,8 @@ std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
     for (int i = 0; i < count; ++i) {
         const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest
         run.speeds = model::SpeedRange{speed, speed, 1};
+        const process::Stage stage(fmt::format("motion in time at {:.6g} rad/s", speed),
+                                   static_cast<double>(i) / count, (i + 1.0) / count);
         try {
             const results::SimulateResult result = simulate(run);
             if (result.restart) // interrupted: what there is
@@ -81,7 +83,6 @@ std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
             notes.push_back(
                 fmt::format("no motion in time at {:.6g} rad/s: {}", speed, failure.what()));
         }
-        process::report_progress(0.5 + 0.5 * (i + 1) / count);
     }
     return out;
 }

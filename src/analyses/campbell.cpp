@@ -5,6 +5,7 @@
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "process/processes.h"
+#include "process/progress.h"
 #include "results/campbell.h"
 #include "results/damping.h"
 #include "results/formulation.h"
@@ -18,6 +19,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -225,16 +227,19 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::vector<modes::Spectrum> spectra;
+    std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
     const tracking::Tracking tracking =
         followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
     if (process::process_rank() != 0)
         return result;
+    stage.emplace("errors of the whirl speeds", 0.5, 0.75);
     const tracking::LineErrors errors =
         tracking::line_errors(scene.rotor, solver, tracking.lines, spectra);
     for (std::size_t i = 0; i < tracking.lines.size(); ++i)
         result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
                                           results::in_rotating_axes(solver.form())));
     name_modes(result.modes);
+    stage.emplace("crossings", 0.75, 1.0);
     tracking::Crossings crossed =
         tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
     result.crossings = std::move(crossed.found);

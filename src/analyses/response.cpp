@@ -11,6 +11,7 @@
 #include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "process/parallel.h"
+#include "process/progress.h"
 #include "results/formulation.h"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -321,8 +323,12 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     const assembly::Discretization d(scene.rotor, result.model.order);
     const std::map<int, std::string> nodes = attached_nodes(d);
     Response response(d, result.model.formulation.form, nodes);
-    const std::vector<std::vector<double>> rows =
-        process::rows_at(speeds, [&](double speed) { return response.row(speed); });
+    std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
+    double done = 0;
+    const std::vector<std::vector<double>> rows = process::rows_at(speeds, [&](double speed) {
+        process::report_progress(done++ / static_cast<double>(speeds.size()));
+        return response.row(speed);
+    });
     if (rows.empty())
         return {};
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
@@ -334,6 +340,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         for (std::size_t i = 0; i < lists.size(); ++i)
             lists[i]->push_back(row.at(i));
     note_resonances(result);
+    stage.emplace("peaks", 0.6, 1.0);
     add_peaks(result, d, nodes, *scene.speeds);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back(

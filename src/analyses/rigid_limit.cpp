@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace whirl::analyses {
 
@@ -64,7 +65,7 @@ class Comparison {
         const auto found = _kept.find(factor);
         if (found != _kept.end())
             return found->second;
-        process::report_progress(std::min(0.8, 0.03 * static_cast<double>(_kept.size())));
+        process::report_progress(std::min(0.9, 0.03 * static_cast<double>(_kept.size())));
         return _kept
             .emplace(factor,
                      rigid::model_values(model::stiffened(_rotor, factor), _order, _targets))
@@ -383,13 +384,13 @@ results::RigidLimitResult rigid_limit(const model::Case &given) {
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = (scene.rotor.rotating_anisotropy() ? 2 : 1) * d.planar_size();
     result.bearing_stiffness = forms.bearing_stiffness;
+    std::optional<process::Stage> stage(std::in_place, "stiffer and stiffer shafts", 0.0, 0.9);
     if (scene.rotor.shaft.rigid)
         compare_rigid(result, scene.rotor, forms);
     else
         stiffen(result, scene.rotor, forms);
-    process::report_progress(0.9);
+    stage.emplace("finer and finer meshes", 0.9, 1.0);
     add_mesh_rows(result, scene.rotor, forms);
-    process::report_progress(1);
     return result;
 }
 

@@ -378,7 +378,6 @@ results::SimulateResult simulate(const model::Case &scene, const model::Restart 
     results::SimulateResult result = motion_from(scene, motion, from);
     if (!result.restart)
         add_other_starts(scene, motion, result);
-    process::report_progress(1);
     return result;
 }
 

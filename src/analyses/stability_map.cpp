@@ -89,6 +89,7 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
         return map;
     }
     std::size_t done = 0;
+    const process::Stage stage("map", 0, 1);
     map.growth = process::rows_at(map.y_values, [&](double y) {
         process::report_progress(static_cast<double>(done++) /
                                  static_cast<double>(map.y_values.size()));

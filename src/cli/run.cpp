@@ -2,6 +2,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "cli/progress_display.h"
 #include "input/case_file.h"
 #include "linalg/session.h"
 #include "model/errors.h"
@@ -16,6 +17,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 #include <unistd.h>
@@ -57,23 +59,6 @@ void deliver(const Run &run, report::Report report) {
         say(report.text() + files_text(files));
 }
 
-/// On a terminal, for anything longer than a second: how far the analysis is.
-void show_progress(const Arguments &arguments) {
-    if (arguments.quiet || !first_process() || isatty(STDERR_FILENO) == 0)
-        return;
-    using Clock = std::chrono::steady_clock;
-    process::on_progress([start = Clock::now(), last = Clock::now()](double share) mutable {
-        const Clock::time_point now = Clock::now();
-        const bool end = share >= 1;
-        if (now - start < std::chrono::seconds(1) ||
-            (!end && now - last < std::chrono::milliseconds(200)))
-            return;
-        last = now;
-        fmt::print(stderr, "\r{:3.0f} %{}", 100 * share, end ? "\r     \r" : "");
-        std::fflush(stderr);
-    });
-}
-
 const Command &command_of(const Arguments &arguments) {
     return *std::find_if(commands().begin(), commands().end(),
                          [&](const Command &command) { return command.name == arguments.command; });
@@ -85,9 +70,13 @@ void run(const Arguments &arguments) {
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const report::Provenance provenance = provenance_of(arguments);
     const linalg::Session session;
-    show_progress(arguments);
+    std::optional<ProgressDisplay> display;
+    if (!arguments.quiet && process::process_rank() == 0)
+        display.emplace(ProgressDisplay::style_for(isatty(STDERR_FILENO) != 0));
+    const process::Stage stage(arguments.command, 0, 1);
     try {
         const Run work{arguments, scene, [&](report::Report report) {
+                           display.reset(); // its line must be gone before others are written
                            report.provenance = provenance;
                            deliver(work, std::move(report));
                        }};

@@ -201,8 +201,7 @@ void fill_states(PendulumShaft &shaft, double bearing_speed, const std::vector<d
     const PendulumStability stability(shaft, bearing_speed);
     const auto all = swept_motions(shaft, speeds);
     for (std::size_t k = 0; k < speeds.size(); ++k) {
-        process::report_progress(0.9 +
-                                 0.1 * static_cast<double>(k) / static_cast<double>(speeds.size()));
+        process::report_progress(static_cast<double>(k) / static_cast<double>(speeds.size()));
         for (results::PendulumBalance &balance : out)
             balance.states.emplace_back();
         if (speeds[k] <= 0)

@@ -152,7 +152,7 @@ results::Placement placement(const BalanceScene &scene, const assembly::Discreti
     const double mass = rotor_mass(scene.rotor);
     double done = 0;
     const auto forms = process::rows_at(out.speeds, [&](double speed) {
-        process::report_progress(0.3 + 0.6 * done++ / static_cast<double>(out.speeds.size()));
+        process::report_progress(done++ / static_cast<double>(out.speeds.size()));
         return packed(form.at(speed), mass);
     });
     if (!forms.empty())

@@ -6,18 +6,38 @@ namespace whirl::process {
 
 namespace {
 
-std::function<void(double)> &listener() {
-    static std::function<void(double)> one;
+/// The part of the work that is being done, as shares of all of it.
+struct Part {
+    double from = 0, to = 1;
+    std::string doing;
+};
+
+ProgressListener &listener() {
+    static ProgressListener one;
+    return one;
+}
+
+Part &part() {
+    static Part one;
     return one;
 }
 
 } // namespace
 
-void on_progress(std::function<void(double)> function) { listener() = std::move(function); }
+void on_progress(ProgressListener function) { listener() = std::move(function); }
+
+Stage::Stage(const std::string &doing, double from, double to)
+    : _from(part().from), _to(part().to), _doing(part().doing) {
+    part() = {_from + from * (_to - _from), _from + to * (_to - _from), doing};
+    report_progress(0);
+}
+
+Stage::~Stage() { part() = {_from, _to, _doing}; }
 
 void report_progress(double share) {
+    const Part &now = part();
     if (listener())
-        listener()(share);
+        listener()(now.from + share * (now.to - now.from), now.doing);
 }
 
 } // namespace whirl::process
