@@ -263,6 +263,7 @@ void search(const model::Case &scene, stability::StabilityModel &model,
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, grid, model);
     std::optional<ends::AllMotions> all;
+    std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
     if (model.form == results::Form::hill) {
         add_hill_growth(at, model, result);
     } else {
@@ -270,6 +271,7 @@ void search(const model::Case &scene, stability::StabilityModel &model,
                     grid.front(), grid.back());
         add_growth(*all, result);
     }
+    stage.emplace("unstable bands", 0.3, 0.6);
     if (grid.size() > 1)
         search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
     result.model.unknowns = solver.unknowns();
@@ -277,10 +279,13 @@ void search(const model::Case &scene, stability::StabilityModel &model,
     if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
         search_zero_roots(scene, model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
+        stage.emplace("errors of the bands", 0.6, 0.65);
         result.unstable_error = stability::band_errors(
             at, scene.rotor, model, arrangement, result.unstable, {grid.front(), grid.back()});
+        stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
     }
+    stage.emplace("arrangements of the balls", 0.8, 1.0);
     const std::vector<balancers::Arrangement> arrangements =
         balancers::sampled_arrangements(scene.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
@@ -376,7 +381,6 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     if (result.map && !result.map->why.empty())
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
-    process::report_progress(1);
     return result;
 }
 
