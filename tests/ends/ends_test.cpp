@@ -152,7 +152,8 @@ ends::EndsFound ends_of(const Drawn &drawn, const assembly::Discretization &d, d
                            {});
 }
 
-// Every third rotor has no turning asymmetry, every sixth is fine enough to be reduced.
+// Every third rotor has no turning asymmetry; every sixth has finer elements (no ends among those
+// drawn).
 TEST(Ends, OfRandomRotorsAreThoseOfTheCountedStateMatrix) {
     constexpr double from = 20;
     constexpr double to = 1000;
