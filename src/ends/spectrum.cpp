@@ -39,6 +39,33 @@ struct Companion {
     Eigen::MatrixXcd left;    ///< y^H of the problem itself, a row each
 };
 
+/// Inverse of the matrix of eigenvectors, in real arithmetic: with u, v in the place of a pair
+/// u +- i v, whose rows in the inverse are then half of (row of u) -+ i (row of v).
+Eigen::MatrixXcd inverse_of_vectors(const Eigen::EigenSolver<Eigen::MatrixXd> &solver) {
+    const Eigen::VectorXcd &values = solver.eigenvalues();
+    const Eigen::Index n = values.size();
+    const Eigen::MatrixXcd vectors = solver.eigenvectors();
+    Eigen::MatrixXd parts(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+        if (j + 1 < n && values(j).imag() != 0) {
+            parts.col(j) = vectors.col(j).real();
+            parts.col(j + 1) = vectors.col(j).imag();
+            ++j;
+        } else {
+            parts.col(j) = vectors.col(j).real();
+        }
+    const Eigen::MatrixXd rows = Eigen::PartialPivLU<Eigen::MatrixXd>(parts).inverse();
+    Eigen::MatrixXcd out = rows.cast<Complex>();
+    for (Eigen::Index j = 0; j + 1 < n; ++j)
+        if (values(j).imag() != 0) {
+            out.row(j).real() = rows.row(j) / 2;
+            out.row(j).imag() = -rows.row(j + 1) / 2;
+            out.row(j + 1) = out.row(j).conjugate();
+            ++j;
+        }
+    return out;
+}
+
 Companion decomposed(const DenseProblem &p, double shift) {
     const Eigen::Index n = p.M.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(shift * shift * p.M + shift * p.D + p.K);
@@ -58,7 +85,7 @@ Companion decomposed(const DenseProblem &p, double shift) {
         throw linalg::SolverError("the dense eigensolver did not converge");
     out.mu = solver.eigenvalues();
     out.right = solver.eigenvectors();
-    out.inverse = Eigen::PartialPivLU<Eigen::MatrixXcd>(out.right).inverse();
+    out.inverse = inverse_of_vectors(solver);
     const Eigen::MatrixXcd W = out.inverse.leftCols(n).transpose();
     Eigen::MatrixXcd Y(n, 2 * n);
     Y.real() = lu.transpose().solve(Eigen::MatrixXd(W.real()));
