@@ -22,7 +22,9 @@ constexpr Complex imaginary(0, 1);
 
 /// Values of a matrix in the order of a pattern that holds all its entries.
 Eigen::VectorXd values_on(const ComplexSparse &pattern, const linalg::Matrix &A) {
-    const ComplexSparse full = Eigen::SparseMatrix<double>(A.view()).cast<Complex>();
+    Eigen::SparseMatrix<double> entries = A.view();
+    entries.prune(0.0);
+    const ComplexSparse full = entries.cast<Complex>();
     ComplexSparse zero = pattern;
     zero.coeffs().setZero();
     const ComplexSparse on = zero + full; // the union of both patterns is the larger one
@@ -65,7 +67,7 @@ bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
 class PlanarDamped::AtSpeed {
   public:
     AtSpeed(const PlanarDamped &rotor, double speed)
-        : _rotor(rotor), _Q(rotor._pattern),
+        : _rotor(rotor), _speed(speed), _Q(rotor._pattern),
           _D(rotor._C.cast<Complex>() + imaginary * (rotor._Cx - speed * rotor._G)),
           _K(rotor._K.cast<Complex>() + imaginary * (rotor._Kx - speed * rotor._Kc)),
           _absM(rotor._M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
@@ -100,18 +102,25 @@ class PlanarDamped::AtSpeed {
         return false;
     }
 
-    /// Argument of det Q(z) without the eigenvalues given.
+    /// Argument of det Q(z) over that of the undamped rotor, without the eigenvalues given of both:
+    /// what is far from z is nearly the same in both and drops out.
     [[nodiscard]] double phase(Complex z, const std::vector<Pair> &without) {
         set(z);
         _rotor._factor->factorize(_Q);
         double phase = _rotor._factor->determinant_phase();
+        const Complex turning = -imaginary * _speed * z;
+        for (Eigen::Index p = 0; p < _D.size(); ++p)
+            _Q.valuePtr()[p] = z * z * _rotor._M(p) + turning * _rotor._G(p) + _rotor._K(p);
+        _rotor._factor->factorize(_Q);
+        phase -= _rotor._factor->determinant_phase();
         for (const Pair &pair : without)
-            phase -= std::arg(z - pair.value);
+            phase += std::arg((z - imaginary * pair.undamped) / (z - pair.value));
         return phase;
     }
 
   private:
     const PlanarDamped &_rotor;
+    double _speed;
     Sparse _Q;
     Eigen::VectorXcd _D, _K;
     Eigen::VectorXd _absM, _absD, _absK;
@@ -223,6 +232,7 @@ PlanarDamped::PlanarDamped(const assembly::Discretization &discretization, doubl
          {&system.M, &system.C, &system.Cx, &system.G, &system.K, &system.Kx, &system.Kc})
         all += Eigen::SparseMatrix<double>(A->view()).cwiseAbs();
     all += Eigen::SparseMatrix<double>(all.transpose());
+    all.prune(0.0); // hierarchical functions hardly couple
     _pattern = all.cast<Complex>();
     _pattern.makeCompressed();
     for (const auto &[values, A] :
@@ -318,7 +328,7 @@ GeneralSpectrum::Modes PlanarDamped::modes(double speed, int wanted) const {
     for (int ask = std::min(all, wanted + beyond);;) {
         std::vector<Pair> pairs;
         for (const linalg::RealPair &pair : _undamped->smallest(speed, ask))
-            pairs.push_back({{0, pair.value}, pair.vector.cast<Complex>()});
+            pairs.push_back({pair.value, {0, pair.value}, pair.vector.cast<Complex>(), 0, 0});
         double radius = 0;
         try {
             const bool settled = refined(problem, ask, pairs);
