@@ -99,8 +99,11 @@ void SymmetricFactor::factorize(const Sparse &A) {
             const Complex y = _work[i];
             _work[i] = 0;
             const auto end = static_cast<std::size_t>(_filled[i]);
+            Complex *work = _work.data();
+            const Complex *L = _L.data();
+            const int *rows = _rows.data();
             for (auto p = static_cast<std::size_t>(_start[i]); p < end; ++p)
-                _work[static_cast<std::size_t>(_rows[p])] -= product(_L[p], y);
+                work[rows[p]] -= product(L[p], y);
             const Complex l = product(y, _inverse[i]);
             pivot -= product(l, y);
             _rows[end] = static_cast<int>(k);

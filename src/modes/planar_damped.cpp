@@ -147,6 +147,12 @@ class PlanarDamped::AtSpeed {
     [[nodiscard]] Products products(const Eigen::VectorXcd &x) const {
         const Eigen::Index n = x.size();
         Products of{Eigen::VectorXcd(n), Eigen::VectorXcd(n), Eigen::VectorXcd(n), 0, 0, 0};
+        const int *start = _Q.outerIndexPtr();
+        const int *rows = _Q.innerIndexPtr();
+        const double *M = _rotor._M.data();
+        const Complex *D = _D.data();
+        const Complex *K = _K.data();
+        const Complex *in = x.data();
         for (Eigen::Index j = 0; j < n; ++j) {
             double mr = 0;
             double mi = 0;
@@ -154,16 +160,15 @@ class PlanarDamped::AtSpeed {
             double di = 0;
             double kr = 0;
             double ki = 0;
-            for (int p = _Q.outerIndexPtr()[j]; p < _Q.outerIndexPtr()[j + 1]; ++p) {
-                const Complex v = x(_Q.innerIndexPtr()[p]);
-                const Complex d = _D(p);
-                const Complex k = _K(p);
-                mr += _rotor._M(p) * v.real();
-                mi += _rotor._M(p) * v.imag();
-                dr += d.real() * v.real() - d.imag() * v.imag();
-                di += d.real() * v.imag() + d.imag() * v.real();
-                kr += k.real() * v.real() - k.imag() * v.imag();
-                ki += k.real() * v.imag() + k.imag() * v.real();
+            for (int p = start[j]; p < start[j + 1]; ++p) {
+                const double re = in[rows[p]].real();
+                const double im = in[rows[p]].imag();
+                mr += M[p] * re;
+                mi += M[p] * im;
+                dr += D[p].real() * re - D[p].imag() * im;
+                di += D[p].real() * im + D[p].imag() * re;
+                kr += K[p].real() * re - K[p].imag() * im;
+                ki += K[p].real() * im + K[p].imag() * re;
             }
             of.M(j) = {mr, mi};
             of.D(j) = {dr, di};
@@ -177,14 +182,15 @@ class PlanarDamped::AtSpeed {
 
     void set(Complex l) {
         const Complex square = l * l;
-        for (Eigen::Index p = 0; p < _D.size(); ++p) {
-            const double m = _rotor._M(p);
-            const Complex d = _D(p);
-            const Complex k = _K(p);
-            _Q.valuePtr()[p] = {
-                square.real() * m + l.real() * d.real() - l.imag() * d.imag() + k.real(),
-                square.imag() * m + l.real() * d.imag() + l.imag() * d.real() + k.imag()};
-        }
+        const double *M = _rotor._M.data();
+        const Complex *D = _D.data();
+        const Complex *K = _K.data();
+        Complex *Q = _Q.valuePtr();
+        for (Eigen::Index p = 0; p < _D.size(); ++p)
+            Q[p] = {square.real() * M[p] + l.real() * D[p].real() - l.imag() * D[p].imag() +
+                        K[p].real(),
+                    square.imag() * M[p] + l.real() * D[p].imag() + l.imag() * D[p].real() +
+                        K[p].imag()};
     }
 
     void factorize(Complex l) {
