@@ -1,8 +1,8 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "linalg/complex_factors.h"
 #include "linalg/definite_pencil.h"
-#include "linalg/symmetric_factor.h"
 #include "modes/general_spectrum.h"
 #include "modes/whirl_mode.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linalg/band_matrix.h"
+#include "linalg/complex_factors.h"
 #include "results/formulation.h"
 #include "synchronous/forced_motion.h"
 
