@@ -1,7 +1,7 @@
 #pragma once
 
 #include "forced/forced_motion.h"
-#include "linalg/band_matrix.h"
+#include "linalg/complex_factors.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>

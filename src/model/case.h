@@ -26,7 +26,7 @@ struct SpeedRange {
     }
 };
 
-/// Which form of the equations the user forces; see docs/theory.md, "Three forms".
+/// Which form of the equations the user forces; see docs/theory.md, "Four forms".
 enum class FormChoice { automatic, planar, hyperbolic, general, rotating, hill };
 
 /// Entries of [campbell].

@@ -22,7 +22,9 @@ constexpr Complex imaginary(0, 1);
 
 /// Values of a matrix in the order of a pattern that holds all its entries.
 Eigen::VectorXd values_on(const ComplexSparse &pattern, const linalg::Matrix &A) {
-    const ComplexSparse full = Eigen::SparseMatrix<double>(A.view()).cast<Complex>();
+    Eigen::SparseMatrix<double> entries = A.view();
+    entries.prune(0.0);
+    const ComplexSparse full = entries.cast<Complex>();
     ComplexSparse zero = pattern;
     zero.coeffs().setZero();
     const ComplexSparse on = zero + full; // the union of both patterns is the larger one
@@ -65,7 +67,7 @@ bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
 class PlanarDamped::AtSpeed {
   public:
     AtSpeed(const PlanarDamped &rotor, double speed)
-        : _rotor(rotor), _Q(rotor._pattern),
+        : _rotor(rotor), _speed(speed), _Q(rotor._pattern),
           _D(rotor._C.cast<Complex>() + imaginary * (rotor._Cx - speed * rotor._G)),
           _K(rotor._K.cast<Complex>() + imaginary * (rotor._Kx - speed * rotor._Kc)),
           _absM(rotor._M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
@@ -100,18 +102,25 @@ class PlanarDamped::AtSpeed {
         return false;
     }
 
-    /// Argument of det Q(z) without the eigenvalues given.
+    /// Argument of det Q(z) over that of the undamped rotor, without the eigenvalues given of both:
+    /// what is far from z is nearly the same in both and drops out.
     [[nodiscard]] double phase(Complex z, const std::vector<Pair> &without) {
         set(z);
         _rotor._factor->factorize(_Q);
         double phase = _rotor._factor->determinant_phase();
+        const Complex turning = -imaginary * _speed * z;
+        for (Eigen::Index p = 0; p < _D.size(); ++p)
+            _Q.valuePtr()[p] = z * z * _rotor._M(p) + turning * _rotor._G(p) + _rotor._K(p);
+        _rotor._factor->factorize(_Q);
+        phase -= _rotor._factor->determinant_phase();
         for (const Pair &pair : without)
-            phase -= std::arg(z - pair.value);
+            phase += std::arg((z - imaginary * pair.undamped) / (z - pair.value));
         return phase;
     }
 
   private:
     const PlanarDamped &_rotor;
+    double _speed;
     Sparse _Q;
     Eigen::VectorXcd _D, _K;
     Eigen::VectorXd _absM, _absD, _absK;
@@ -138,6 +147,12 @@ class PlanarDamped::AtSpeed {
     [[nodiscard]] Products products(const Eigen::VectorXcd &x) const {
         const Eigen::Index n = x.size();
         Products of{Eigen::VectorXcd(n), Eigen::VectorXcd(n), Eigen::VectorXcd(n), 0, 0, 0};
+        const int *start = _Q.outerIndexPtr();
+        const int *rows = _Q.innerIndexPtr();
+        const double *M = _rotor._M.data();
+        const Complex *D = _D.data();
+        const Complex *K = _K.data();
+        const Complex *in = x.data();
         for (Eigen::Index j = 0; j < n; ++j) {
             double mr = 0;
             double mi = 0;
@@ -145,16 +160,15 @@ class PlanarDamped::AtSpeed {
             double di = 0;
             double kr = 0;
             double ki = 0;
-            for (int p = _Q.outerIndexPtr()[j]; p < _Q.outerIndexPtr()[j + 1]; ++p) {
-                const Complex v = x(_Q.innerIndexPtr()[p]);
-                const Complex d = _D(p);
-                const Complex k = _K(p);
-                mr += _rotor._M(p) * v.real();
-                mi += _rotor._M(p) * v.imag();
-                dr += d.real() * v.real() - d.imag() * v.imag();
-                di += d.real() * v.imag() + d.imag() * v.real();
-                kr += k.real() * v.real() - k.imag() * v.imag();
-                ki += k.real() * v.imag() + k.imag() * v.real();
+            for (int p = start[j]; p < start[j + 1]; ++p) {
+                const double re = in[rows[p]].real();
+                const double im = in[rows[p]].imag();
+                mr += M[p] * re;
+                mi += M[p] * im;
+                dr += D[p].real() * re - D[p].imag() * im;
+                di += D[p].real() * im + D[p].imag() * re;
+                kr += K[p].real() * re - K[p].imag() * im;
+                ki += K[p].real() * im + K[p].imag() * re;
             }
             of.M(j) = {mr, mi};
             of.D(j) = {dr, di};
@@ -168,14 +182,15 @@ class PlanarDamped::AtSpeed {
 
     void set(Complex l) {
         const Complex square = l * l;
-        for (Eigen::Index p = 0; p < _D.size(); ++p) {
-            const double m = _rotor._M(p);
-            const Complex d = _D(p);
-            const Complex k = _K(p);
-            _Q.valuePtr()[p] = {
-                square.real() * m + l.real() * d.real() - l.imag() * d.imag() + k.real(),
-                square.imag() * m + l.real() * d.imag() + l.imag() * d.real() + k.imag()};
-        }
+        const double *M = _rotor._M.data();
+        const Complex *D = _D.data();
+        const Complex *K = _K.data();
+        Complex *Q = _Q.valuePtr();
+        for (Eigen::Index p = 0; p < _D.size(); ++p)
+            Q[p] = {square.real() * M[p] + l.real() * D[p].real() - l.imag() * D[p].imag() +
+                        K[p].real(),
+                    square.imag() * M[p] + l.real() * D[p].imag() + l.imag() * D[p].real() +
+                        K[p].imag()};
     }
 
     void factorize(Complex l) {
@@ -223,6 +238,7 @@ PlanarDamped::PlanarDamped(const assembly::Discretization &discretization, doubl
          {&system.M, &system.C, &system.Cx, &system.G, &system.K, &system.Kx, &system.Kc})
         all += Eigen::SparseMatrix<double>(A->view()).cwiseAbs();
     all += Eigen::SparseMatrix<double>(all.transpose());
+    all.prune(0.0); // hierarchical functions hardly couple
     _pattern = all.cast<Complex>();
     _pattern.makeCompressed();
     for (const auto &[values, A] :
@@ -318,7 +334,7 @@ GeneralSpectrum::Modes PlanarDamped::modes(double speed, int wanted) const {
     for (int ask = std::min(all, wanted + beyond);;) {
         std::vector<Pair> pairs;
         for (const linalg::RealPair &pair : _undamped->smallest(speed, ask))
-            pairs.push_back({{0, pair.value}, pair.vector.cast<Complex>()});
+            pairs.push_back({pair.value, {0, pair.value}, pair.vector.cast<Complex>(), 0, 0});
         double radius = 0;
         try {
             const bool settled = refined(problem, ask, pairs);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "linalg/complex_factors.h"
 #include "linalg/definite_pencil.h"
-#include "linalg/symmetric_factor.h"
 #include "modes/general_spectrum.h"
 #include "modes/whirl_mode.h"
 
@@ -21,9 +21,10 @@ namespace whirl::modes {
 ///
 /// Each eigenvalue starts from one of the rotor without damping and cross coupling, of which the
 /// inertia says that none is missing, and is refined by Rayleigh quotient iteration of the full
-/// matrices. The argument of det Q around a circle, the eigenvalues found divided out, then counts
-/// what is missing within: where there is something (creeping motions against strong dampers), the
-/// real form of twice the size takes its place.
+/// matrices. The argument around a circle of det Q over that of the undamped rotor, the
+/// eigenvalues known of both divided out, then counts what is missing within: where there is
+/// something (creeping motions against strong dampers), the real form of twice the size takes its
+/// place.
 class PlanarDamped {
   public:
     /// Bearings as at `bearing_speed` (rad/s).
@@ -38,6 +39,7 @@ class PlanarDamped {
     using Complex = std::complex<double>;
     using Sparse = linalg::SymmetricFactor::Sparse;
     struct Pair {
+        double undamped = 0; ///< whirl speed of the rotor without damping that it started from
         Complex value;
         Eigen::VectorXcd vector;
         double residual = 0;

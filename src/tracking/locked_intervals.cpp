@@ -164,6 +164,8 @@ class Ride {
     }
     /// Between a speed on the multiple and one where the line is not.
     [[nodiscard]] double end_between(std::size_t inside, std::size_t outside) const {
+        if (_sweep.speed(outside) == 0) // there the multiple is zero too
+            return 0;
         Node in = _sweep.full(inside);
         Node out = _sweep.full(outside);
         const auto speed = [](const Node &node) { return node.snapshot.spectrum.speed; };

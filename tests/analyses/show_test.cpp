@@ -86,9 +86,12 @@ TEST(Show, names_the_form_of_each_command) {
     scene.rotor.shaft = tests::uniform_shaft(1, 0.1, tests::steel());
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e7, 10), tests::isotropic_bearing(1, 1e7)};
     const results::ShowResult result = analyses::show(scene);
+    // Damped, and the same from every direction.
     for (const auto &[command, formulation] : result.formulations)
-        EXPECT_EQ(formulation.form,
-                  command == "response" ? results::Form::planar : results::Form::general)
+        EXPECT_EQ(formulation.form, command == "response" ? results::Form::planar
+                                    : command == "critical" || command == "stability"
+                                        ? results::Form::general
+                                        : results::Form::planar_damped)
             << command;
     EXPECT_EQ(result.formulations.size(), 6U);
 }

@@ -1,4 +1,4 @@
-#include "linalg/band_matrix.h"
+#include "linalg/complex_factors.h"
 
 #include "linalg/check.h"
 

@@ -330,7 +330,7 @@ TEST(Interruption, LeavesARestartThatGivesTheSameEnd) {
     model::Case scene = rodrigues_rotor(4, .01, .005);
     scene.simulate.time = 200;
     const results::SimulateResult whole = analyses::simulate(scene);
-    process::on_progress([](double share) {
+    process::on_progress([](double share, const std::string &) {
         if (share > 0.4 && share < 0.5)
             process::request_interruption();
     });

@@ -1,11 +1,38 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 
 #include <complex>
 #include <vector>
 
 namespace whirl::linalg {
+
+/// A square complex matrix with all its entries within `width` places of the diagonal, for linear
+/// systems along a chain. Elimination with partial pivoting, in place.
+class BandMatrix {
+  public:
+    BandMatrix(int size, int width);
+
+    void clear();
+    /// Entry with |row - column| <= width.
+    std::complex<double> &operator()(int row, int column) { return entry(row, column); }
+
+    /// A^-1 b. The entries are lost.
+    /// @throws SolverError where a pivot is zero or not a number.
+    [[nodiscard]] Eigen::VectorXcd solve(Eigen::VectorXcd b);
+
+  private:
+    int _size;
+    int _width;
+    /// Row by row from `width` before the diagonal to 2 * width behind it: exchanged rows reach
+    /// that far.
+    std::vector<std::complex<double>> _entries;
+
+    std::complex<double> &entry(int row, int column) {
+        return _entries[static_cast<std::size_t>(row * (3 * _width + 1) + column - row + _width)];
+    }
+};
 
 /// L D L^T of sparse matrices that are complex and symmetric (not Hermitian), all with one pattern:
 /// the order of elimination (minimum degree) is found once. Rows are not exchanged: whoever solves

@@ -1,12 +1,55 @@
-#include "linalg/symmetric_factor.h"
+#include "linalg/complex_factors.h"
 
 #include "linalg/check.h"
 
 #include <Eigen/OrderingMethods>
 
+#include <algorithm>
 #include <cmath>
 
 namespace whirl::linalg {
+
+using Row = Eigen::Map<Eigen::RowVectorXcd>;
+
+BandMatrix::BandMatrix(int size, int width)
+    : _size(size), _width(width), _entries(static_cast<std::size_t>(size * (3 * width + 1))) {}
+
+void BandMatrix::clear() { std::fill(_entries.begin(), _entries.end(), 0.0); }
+
+Eigen::VectorXcd BandMatrix::solve(Eigen::VectorXcd b) {
+    for (int k = 0; k < _size; ++k) {
+        const int last_row = std::min(k + _width, _size - 1);
+        const int last_column = std::min(k + 2 * _width, _size - 1);
+        int pivot = k;
+        for (int i = k + 1; i <= last_row; ++i)
+            if (std::norm(entry(i, k)) > std::norm(entry(pivot, k)))
+                pivot = i;
+        if (pivot != k) {
+            for (int j = k; j <= last_column; ++j)
+                std::swap(entry(k, j), entry(pivot, j));
+            std::swap(b(k), b(pivot));
+        }
+        const std::complex<double> diagonal = entry(k, k);
+        if (!(std::abs(diagonal) > 0))
+            throw SolverError("the band matrix is singular");
+        for (int i = k + 1; i <= last_row; ++i) {
+            if (entry(i, k) == 0.0)
+                continue;
+            const std::complex<double> factor = entry(i, k) / diagonal;
+            if (k < last_column)
+                Row(&entry(i, k + 1), last_column - k) -=
+                    factor * Row(&entry(k, k + 1), last_column - k);
+            b(i) -= factor * b(k);
+        }
+    }
+    for (int k = _size - 1; k >= 0; --k) {
+        const int last_column = std::min(k + 2 * _width, _size - 1);
+        for (int j = k + 1; j <= last_column; ++j)
+            b(k) -= entry(k, j) * b(j);
+        b(k) /= entry(k, k);
+    }
+    return b;
+}
 
 namespace {
 
@@ -99,8 +142,11 @@ void SymmetricFactor::factorize(const Sparse &A) {
             const Complex y = _work[i];
             _work[i] = 0;
             const auto end = static_cast<std::size_t>(_filled[i]);
+            Complex *work = _work.data();
+            const Complex *L = _L.data();
+            const int *rows = _rows.data();
             for (auto p = static_cast<std::size_t>(_start[i]); p < end; ++p)
-                _work[static_cast<std::size_t>(_rows[p])] -= product(_L[p], y);
+                work[rows[p]] -= product(L[p], y);
             const Complex l = product(y, _inverse[i]);
             pivot -= product(l, y);
             _rows[end] = static_cast<int>(k);
