@@ -107,25 +107,28 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedM
     for (int i = 0; i < 3; ++i)
         mine[static_cast<std::size_t>(i)] = reduced.at(middle + (i - 1) * width)[q].value;
     const LocalCurve coarse(mine);
+    const auto share = [](double difference, double size) {
+        return mesh_error::estimate_safety * std::abs(difference) / size;
+    };
     const std::optional<double> coarse_top = coarse.top(reach);
-    if (!coarse_top)
-        return {not_known, not_known};
     double centre = middle;
-    for (int move = 0; move < 8; ++move) {
+    for (int move = 0; coarse_top && move < 8 && centre > 2 * width; ++move) {
         solve_about(centre, width);
         const LocalCurve fine({_motions[0][q], _motions[1][q], _motions[2][q]});
         if (const std::optional<double> top = fine.top(reach)) {
-            const double size = std::max(coarse(*coarse_top), fine(*top));
+            const double a = coarse(*coarse_top);
+            const double b = fine(*top);
             const double shift = centre - middle + (*top - *coarse_top) * width;
-            return {mesh_error::estimate_safety * std::abs(coarse(*coarse_top) - fine(*top)) / size,
-                    mesh_error::estimate_safety * std::abs(shift) / peak.speed};
+            return {share(a - b, std::max(a, b)), share(shift, peak.speed)};
         }
         constexpr double farthest = 1000;
         centre += std::clamp(fine.pole(), -farthest, farthest) * width;
-        if (!(centre > 2 * width))
-            break;
     }
-    return {not_known, not_known};
+    // A maximum that the finer rotor need not have: the curves at the same speed.
+    solve_about(middle, width);
+    const double a = coarse(0);
+    const double b = LocalCurve({_motions[0][q], _motions[1][q], _motions[2][q]})(0);
+    return {share(a - b, std::max(a, b)), not_known};
 }
 
 std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMotion &reduced) {

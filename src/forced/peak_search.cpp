@@ -164,26 +164,47 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     _peaks.push_back(peak);
 }
 
+double PeakSearch::major(double speed, std::size_t quantity) const {
+    return _motion.at(speed)[quantity].major();
+}
+
+double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {
+    enter(a.piece);
+    const auto done = [](double low, double high, double) { return high - low < 1e-9 * high; };
+    return linalg::least_between([&](double speed) { return major(speed, quantity); },
+                                 std::min(a.speed, b.speed), std::max(a.speed, b.speed), done)
+        .first;
+}
+
 std::optional<double> PeakSearch::half_power(const Peak &peak, std::size_t start,
                                              int direction) const {
     const auto q = static_cast<std::size_t>(peak.quantity);
     const double level = peak.value / std::numbers::sqrt2;
+    const auto crossing = [&](double near, double near_value, double far, double far_value) {
+        return linalg::root_between([&](double speed) { return major(speed, q) - level; }, near,
+                                    near_value - level, far, far_value - level);
+    };
     double near = peak.speed;
     double near_value = peak.value;
+    const Sample *before = nullptr;
     for (auto i = static_cast<std::ptrdiff_t>(start);
          i >= 0 && i < static_cast<std::ptrdiff_t>(_samples.size()); i += direction) {
         const Sample &s = _samples[static_cast<std::size_t>(i)];
+        enter(s.piece);
+        if (s.value[q] <= level)
+            return crossing(near, near_value, s.speed, s.value[q]);
+        // A valley between two samples may reach down to the level.
+        if (before != nullptr && before->piece == s.piece && direction * before->slope[q] < 0 &&
+            direction * s.slope[q] > 0) {
+            const double bottom = bottom_between(*before, s, q);
+            if (major(bottom, q) <= level)
+                return crossing(near, near_value, bottom, major(bottom, q));
+        }
         if (s.value[q] > peak.value * (1 + 1e-9)) // a higher one before
             return std::nullopt;
-        if (s.value[q] <= level) {
-            enter(s.piece);
-            // A row between the two: its own sample is at or above the level.
-            return linalg::root_between(
-                [&](double speed) { return _motion.at(speed)[q].major() - level; }, near,
-                near_value - level, s.speed, s.value[q] - level);
-        }
         near = s.speed;
         near_value = s.value[q];
+        before = &s;
     }
     return std::nullopt;
 }

@@ -68,6 +68,11 @@ class PeakSearch {
     void endless_peak(int quantity, std::size_t left);
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
                                                    int direction) const;
+    /// Of a quantity at a speed of the piece entered.
+    [[nodiscard]] double major(double speed, std::size_t quantity) const;
+    /// Lowest place of a valley between two samples of one piece.
+    [[nodiscard]] double bottom_between(const Sample &a, const Sample &b,
+                                        std::size_t quantity) const;
     [[nodiscard]] double width_at(double speed) const;
     /// Enters the piece of a sample.
     void enter(int piece) const;

@@ -225,6 +225,20 @@ Columns<Peak> probe_peak_columns() {
     return columns;
 }
 
+Json curves_json(const ResponseResult &result) {
+    const results::ResponseCurves &curves = result.curves;
+    const auto of_places = [&](std::size_t from, std::size_t to, const char *key) {
+        Json list = Json::array();
+        for (std::size_t i = from; i < to && i < curves.values.size(); ++i)
+            list.push_back({{key, curves.values[i]}, {"phase", curves.phases[i]}});
+        return list;
+    };
+    const std::size_t nodes = result.nodes.size();
+    return {{"speeds", curves.speeds},
+            {"nodes", of_places(0, nodes, "amplitude")},
+            {"bearings", of_places(nodes, curves.values.size(), "force")}};
+}
+
 Json json_of(const ResponseResult &result) {
     return {{"speeds", result.speeds},
             {"peaks", json_rows(curve_peaks, result.peaks)},
@@ -233,10 +247,7 @@ Json json_of(const ResponseResult &result) {
             {"bearings", json_of_kind(result, result.bearings,
                                       place_columns<ResponseBearing>("bearing"), bearing_series)},
             {"probes", json_of_kind(result, result.probes, probe_places(), probe_series)},
-            {"curves",
-             {{"speeds", result.curves.speeds},
-              {"values", result.curves.values},
-              {"phases", result.curves.phases}}}};
+            {"curves", curves_json(result)}};
 }
 
 std::string csv_of(const ResponseResult &result) {

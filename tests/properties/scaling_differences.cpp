@@ -61,8 +61,11 @@ class Comparison {
         } else if (a.is_object()) {
             if (a.size() != b.size())
                 tell(path, "other keys");
-            // Rows with a unit of their own.
-            const std::string of = a.contains("unit") ? path + "/" + a.at("unit").dump() : path;
+            // Rows with a unit of their own: named, or that of what they are rows of.
+            std::string of = path;
+            for (const char *key : {"unit", "of"})
+                if (a.contains(key))
+                    of += "/" + a.at(key).dump();
             for (const auto &[key, value] : a.items()) {
                 if (left_out(key))
                     continue;

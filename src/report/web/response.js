@@ -3,11 +3,10 @@ const name = (o, kind) => (o.name || kind) + `, z = ${short(o.z, 4)} m`;
 const positive = list => list.map(v => v > 0 ? v : null);
 // Curves with points wherever they bend; else those at the speeds of the case.
 const fine = (result.curves || {speeds: []}).speeds.length > 0, bends = fine ? result.curves.speeds.map(s => s * rpm) : speeds;
-const curve = (k, own) => fine ? result.curves.values[k] : own, turned = (k, own) => fine ? result.curves.phases[k] : own;
 result.nodes.forEach((n, k) => {
   const line = {color: colours[k % 8], dash: dashes[k % 4]}, common = {mode: "lines", line, name: name(n, "node"), legendgroup: "n" + k};
-  traces.push({...common, x: bends, y: positive(curve(k, n.amplitude)).map(a => a === null ? null : a * 1e6), hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} µm"});
-  traces.push({...common, x: bends, y: turned(k, n.phase).map(p => { if (p === null) return null; const d = p * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
+  traces.push({...common, x: bends, y: positive(fine ? result.curves.nodes[k].amplitude : n.amplitude).map(a => a === null ? null : a * 1e6), hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} µm"});
+  traces.push({...common, x: bends, y: (fine ? result.curves.nodes[k].phase : n.phase).map(p => { if (p === null) return null; const d = p * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
     yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color}, hovertemplate: "%{x:.5g} rpm<br>%{y:.5g}°"});
 });
 (result.probes || []).forEach((p, k) => {
@@ -17,7 +16,7 @@ result.nodes.forEach((n, k) => {
   traces.push({...common, x: speeds, y: p.phase.map(f => { if (f === null) return null; const d = f * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
     yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color, symbol: "x"}, hovertemplate: "%{x:.5g} rpm<br>%{y:.5g}°"});
 });
-result.bearings.forEach((b, k) => traces.push({x: bends, y: positive(curve(result.nodes.length + k, b.force)), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
+result.bearings.forEach((b, k) => traces.push({x: bends, y: positive(fine ? result.curves.bearings[k].force : b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
   line: {color: colours[k % 8], dash: dashes[(k + 1) % 4], width: 2.5}, hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} N"}));
 draw(traces, {height: 950, legend: {orientation: "v", x: 1.02, y: 1}, margin: {l: 80, r: 220, t: 20, b: 60},
   xaxis: axis("Spin speed (rpm)", {anchor: "y3"}), yaxis: axis("Amplitude (µm)", {type: "log", dtick: 1, domain: [0.58, 1], exponentformat: "power"}),
