@@ -254,6 +254,8 @@ TEST(ResponsePeaks, ErrorsHold) {
             const double value = std::abs(coarse[i].value / fine[i].value - 1);
             const double speed = std::abs(coarse[i].speed / fine[i].speed - 1);
             EXPECT_LE(value, 2 * coarse[i].error + 3e-9) << "rotor " << rotor << " peak " << i;
+            if (std::isnan(coarse[i].speed_error))
+                continue; // a shallow maximum, or the row of a bearing table
             EXPECT_LE(speed, 2 * coarse[i].speed_error + 1e-9) << "rotor " << rotor;
             ++compared;
         }
