@@ -18,7 +18,6 @@
 #include <cstdio>
 #include <ctime>
 #include <optional>
-#include <utility>
 
 #include <unistd.h>
 
@@ -46,7 +45,7 @@ report::Provenance provenance_of(const Arguments &arguments) {
 }
 
 /// Files, and text or JSON on standard output, from the first process.
-void deliver(const Run &run, report::Report report) {
+void deliver(const Run &run, const report::Report &report) {
     if (process::process_rank() != 0)
         return;
     const Arguments &arguments = run.arguments;
@@ -78,7 +77,7 @@ void run(const Arguments &arguments) {
         const Run work{arguments, scene, [&](report::Report report) {
                            display.reset(); // its line must be gone before others are written
                            report.provenance = provenance;
-                           deliver(work, std::move(report));
+                           deliver(work, report);
                        }};
         command_of(arguments).run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands

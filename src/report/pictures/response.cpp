@@ -127,10 +127,16 @@ std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
     return chosen;
 }
 
-Figure response_figure(const model::Case &scene, const ResponseResult &result) {
-    std::vector<Curve> amplitude;
-    std::vector<Curve> phase;
-    std::vector<Curve> force;
+namespace {
+
+struct Panels {
+    std::vector<Curve> amplitude, phase, force;
+    std::size_t nodes = 0; ///< curves of nodes among the amplitudes
+};
+
+Panels panels_of(const ResponseResult &result) {
+    Panels panels;
+    auto &[amplitude, phase, force, nodes] = panels;
     for (const std::size_t i : drawn_nodes(result)) {
         const auto &node = result.nodes[i];
         const bool fine = i < result.curves.values.size();
@@ -140,7 +146,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
              over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, 1e6)});
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
     }
-    const std::size_t nodes = amplitude.size();
+    nodes = amplitude.size();
     for (const auto &probe : result.probes)
         if (amplitude.size() < 2 * most_curves) {
             amplitude.push_back(
@@ -158,6 +164,13 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
                          over_speed(fine ? result.curves.speeds : result.speeds,
                                     fine ? result.curves.values[j] : bearing.force, 1)});
     }
+    return panels;
+}
+
+} // namespace
+
+Figure response_figure(const model::Case &scene, const ResponseResult &result) {
+    const auto [amplitude, phase, force, nodes] = panels_of(result);
     Figure figure;
     figure.width = 1080;
     figure.height = force.empty() ? 780 : 1040;
