@@ -104,11 +104,11 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
     constexpr double seen = 0.03; // of a value
     constexpr double steps = 300; // at least, over the range
     std::vector<PeakSearch::Sample> out;
-    // A curve without limit is drawn up to 1e-5 beside it.
+    // A curve without limit is drawn up to 3e-4 beside it.
     const auto without_limit = [&](double speed) {
         return std::any_of(search.resonances().begin(), search.resonances().end(),
                            [speed](const PeakSearch::Resonance &r) {
-                               return std::hypot(r.speed - speed, r.width) < 1e-5 * speed;
+                               return std::hypot(r.speed - speed, r.width) < 3e-4 * speed;
                            });
     };
     for (const PeakSearch::Sample &s : search.samples()) {
