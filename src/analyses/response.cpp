@@ -226,34 +226,49 @@ class Response {
     }
 };
 
-/// Peaks of the stations and bearings.
+/// What peaks are looked for of, and where it is.
+struct Watched {
+    std::vector<forced::Quantity> quantities;
+    std::vector<results::ResponsePeak> places;
+    std::vector<double> z; ///< m
+
+    void add(forced::Quantity quantity, const char *of, double place, const std::string &name) {
+        places.emplace_back().of = of;
+        places.back().z = place;
+        places.back().name = name;
+        places.back().angle = quantity.angle;
+        z.push_back(place);
+        quantities.push_back(std::move(quantity));
+    }
+};
+
+Watched watched(const assembly::Discretization &d, const std::map<int, std::string> &nodes) {
+    Watched out;
+    for (const auto &[node, name] : nodes)
+        out.add({d.deflection_at_node(node)}, "station",
+                d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name);
+    const auto &bearings = d.rotor().bearings;
+    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
+        const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
+        out.add({forced::stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
+    }
+    for (const model::Probe &probe : d.rotor().probes)
+        out.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
+                probe.z, probe.name);
+    return out;
+}
+
+/// Peaks of the stations, bearings and probes, and the curves between.
 void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
                const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
     if (!(range.to > range.from) || nodes.empty())
         return;
-    std::vector<forced::Quantity> quantities;
-    std::vector<results::ResponsePeak> places;
-    for (const auto &[node, name] : nodes) {
-        quantities.push_back({d.deflection_at_node(node)});
-        places.emplace_back().of = "station";
-        places.back().z = d.shaft_mesh().nodes[static_cast<std::size_t>(node)];
-        places.back().name = name;
-    }
-    const auto &bearings = d.rotor().bearings;
-    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
-        quantities.push_back({forced::stretch_of_bearing(d, i), i});
-        places.emplace_back().of = "bearing";
-        places.back().z = bearings[static_cast<std::size_t>(i)].z;
-        places.back().name = bearings[static_cast<std::size_t>(i)].name;
-    }
-    std::vector<double> z;
-    for (const results::ResponsePeak &place : places)
-        z.push_back(place.z);
+    const Watched all = watched(d, nodes);
     const forced::CertifiedPeaks found = forced::response_peaks(
-        d, result.model.formulation.form, quantities, z, range.from, range.to);
+        d, result.model.formulation.form, all.quantities, all.z, range.from, range.to);
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const forced::Peak &peak = found.peaks[i];
-        results::ResponsePeak out = places[static_cast<std::size_t>(peak.quantity)];
+        results::ResponsePeak out = all.places[static_cast<std::size_t>(peak.quantity)];
         out.speed = peak.speed;
         out.value = peak.value;
         out.phase = peak.phase;
@@ -265,11 +280,11 @@ void add_peaks(results::ResponseResult &result, const assembly::Discretization &
         out.speed_error = found.errors[i].speed;
         result.peaks.push_back(out);
     }
-    result.curves.values.resize(quantities.size());
-    result.curves.phases.resize(quantities.size());
+    result.curves.values.resize(all.quantities.size());
+    result.curves.phases.resize(all.quantities.size());
     for (const forced::PeakSearch::Sample &sample : found.curve) {
         result.curves.speeds.push_back(sample.speed);
-        for (std::size_t i = 0; i < quantities.size(); ++i) {
+        for (std::size_t i = 0; i < all.quantities.size(); ++i) {
             result.curves.values[i].push_back(sample.value[i]);
             result.curves.phases[i].push_back(sample.phase[i]);
         }

@@ -83,7 +83,7 @@ PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
 Phasor PeakError::finer(int quantity) const {
     const auto i = static_cast<std::size_t>(quantity);
     return _quantities[i].bearing == Quantity::deflection
-               ? _finer.finer_at(_places[i])
+               ? _quantities[i].seen(_finer.finer_at(_places[i]))
                : _finer.finer_force(_quantities[i].bearing);
 }
 

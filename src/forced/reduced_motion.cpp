@@ -258,9 +258,10 @@ Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
     };
     const Phasor value = phasor(u);
     const Phasor change = phasor(slope);
-    const int bearing = _quantities[static_cast<std::size_t>(quantity)].bearing;
+    const Quantity &of = _quantities[static_cast<std::size_t>(quantity)];
+    const int bearing = of.bearing;
     if (bearing == Quantity::deflection)
-        return {value, change};
+        return {of.seen(value), of.seen(change)};
     const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
     const model::BearingCoefficients low = b.at(_piece->from);
     const model::BearingCoefficients high = b.at(_piece->to);

@@ -10,6 +10,7 @@
 #include <complex>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace whirl::forced {
@@ -19,6 +20,13 @@ struct Quantity {
     static constexpr int deflection = -1;
     assembly::Combination stretch; ///< of planar unknowns
     int bearing = deflection;
+    /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
+    std::optional<double> angle{};
+
+    /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
+    [[nodiscard]] Phasor seen(const Phasor &motion) const {
+        return angle ? Phasor{forced::reading(motion, *angle), 0} : motion;
+    }
 };
 
 /// A quantity at one speed, and what it changes per rad/s.

@@ -49,8 +49,9 @@ class Comparison {
     ForcedMotion _full;
 
     [[nodiscard]] Phasor of(const Quantity &quantity) const {
-        return quantity.bearing == Quantity::deflection ? _full.motion(quantity.stretch)
-                                                        : _full.bearing_force(quantity.bearing);
+        return quantity.bearing == Quantity::deflection
+                   ? quantity.seen(_full.motion(quantity.stretch))
+                   : _full.bearing_force(quantity.bearing);
     }
 };
 

@@ -116,6 +116,7 @@ std::string half_power(const ResponsePeak &peak) {
 
 const Columns<ResponsePeak> curve_peaks{
     {"of", "", {}, {}, &ResponsePeak::of},
+    {"angle", "", {}, {}, &ResponsePeak::angle},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
     {"name", "", {"Place"}, {}, &ResponsePeak::name},
     {"", "", {}, {"peak at"}, [](const ResponsePeak &peak) { return place(peak.name, peak.z); }},
@@ -123,7 +124,11 @@ const Columns<ResponsePeak> curve_peaks{
      "",
      {"of"},
      {"of"},
-     [](const ResponsePeak &peak) { return peak.of == "bearing" ? "force (N)" : "amplitude (m)"; }},
+     [](const ResponsePeak &peak) -> std::string {
+         if (peak.of == "probe")
+             return fmt::format("reading at {:.4g}° (m)", peak.angle.value_or(0) * degrees);
+         return peak.of == "bearing" ? "force (N)" : "amplitude (m)";
+     }},
     {"speed", "", {}, {}, &ResponsePeak::speed},
     {"",
      "",
@@ -159,6 +164,13 @@ const Columns<ResponsePeak> curve_peaks{
     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
     {"speed_error", "", {}, {}, &ResponsePeak::speed_error}};
 
+template <class Of> bool is_of(const ResponsePeak &peak, const Of &of, const char *kind) {
+    if constexpr (std::is_same_v<Of, ResponseProbe>)
+        if (peak.angle != of.angle)
+            return false;
+    return peak.of == kind && peak.z == of.z;
+}
+
 /// The largest value in the range: a peak, or at one of its ends.
 struct Peak {
     std::string name;
@@ -189,7 +201,7 @@ std::vector<Peak> peaks_of(const ResponseResult &result, const std::vector<Of> &
                 peak.error = of.error[at];
         }
         for (const ResponsePeak &found : result.peaks)
-            if (found.of == kind && found.z == of.z && (!peak.value || found.value > *peak.value)) {
+            if (is_of(found, of, kind) && (!peak.value || found.value > *peak.value)) {
                 peak.value = found.value;
                 peak.speed = found.speed;
                 peak.error = found.error;
@@ -234,9 +246,11 @@ Json curves_json(const ResponseResult &result) {
         return list;
     };
     const std::size_t nodes = result.nodes.size();
+    const std::size_t probes = nodes + result.bearings.size();
     return {{"speeds", curves.speeds},
             {"nodes", of_places(0, nodes, "amplitude")},
-            {"bearings", of_places(nodes, curves.values.size(), "force")}};
+            {"bearings", of_places(nodes, probes, "force")},
+            {"probes", of_places(probes, curves.values.size(), "amplitude")}};
 }
 
 Json json_of(const ResponseResult &result) {

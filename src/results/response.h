@@ -45,12 +45,13 @@ struct ResponseBearing {
 
 /// A local maximum over the spin speed, found as a root of the derivative of the whole curve.
 struct ResponsePeak {
-    std::string of; ///< "station" or "bearing"
+    std::string of; ///< "station", "bearing" or "probe"
     double z = 0;   ///< m
     std::string name;
     double speed = 0; ///< rad/s
-    double value = 0; ///< semi-major axis, m, or largest force, N; infinite: no damping
-    double phase = 0; ///< of x, rad; NaN without damping
+    double value = 0; ///< semi-major axis or reading, m, or largest force, N; infinite: no damping
+    double phase = 0; ///< of x or of the reading, rad; NaN without damping
+    std::optional<double> angle; ///< in which a probe looks, rad
     /// Speed over the distance of the half-power points; none where one of them is not reached.
     std::optional<double> amplification;
     std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
@@ -59,7 +60,7 @@ struct ResponsePeak {
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,
-/// then for each bearing.
+/// then for each bearing, then for each probe.
 struct ResponseCurves {
     std::vector<double> speeds;              ///< rad/s
     std::vector<std::vector<double>> values; ///< semi-major axes, m, and forces, N

@@ -222,6 +222,29 @@ TEST(ResponsePeaks, NoneMissingNoneFalseInRandomRotors) {
     EXPECT_GT(found, 30);
 }
 
+/// On bearings alike in all directions a probe reads the radius of the orbit, whichever way it
+/// looks; on others its peaks are those of |x| and of |y|, which decouple in the Jeffcott rotor.
+TEST(ResponsePeaks, OfProbes) {
+    const double mass = 20;
+    const double zeta = 0.02;
+    model::Case scene = jeffcott(mass, 2e6, 2 * zeta * std::sqrt(2e6 * mass), 1e-3);
+    scene.speeds = model::SpeedRange{10, 900, 11};
+    scene.rotor.probes = {{"x", 0.5, 0}, {"y", 0.5, std::numbers::pi / 2}};
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].k(1, 1) *= 2;
+    const auto peaks = at_place(analyses::unbalance_response(scene), "probe", 0.5);
+    ASSERT_EQ(peaks.size(), 2U);
+    for (const int i : {0, 1}) {
+        const double k = i == 0 ? 2e6 : 4e6;
+        const double ratio = zeta * std::sqrt(2e6 / k); // the same damper on a stiffer spring
+        const auto &peak = peaks[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(peak.speed / std::sqrt(k / mass / (1 - 2 * ratio * ratio)), 1, 1e-10);
+        EXPECT_NEAR(peak.value / (1e-3 / mass / (2 * ratio * std::sqrt(1 - ratio * ratio))), 1,
+                    1e-9);
+        EXPECT_EQ(peak.angle, scene.rotor.probes[static_cast<std::size_t>(i)].angle);
+    }
+}
+
 TEST(ResponsePeaks, TheGridDoesNotMatter) {
     Random random(12);
     for (int rotor = 0; rotor < 4; ++rotor) {

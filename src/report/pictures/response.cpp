@@ -147,15 +147,18 @@ Panels panels_of(const ResponseResult &result) {
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
     }
     nodes = amplitude.size();
-    for (const auto &probe : result.probes)
-        if (amplitude.size() < 2 * most_curves) {
-            amplitude.push_back(
-                {fmt::format("{} at {}°",
-                             place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
-                             readable(probe.angle * 180 / pi, 4)),
-                 over_speed(result.speeds, probe.amplitude, 1e6)});
-            phase.push_back({"", phase_points(result.speeds, probe.phase)});
-        }
+    for (std::size_t i = 0; i < result.probes.size() && amplitude.size() < 2 * most_curves; ++i) {
+        const auto &probe = result.probes[i];
+        const std::size_t j = result.nodes.size() + result.bearings.size() + i;
+        const bool fine = j < result.curves.values.size();
+        const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
+        amplitude.push_back(
+            {fmt::format("{} at {}°",
+                         place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
+                         readable(probe.angle * 180 / pi, 4)),
+             over_speed(speeds, fine ? result.curves.values[j] : probe.amplitude, 1e6)});
+        phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[j] : probe.phase)});
+    }
     for (std::size_t i = 0; i < result.bearings.size() && i < most_curves; ++i) {
         const auto &bearing = result.bearings[i];
         const std::size_t j = result.nodes.size() + i;

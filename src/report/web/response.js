@@ -12,8 +12,8 @@ result.nodes.forEach((n, k) => {
 (result.probes || []).forEach((p, k) => {
   const line = {color: colours[(k + 3) % 8], dash: "dot", width: 2.5}, common = {mode: "lines", line, legendgroup: "p" + k,
     name: name(p, "probe") + ` at ${short(p.angle * 180 / Math.PI, 4)}°`};
-  traces.push({...common, x: speeds, y: positive(p.amplitude).map(a => a === null ? null : a * 1e6), hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} µm"});
-  traces.push({...common, x: speeds, y: p.phase.map(f => { if (f === null) return null; const d = f * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
+  traces.push({...common, x: bends, y: positive(fine ? result.curves.probes[k].amplitude : p.amplitude).map(a => a === null ? null : a * 1e6), hovertemplate: "%{x:.5g} rpm<br>%{y:.6g} µm"});
+  traces.push({...common, x: bends, y: (fine ? result.curves.probes[k].phase : p.phase).map(f => { if (f === null) return null; const d = f * 180 / Math.PI; return d - 360 * Math.round(d / 360); }),
     yaxis: "y2", showlegend: false, mode: "markers", marker: {size: 3, color: line.color, symbol: "x"}, hovertemplate: "%{x:.5g} rpm<br>%{y:.5g}°"});
 });
 result.bearings.forEach((b, k) => traces.push({x: bends, y: positive(fine ? result.curves.bearings[k].force : b.force), yaxis: "y3", mode: "lines", name: "force in " + name(b, "bearing"),
