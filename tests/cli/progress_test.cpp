@@ -66,20 +66,27 @@ void work_for_a_while() {
 
 TEST(Progress, LinesWhereThereIsNoTerminal) {
     const std::string text = written(false, work_for_a_while);
-    EXPECT_EQ(text.rfind("whirl: 75 %, motions in time, 0 s\n", 0), 0U) << text;
+    EXPECT_NE(text.find("whirl: 75 %, motions in time, "), std::string::npos) << text;
     EXPECT_EQ(text.find('\r'), std::string::npos);
 }
 
 TEST(Progress, OneLineOnATerminalThatIsGoneInTheEnd) {
     const std::string text = written(true, work_for_a_while);
-    EXPECT_NE(text.find("\r\033[K75 %, motions in time, 0 s"), std::string::npos) << text;
+    EXPECT_NE(text.find("\r\033[K75 %, motions in time, "), std::string::npos) << text;
     EXPECT_EQ(text.find('\n'), std::string::npos);
     ASSERT_GE(text.size(), 4U);
     EXPECT_EQ(text.substr(text.size() - 4), "\r\033[K");
 }
 
 TEST(Progress, NothingOfWhatIsQuick) {
-    EXPECT_EQ(written(true, [] { process::report_progress(0.5); }), "");
+    // Sooner than anything is said, by a wide margin on a busy machine.
+    std::FILE *file = std::tmpfile();
+    {
+        const cli::ProgressDisplay display({true, 3600, 3600, file});
+        process::report_progress(0.5);
+    }
+    EXPECT_EQ(std::ftell(file), 0);
+    std::fclose(file);
 }
 
 } // namespace
