@@ -15,21 +15,43 @@ constexpr double beyond = 0.3;
 /// Step over the distance to the nearest pole: an analytic function is a cubic there to 1e-4.
 constexpr double step_to_pole = 0.2;
 constexpr int fewest_steps = 300; // for pictures
-/// A pole this near to the real speeds, relative, is one of a rotor without damping.
-constexpr double on_the_axis = 1e-10;
 /// Distance, relative, at which one looks beside such a pole.
 constexpr double beside = 1e-7;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+double low_end(double from, double to) { return std::max((1 - beyond) * from, 1e-3 * to); }
+double high_end(double to) { return (1 + beyond) * to; }
+
+/// Of the poles of a piece.
+std::vector<Resonance> resonances_of(const std::vector<std::complex<double>> &poles, double from,
+                                     double to) {
+    std::vector<Resonance> out;
+    for (const std::complex<double> &pole : poles)
+        if (pole.real() > from && pole.real() < to)
+            out.push_back({pole.real(), std::abs(pole.imag())});
+    std::sort(out.begin(), out.end(),
+              [](const Resonance &a, const Resonance &b) { return a.speed < b.speed; });
+    return out;
+}
+
 } // namespace
 
+std::vector<Resonance> resonances_about(ReducedMotion &motion, double from, double to) {
+    const std::vector<double> cuts = motion.cuts(low_end(from, to), high_end(to));
+    std::vector<Resonance> out;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        motion.enter_piece((cuts[i] + cuts[i + 1]) / 2);
+        const auto more = resonances_of(motion.poles(cuts[i], cuts[i + 1]), cuts[i], cuts[i + 1]);
+        out.insert(out.end(), more.begin(), more.end());
+    }
+    return out;
+}
+
 PeakSearch::PeakSearch(ReducedMotion &motion, double from, double to)
-    : _motion(motion), _from(from), _to(to), _low(std::max((1 - beyond) * from, 1e-3 * to)),
-      _high((1 + beyond) * to), _cuts(motion.cuts(_low, _high)) {
+    : _motion(motion), _from(from), _to(to), _low(low_end(from, to)), _high(high_end(to)),
+      _cuts(motion.cuts(_low, _high)) {
     for (int piece = 0; piece + 1 < static_cast<int>(_cuts.size()); ++piece)
         sample_piece(piece);
-    std::sort(_resonances.begin(), _resonances.end(),
-              [](const Resonance &a, const Resonance &b) { return a.speed < b.speed; });
     const auto quantities = static_cast<int>(_samples.front().value.size());
     for (int quantity = 0; quantity < quantities; ++quantity)
         find(quantity);
@@ -55,19 +77,14 @@ void PeakSearch::sample_piece(int piece) {
     const double from = _cuts[static_cast<std::size_t>(piece)];
     const double to = _cuts[static_cast<std::size_t>(piece) + 1];
     const std::vector<std::complex<double>> poles = _motion.poles(from, to);
-    std::vector<double> real;
-    for (const std::complex<double> &pole : poles)
-        if (pole.real() > from && pole.real() < to) {
-            _resonances.push_back({pole.real(), std::abs(pole.imag())});
-            if (std::abs(pole.imag()) < on_the_axis * pole.real())
-                real.push_back(pole.real());
-        }
-    std::sort(real.begin(), real.end());
+    const std::vector<Resonance> here = resonances_of(poles, from, to);
+    _resonances.insert(_resonances.end(), here.begin(), here.end());
     double start = from;
-    for (const double pole : real) {
-        sample_stretch(piece, start, pole * (1 - beside), poles);
-        start = pole * (1 + beside);
-    }
+    for (const Resonance &r : here)
+        if (r.undamped()) {
+            sample_stretch(piece, start, r.speed * (1 - beside), poles);
+            start = r.speed * (1 + beside);
+        }
     sample_stretch(piece, start, to, poles);
 }
 
@@ -110,7 +127,7 @@ void PeakSearch::find(int quantity) {
             continue;
         const bool pole =
             std::any_of(_resonances.begin(), _resonances.end(), [&](const Resonance &r) {
-                return r.speed > a.speed && r.speed < b.speed && r.width < on_the_axis * r.speed;
+                return r.speed > a.speed && r.speed < b.speed && r.undamped();
             });
         if (pole && a.piece == b.piece)
             endless_peak(quantity, i);

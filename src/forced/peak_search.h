@@ -19,6 +19,18 @@ struct Peak {
     double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
 };
 
+/// A pole of the response.
+struct Resonance {
+    double speed = 0; ///< its real part, rad/s
+    double width = 0; ///< its distance from the real speeds, rad/s
+
+    /// As without damping: the response has no limit there.
+    [[nodiscard]] bool undamped() const { return width < 1e-10 * speed; }
+};
+/// Those between two speeds, and a little beyond, ascending.
+[[nodiscard]] std::vector<Resonance> resonances_about(ReducedMotion &motion, double from,
+                                                      double to);
+
 /// Every local maximum of all quantities strictly between two speeds, on the reduced rotor.
 ///
 /// A quantity changes over a speed on the scale of the distance to the nearest pole. It is looked
@@ -31,12 +43,6 @@ class PeakSearch {
 
     /// Ascending by quantity, then by speed.
     [[nodiscard]] const std::vector<Peak> &peaks() const { return _peaks; }
-    /// Speeds at which resonances have their real parts, ascending, and the distance of the pole
-    /// from the real speeds.
-    struct Resonance {
-        double speed = 0; ///< rad/s
-        double width = 0; ///< rad/s
-    };
     [[nodiscard]] const std::vector<Resonance> &resonances() const { return _resonances; }
 
     /// All quantities at one speed.

@@ -56,13 +56,14 @@ class Comparison {
 };
 
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
-std::vector<double> telling_speeds(const PeakSearch &search, double from, double to) {
+std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from,
+                                   double to) {
     std::vector<double> speeds{(from + 2 * to) / 3, to};
     const auto add = [&](double speed) {
         if (speed > from && speed < to)
             speeds.push_back(speed);
     };
-    for (const PeakSearch::Resonance &r : search.resonances()) {
+    for (const Resonance &r : resonances) {
         constexpr double too_damped = 0.3; // no peak of its own: between the others
         if (r.width > too_damped * r.speed)
             continue;
@@ -108,8 +109,8 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
     // A curve without limit is drawn up to 3e-4 beside it.
     const auto without_limit = [&](double speed) {
         return std::any_of(search.resonances().begin(), search.resonances().end(),
-                           [speed](const PeakSearch::Resonance &r) {
-                               return std::hypot(r.speed - speed, r.width) < 3e-4 * speed;
+                           [speed](const Resonance &r) {
+                               return r.undamped() && std::abs(r.speed - speed) < 3e-4 * speed;
                            });
     };
     for (const PeakSearch::Sample &s : search.samples()) {
@@ -135,18 +136,19 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Comparison whole(discretization, form, quantities);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
-        const PeakSearch search(reduced, from, to);
-        out.peaks = search.peaks();
-        out.shapes = reduced.size();
-        out.curve = drawn(search, from, to);
-        const Eigen::MatrixXcd news =
-            missing(reduced, whole, telling_speeds(search, from, to), agreed, out.reduction_error);
-        if (news.cols() == 0)
-            break;
-        reduced.take_in(news);
-        if (reduced.size() == out.shapes)
+        const std::vector<double> speeds =
+            telling_speeds(resonances_about(reduced, from, to), from, to);
+        const Eigen::MatrixXcd news = missing(reduced, whole, speeds, agreed, out.reduction_error);
+        const int before = reduced.size();
+        if (news.cols() > 0)
+            reduced.take_in(news);
+        if (reduced.size() == before)
             break;
     }
+    const PeakSearch search(reduced, from, to);
+    out.peaks = search.peaks();
+    out.curve = drawn(search, from, to);
+    out.shapes = reduced.size();
     out.errors = PeakError(discretization, form, quantities, places).of(out.peaks, reduced);
     return out;
 }
