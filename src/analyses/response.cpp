@@ -258,14 +258,11 @@ Watched watched(const assembly::Discretization &d, const std::map<int, std::stri
     return out;
 }
 
-/// Peaks of the stations, bearings and probes, and the curves between.
-void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-               const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
-    if (!(range.to > range.from) || nodes.empty())
-        return;
-    const Watched all = watched(d, nodes);
-    const forced::CertifiedPeaks found = forced::response_peaks(
-        d, result.model.formulation.form, all.quantities, all.z, range.from, range.to);
+/// Peaks of the stations, bearings and probes between two speeds of one sign, and the curves.
+void add_peaks_between(results::ResponseResult &result, const assembly::Discretization &d,
+                       const Watched &all, double from, double to) {
+    const forced::CertifiedPeaks found =
+        forced::response_peaks(d, result.model.formulation.form, all.quantities, all.z, from, to);
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const forced::Peak &peak = found.peaks[i];
         results::ResponsePeak out = all.places[static_cast<std::size_t>(peak.quantity)];
@@ -275,13 +272,11 @@ void add_peaks(results::ResponseResult &result, const assembly::Discretization &
         out.lower = peak.lower;
         out.upper = peak.upper;
         if (peak.lower && peak.upper)
-            out.amplification = peak.speed / (*peak.upper - *peak.lower);
+            out.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
         out.error = found.errors[i].value + found.reduction_error;
         out.speed_error = found.errors[i].speed;
         result.peaks.push_back(out);
     }
-    result.curves.values.resize(all.quantities.size());
-    result.curves.phases.resize(all.quantities.size());
     for (const forced::PeakSearch::Sample &sample : found.curve) {
         result.curves.speeds.push_back(sample.speed);
         for (std::size_t i = 0; i < all.quantities.size(); ++i) {
@@ -289,6 +284,19 @@ void add_peaks(results::ResponseResult &result, const assembly::Discretization &
             result.curves.phases[i].push_back(sample.phase[i]);
         }
     }
+}
+
+void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
+               const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
+    if (range.count < 2 || !(range.to > range.from) || nodes.empty())
+        return;
+    const Watched all = watched(d, nodes);
+    result.curves.values.resize(all.quantities.size());
+    result.curves.phases.resize(all.quantities.size());
+    if (range.from < 0)
+        add_peaks_between(result, d, all, range.from, std::min(range.to, 0.0));
+    if (range.to > 0)
+        add_peaks_between(result, d, all, std::max(range.from, 0.0), range.to);
 }
 
 /// Empty lists with places and names.

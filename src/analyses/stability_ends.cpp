@@ -24,6 +24,16 @@ std::vector<double> looks(const std::vector<stability::SpeedInterval> &bands) {
     return out;
 }
 
+/// Without those in which every motion dies out: noise of eigenvalues that are nearly zero.
+std::vector<stability::SpeedInterval> those_that_grow(std::vector<stability::SpeedInterval> bands,
+                                                      const ends::AllMotions &motions) {
+    const auto decays = [&motions](const stability::SpeedInterval &band) {
+        return motions.fastest_growing((band.first + band.second) / 2).real() < 0;
+    };
+    bands.erase(std::remove_if(bands.begin(), bands.end(), decays), bands.end());
+    return bands;
+}
+
 results::Verdict verdict_of(std::complex<double> fastest) {
     if (fastest.real() <= 0)
         return fastest.real() < 0 ? results::Verdict::stable : results::Verdict::neutral;
@@ -94,7 +104,7 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
                         const std::vector<double> &grid, results::StabilityResult &result) {
     auto &notes = result.model.notes;
     const stability::BandsFound bands = finder.find(at, grid);
-    result.unstable = bands.bands;
+    result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
     for (const auto &[from, to] : bands.doubtful)
         notes.push_back(
             fmt::format("between {:.10g} and {:.10g} rad/s the motions could not be followed: an "
@@ -114,6 +124,27 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
         notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
                                     "number of growing motions was found",
                                     edge));
+    if (motions != nullptr) {
+        const std::vector<stability::SpeedInterval> all = result.unstable;
+        result.unstable = those_that_grow(all, *motions);
+        for (const stability::SpeedInterval &band : all)
+            if (std::find(result.unstable.begin(), result.unstable.end(), band) ==
+                result.unstable.end())
+                found.ends.erase(std::remove_if(found.ends.begin(), found.ends.end(),
+                                                [&band](const results::StabilityEnd &end) {
+                                                    return end.speed >= band.first &&
+                                                           end.speed <= band.second;
+                                                }),
+                                 found.ends.end());
+    }
+    const bool counted = std::all_of(found.ends.begin(), found.ends.end(), [](const auto &end) {
+        return end.growing_below >= 0 && end.growing_above >= 0;
+    });
+    if (!counted) {
+        notes.emplace_back("the ends of growth are not listed: so many lie so close together that "
+                           "the growing motions between them could not be counted");
+        return;
+    }
     result.ends = std::move(found.ends);
 }
 

@@ -112,14 +112,14 @@ PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedM
     };
     const std::optional<double> coarse_top = coarse.top(reach);
     double centre = middle;
-    for (int move = 0; coarse_top && move < 8 && centre > 2 * width; ++move) {
+    for (int move = 0; coarse_top && move < 8 && std::abs(centre) > 2 * width; ++move) {
         solve_about(centre, width);
         const LocalCurve fine({_motions[0][q], _motions[1][q], _motions[2][q]});
         if (const std::optional<double> top = fine.top(reach)) {
             const double a = coarse(*coarse_top);
             const double b = fine(*top);
             const double shift = centre - middle + (*top - *coarse_top) * width;
-            return {share(a - b, std::max(a, b)), share(shift, peak.speed)};
+            return {share(a - b, std::max(a, b)), share(shift, std::abs(peak.speed))};
         }
         constexpr double farthest = 1000;
         centre += std::clamp(fine.pole(), -farthest, farthest) * width;
@@ -149,12 +149,12 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMot
             out[i] = {not_known, not_known};
             continue;
         }
-        if (!(peak.speed - middle < width)) {
+        if (width == 0 || !(peak.speed - middle < width)) {
             // So near that one resonance and a straight line are all there is to see.
             constexpr double part = 0.1;
             constexpr double widest = 0.01; // of the speed
             middle = peak.speed;
-            width = std::min(part * peak.width, widest * peak.speed);
+            width = std::min(part * peak.width, widest * std::abs(peak.speed));
         }
         reduced.enter_piece(middle);
         try {

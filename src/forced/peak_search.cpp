@@ -19,8 +19,15 @@ constexpr int fewest_steps = 300; // for pictures
 constexpr double beside = 1e-7;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-double low_end(double from, double to) { return std::max((1 - beyond) * from, 1e-3 * to); }
-double high_end(double to) { return (1 + beyond) * to; }
+/// At rest there is no force; this share of the fastest speed is the slowest looked at.
+constexpr double slowest = 1e-6;
+
+double low_end(double from, double to) {
+    return from < 0 ? (1 + beyond) * from : std::max((1 - beyond) * from, slowest * to);
+}
+double high_end(double from, double to) {
+    return from < 0 ? std::min((1 - beyond) * to, slowest * from) : (1 + beyond) * to;
+}
 
 /// Of the poles of a piece.
 std::vector<Resonance> resonances_of(const std::vector<std::complex<double>> &poles, double from,
@@ -37,7 +44,7 @@ std::vector<Resonance> resonances_of(const std::vector<std::complex<double>> &po
 } // namespace
 
 std::vector<Resonance> resonances_about(ReducedMotion &motion, double from, double to) {
-    const std::vector<double> cuts = motion.cuts(low_end(from, to), high_end(to));
+    const std::vector<double> cuts = motion.cuts(low_end(from, to), high_end(from, to));
     std::vector<Resonance> out;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         motion.enter_piece((cuts[i] + cuts[i + 1]) / 2);
@@ -48,7 +55,7 @@ std::vector<Resonance> resonances_about(ReducedMotion &motion, double from, doub
 }
 
 PeakSearch::PeakSearch(ReducedMotion &motion, double from, double to)
-    : _motion(motion), _from(from), _to(to), _low(low_end(from, to)), _high(high_end(to)),
+    : _motion(motion), _from(from), _to(to), _low(low_end(from, to)), _high(high_end(from, to)),
       _cuts(motion.cuts(_low, _high)) {
     for (int piece = 0; piece + 1 < static_cast<int>(_cuts.size()); ++piece)
         sample_piece(piece);
@@ -82,8 +89,9 @@ void PeakSearch::sample_piece(int piece) {
     double start = from;
     for (const Resonance &r : here)
         if (r.undamped()) {
-            sample_stretch(piece, start, r.speed * (1 - beside), poles);
-            start = r.speed * (1 + beside);
+            const double apart = beside * std::abs(r.speed);
+            sample_stretch(piece, start, r.speed - apart, poles);
+            start = r.speed + apart;
         }
     sample_stretch(piece, start, to, poles);
 }
@@ -100,14 +108,14 @@ void PeakSearch::sample_stretch(int piece, double from, double to,
         double distance = (_high - _low) / fewest_steps / step_to_pole;
         for (const std::complex<double> &pole : poles)
             distance = std::min(distance, std::abs(pole - speed));
-        const double step = std::max(step_to_pole * distance, 1e-9 * speed);
+        const double step = std::max(step_to_pole * distance, 1e-9 * std::abs(speed));
         // No minute last step.
         speed = speed + 1.2 * step >= to ? to : speed + step;
     }
 }
 
 double PeakSearch::width_at(double speed) const {
-    double best = _high;
+    double best = std::max(std::abs(_low), std::abs(_high));
     double width = 0;
     for (const Resonance &r : _resonances)
         if (std::hypot(r.speed - speed, r.width) < best) {
@@ -131,9 +139,24 @@ void PeakSearch::find(int quantity) {
             });
         if (pole && a.piece == b.piece)
             endless_peak(quantity, i);
-        else
+        else if (stands_out(i, q))
             peak_between(quantity, i);
     }
+}
+
+bool PeakSearch::stands_out(std::size_t left, std::size_t quantity) const {
+    constexpr double shallow = 1e-6;
+    constexpr double allowance = 1000; // over the rounding of one solution
+    const Sample &a = _samples[left];
+    const Sample &b = _samples[left + 1];
+    if (a.speed == b.speed) // a kink at the row of a bearing table
+        return true;
+    const Sample &before = _samples[left > 0 ? left - 1 : left];
+    const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
+    enter(a.piece);
+    const double rounding = std::max(shallow, allowance * _motion.rounding(a.speed));
+    const double top = std::max(a.value[quantity], b.value[quantity]);
+    return std::min(before.value[quantity], after.value[quantity]) < (1 - rounding) * top;
 }
 
 void PeakSearch::endless_peak(int quantity, std::size_t left) {
@@ -187,7 +210,9 @@ double PeakSearch::major(double speed, std::size_t quantity) const {
 
 double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {
     enter(a.piece);
-    const auto done = [](double low, double high, double) { return high - low < 1e-9 * high; };
+    const auto done = [](double low, double high, double) {
+        return high - low < 1e-9 * std::max(std::abs(low), std::abs(high));
+    };
     return linalg::least_between([&](double speed) { return major(speed, quantity); },
                                  std::min(a.speed, b.speed), std::max(a.speed, b.speed), done)
         .first;

@@ -2,7 +2,7 @@
 
 #include "forced/reduced_motion.h"
 
-#include <limits>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -25,7 +25,7 @@ struct Resonance {
     double width = 0; ///< its distance from the real speeds, rad/s
 
     /// As without damping: the response has no limit there.
-    [[nodiscard]] bool undamped() const { return width < 1e-10 * speed; }
+    [[nodiscard]] bool undamped() const { return width < 1e-10 * std::abs(speed); }
 };
 /// Those between two speeds, and a little beyond, ascending.
 [[nodiscard]] std::vector<Resonance> resonances_about(ReducedMotion &motion, double from,
@@ -36,7 +36,7 @@ struct Resonance {
 /// A quantity changes over a speed on the scale of the distance to the nearest pole. It is looked
 /// at in steps of a part of that distance, with its derivative: where that changes from growth to
 /// decline a maximum is found as the root of the derivative. Half-power points are looked for a
-/// little beyond the speeds asked for too.
+/// little beyond the speeds asked for too. Speeds from 0 or up to 0, not on both sides of it.
 class PeakSearch {
   public:
     PeakSearch(ReducedMotion &motion, double from, double to);
@@ -70,6 +70,8 @@ class PeakSearch {
                         const std::vector<std::complex<double>> &poles);
     [[nodiscard]] Sample sample(int piece, double speed) const;
     void find(int quantity);
+    /// More than rounding: a curve that changes on the scale of the steps falls by far more in two.
+    [[nodiscard]] bool stands_out(std::size_t left, std::size_t quantity) const;
     void peak_between(int quantity, std::size_t left);
     void endless_peak(int quantity, std::size_t left);
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,

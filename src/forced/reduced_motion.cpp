@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace whirl::forced {
 
@@ -212,7 +213,7 @@ void ReducedMotion::enter_piece(double inside) {
 std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) const {
     // With s = shift + width / m the roots m of m^2 P(shift) + m width P' + width^2 P2 are those of
     // a companion matrix. The shift keeps away from the real speeds, where a pole may be.
-    const double width = std::max(to - from, 0.1 * to);
+    const double width = std::max(to - from, 0.1 * std::max(std::abs(from), std::abs(to)));
     const Complex shift((from + to) / 2, 0.3 * width);
     const auto &[first, last, P0, P1, P2] = *_piece;
     const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(P0 + shift * P1 + shift * shift * P2);
@@ -229,6 +230,12 @@ std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) c
         if (std::abs(root) > 1e-9) // else farther than any speed
             out.push_back(shift + width / root);
     return out;
+}
+
+double ReducedMotion::rounding(double speed) const {
+    const auto &[first, last, P0, P1, P2] = *_piece;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(P0 + speed * P1 + (speed * speed) * P2);
+    return std::numeric_limits<double>::epsilon() / std::max(P.rcond(), 1e-300);
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {

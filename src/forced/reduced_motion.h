@@ -69,6 +69,9 @@ class ReducedMotion {
     void enter_piece(double inside);
     /// All poles of the piece, rad/s.
     [[nodiscard]] std::vector<std::complex<double>> poles(double from, double to) const;
+    /// Relative error of the motion at a speed of the piece that rounding of P may cause; large at
+    /// resonances, and at slow speeds of rotors that are free to move.
+    [[nodiscard]] double rounding(double speed) const;
     /// Every quantity at a speed of the piece.
     [[nodiscard]] std::vector<Reading> at(double speed) const;
 

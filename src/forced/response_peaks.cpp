@@ -58,23 +58,26 @@ class Comparison {
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
 std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from,
                                    double to) {
-    std::vector<double> speeds{(from + 2 * to) / 3, to};
+    std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
+                               from < 0 ? from : to};
     const auto add = [&](double speed) {
         if (speed > from && speed < to)
             speeds.push_back(speed);
     };
     for (const Resonance &r : resonances) {
         constexpr double too_damped = 0.3; // no peak of its own: between the others
-        if (r.width > too_damped * r.speed)
+        if (r.width > too_damped * std::abs(r.speed))
             continue;
-        const double apart = std::max(r.width, 1e-6 * r.speed);
+        const double apart = std::max(r.width, 1e-6 * std::abs(r.speed));
         for (const double place : {-1.0, 0.0, 1.0})
-            if (place != 0 || r.width > 1e-9 * r.speed)
+            if (place != 0 || r.width > 1e-9 * std::abs(r.speed))
                 add(r.speed + place * apart);
     }
     std::sort(speeds.begin(), speeds.end());
     speeds.erase(std::unique(speeds.begin(), speeds.end(),
-                             [](double a, double b) { return b - a < 1e-9 * b; }),
+                             [](double a, double b) {
+                                 return b - a < 1e-9 * std::max(std::abs(a), std::abs(b));
+                             }),
                  speeds.end());
     return speeds;
 }
@@ -108,10 +111,10 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
     std::vector<PeakSearch::Sample> out;
     // A curve without limit is drawn up to 3e-4 beside it.
     const auto without_limit = [&](double speed) {
-        return std::any_of(search.resonances().begin(), search.resonances().end(),
-                           [speed](const Resonance &r) {
-                               return r.undamped() && std::abs(r.speed - speed) < 3e-4 * speed;
-                           });
+        return std::any_of(
+            search.resonances().begin(), search.resonances().end(), [speed](const Resonance &r) {
+                return r.undamped() && std::abs(r.speed - speed) < 3e-4 * std::abs(speed);
+            });
     };
     for (const PeakSearch::Sample &s : search.samples()) {
         if (s.speed < from || s.speed > to || without_limit(s.speed))
@@ -132,7 +135,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
                               const std::vector<double> &places, double from, double to) {
     constexpr double agreed = 1e-9;
     constexpr int most_rounds = 6;
-    ReducedMotion reduced(discretization, form, to, quantities);
+    ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities);
     Comparison whole(discretization, form, quantities);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {

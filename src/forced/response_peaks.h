@@ -19,9 +19,9 @@ struct CertifiedPeaks {
     std::vector<PeakSearch::Sample> curve;
 };
 
-/// Peaks between two speeds (rad/s) under the imbalances of the rotor, by the reduced rotor: it
-/// takes in the motion of the whole rotor wherever the two differ, until they agree to 1e-9 at
-/// every resonance and half the width of the peak beside it.
+/// Peaks between two speeds of one sign (rad/s) under the imbalances of the rotor, by the reduced
+/// rotor: it takes in the motion of the whole rotor wherever the two differ, until they agree to
+/// 1e-9 at every resonance and half the width of the peak beside it.
 ///
 /// @param quantities  what is looked at
 /// @param places      z of each, m

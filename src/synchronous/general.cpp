@@ -41,16 +41,25 @@ struct Weights {
     }
 };
 
+/// The mode is one of the list, or a mixture of those that share its eigenvalue.
 bool present(const std::vector<modes::WhirlMode> &modes, const modes::WhirlMode &mode,
              const Weights &weights) {
-    return std::any_of(modes.begin(), modes.end(), [&](const modes::WhirlMode &other) {
+    const Eigen::VectorXd at = weights.at(std::abs(mode.eigenvalue));
+    Eigen::VectorXcd rest = at.cwiseProduct(mode.shape).normalized();
+    std::vector<Eigen::VectorXcd> basis;
+    for (const modes::WhirlMode &other : modes) {
         if (std::abs(other.eigenvalue - mode.eigenvalue) >= 1e-7 * std::abs(mode.eigenvalue))
-            return false;
-        const Eigen::VectorXd at = weights.at(std::abs(mode.eigenvalue));
-        const Eigen::VectorXcd a = at.cwiseProduct(other.shape);
-        const Eigen::VectorXcd b = at.cwiseProduct(mode.shape);
-        return std::abs(a.dot(b)) > 0.99 * a.norm() * b.norm();
-    });
+            continue;
+        Eigen::VectorXcd direction = at.cwiseProduct(other.shape).normalized();
+        for (const Eigen::VectorXcd &known : basis)
+            direction -= known.dot(direction) * known;
+        if (direction.norm() > 1e-6) {
+            basis.push_back(direction.normalized());
+            rest -= basis.back().dot(rest) * basis.back();
+        }
+    }
+    constexpr double new_part = 0.14; // an angle whose cosine is 0.99
+    return !basis.empty() && rest.norm() < new_part;
 }
 
 /// Largest Im l up to which a disc about a real shift holds all l with Im l > steepness |Re l|.

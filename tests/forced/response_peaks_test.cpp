@@ -94,6 +94,22 @@ TEST(ResponsePeaks, JeffcottRotor) {
     }
 }
 
+TEST(ResponsePeaks, OfEitherSignOfTheSpeedAndFarBelowTheTop) {
+    model::Case scene = jeffcott(20, 2e6, 2 * 0.01 * std::sqrt(2e6 * 20), 1e-3);
+    const double top = std::sqrt(2e6 / 20 / (1 - 2 * 0.01 * 0.01));
+    for (const auto &[from, to] : {std::pair(-900.0, 900.0), {-900.0, -10.0}, {-900.0, 0.0}}) {
+        scene.speeds = model::SpeedRange{from, to, 11};
+        const auto peaks = at_place(analyses::unbalance_response(scene), "station", 0.5);
+        ASSERT_EQ(peaks.size(), to > 0 ? 2U : 1U);
+        EXPECT_NEAR(peaks.front().speed / -top, 1, 1e-10);
+        EXPECT_NEAR(peaks.back().speed / (to > 0 ? top : -top), 1, 1e-10);
+    }
+    scene.speeds = model::SpeedRange{0, 1e6, 3};
+    const auto peaks = at_place(analyses::unbalance_response(scene), "station", 0.5);
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_NEAR(peaks[0].speed / top, 1, 1e-10);
+}
+
 TEST(ResponsePeaks, TooMuchDampingLeavesNone) {
     model::Case scene = jeffcott(20, 2e6, 0.75 * 2 * 20 * std::sqrt(2e6 / 20), 1e-3);
     scene.speeds = model::SpeedRange{10, 900, 11};
