@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 
 namespace whirl::analyses {
@@ -132,14 +131,6 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
         speeds.pop_back();
 }
 
-/// The damping of the synchronous eigenvalue as far as the eigensolver tells it from none.
-results::Damping damping_of(const modes::WhirlMode &mode) {
-    std::complex<double> value = mode.eigenvalue;
-    if (std::abs(value.real()) <= (mode.residual + mode.rounding) * std::abs(value))
-        value.real(0);
-    return results::damping_of(value);
-}
-
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
                                  int order) {
@@ -164,7 +155,7 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
         const modes::WhirlMode &mode = list.modes[i];
         result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
                                           mode.eigenvalue.real(), errors[i], mode.residual,
-                                          damping_of(mode)});
+                                          results::damping_of(modes::determined_value(mode))});
     }
     if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);

@@ -84,11 +84,8 @@ std::vector<std::vector<double> *> lists_of(results::ResponseResult &result) {
 /// Direction of the major axis, from x towards y, (-pi/2, pi/2]; none for a
 /// circle: where its direction is decided by rounding.
 double inclination_of(const forced::Phasor &u, double rounding) {
-    // x(t) + i y(t) = a exp(i w t) + conj(d) exp(-i w t): longest where the two
-    // are parallel.
-    const std::complex<double> i(0, 1);
-    const std::complex<double> a = (u.x + i * u.y) / 2.0;
-    const std::complex<double> d = (u.x - i * u.y) / 2.0;
+    const forced::WhirlParts parts(u); // longest where the two are parallel
+    const auto &[a, d] = parts;
     const double smaller = std::min(std::abs(a), std::abs(d));
     const double larger = std::max(std::abs(a), std::abs(d));
     if (smaller <= (rounding + 1e-14) * larger)

@@ -28,19 +28,31 @@ void add_real(Entries &entries, int i, int j, double value, bool couples, double
     }
 }
 
-} // namespace
+/// Over the unknowns of one plane: [a b; -b a] of a bearing on (x, y) is a - i b on x + i y.
+struct PlanarTerms {
+    TermEntries real, imaginary;
+};
 
-PlanarSystem assemble_planar(const Discretization &discretization, double speed) {
-    TermEntries terms;
+PlanarTerms planar_terms(const Discretization &discretization, double speed) {
+    PlanarTerms out;
     assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
                                                 const Eigen::MatrixXd &block) {
         for_each_entry(unknowns, block,
-                       [&](int i, int j, double v) { terms[term].emplace_back(i, j, v); });
+                       [&](int i, int j, double v) { out.real[term].emplace_back(i, j, v); });
     });
     assemble_supports(discretization, speed,
                       [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                          terms[term].emplace_back(i, j, block(0, 0));
+                          out.real[term].emplace_back(i, j, block(0, 0));
+                          if (block(0, 1) != 0)
+                              out.imaginary[term].emplace_back(i, j, -block(0, 1));
                       });
+    return out;
+}
+
+} // namespace
+
+PlanarSystem assemble_planar(const Discretization &discretization, double speed) {
+    TermEntries terms = planar_terms(discretization, speed).real;
     const int n = discretization.planar_size();
     return {linalg::Matrix::from_entries(n, terms[Term::mass]),
             linalg::Matrix::from_entries(n, terms[Term::gyroscopic]),
@@ -48,20 +60,7 @@ PlanarSystem assemble_planar(const Discretization &discretization, double speed)
 }
 
 DampedPlanarSystem assemble_damped_planar(const Discretization &discretization, double speed) {
-    TermEntries terms;
-    TermEntries across;
-    assemble_rotating_parts(discretization, [&](Term term, std::span<const int> unknowns,
-                                                const Eigen::MatrixXd &block) {
-        for_each_entry(unknowns, block,
-                       [&](int i, int j, double v) { terms[term].emplace_back(i, j, v); });
-    });
-    // [a b; -b a] on (x, y) is a - i b on x + i y.
-    assemble_supports(discretization, speed,
-                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                          terms[term].emplace_back(i, j, block(0, 0));
-                          if (block(0, 1) != 0)
-                              across[term].emplace_back(i, j, -block(0, 1));
-                      });
+    auto [terms, across] = planar_terms(discretization, speed);
     const int n = discretization.planar_size();
     const auto matrix = [n](TermEntries &from, Term term) {
         return linalg::Matrix::from_entries(n, from[term]);

@@ -2,6 +2,7 @@
 
 #include "balancers/linear_element.h"
 #include "modes/zero_modes.h"
+#include "synchronous/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +15,9 @@ namespace {
 /// both directions are equal and balls do not stand anywhere by themselves, the range is cut.
 std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
     std::vector<double> out{from, to};
-    for (const model::Bearing &bearing : rotor.bearings)
-        for (const double row : bearing.speeds)
-            if (row > from && row < to)
-                out.push_back(row);
+    for (const double row : synchronous::table_speeds(rotor))
+        if (row > from && row < to)
+            out.push_back(row);
     if (from < 0 && to > 0)
         out.push_back(0);
     std::sort(out.begin(), out.end());

@@ -1,5 +1,7 @@
 #include "ends/refinement.h"
 
+#include "linalg/unit_scales.h"
+
 #include <Eigen/SparseLU>
 
 #include <cmath>
@@ -55,12 +57,8 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
 /// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
 /// @returns whether Q(l) could be factorised
 bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
-    const double size = std::max(std::abs(l), 1e-300);
-    const Eigen::VectorXd diagonal =
-        p.K.diagonal().cwiseAbs() + size * size * p.M.diagonal().cwiseAbs();
-    const double mean = diagonal.mean();
     const Eigen::VectorXd d =
-        diagonal.unaryExpr([mean](double a) { return 1 / std::sqrt(a > 0 ? a : mean); });
+        linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
     const ComplexSparse whole =
         l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>() + p.K.cast<Complex>();
     ComplexSparse Q = d.asDiagonal() * whole * d.asDiagonal();

@@ -1,6 +1,7 @@
 #include "ends/spectrum.h"
 
 #include "linalg/check.h"
+#include "linalg/unit_scales.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -23,10 +24,7 @@ constexpr double of_solver = 3;
 /// Scales of the unknowns that make the diagonal of the matrix at the shift 1 (deflections, slopes
 /// and balls have different units).
 Eigen::VectorXd scales(const DenseProblem &p, double shift) {
-    const Eigen::VectorXd diagonal =
-        p.K.diagonal().cwiseAbs() + shift * shift * p.M.diagonal().cwiseAbs();
-    const double mean = diagonal.mean();
-    return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
+    return linalg::scales_at(shift, p.M.diagonal(), p.K.diagonal());
 }
 
 /// The companion matrix in mu = 1/(s (l - shift)), its eigenvectors and their inverse.
@@ -132,6 +130,12 @@ DenseProblem scaled(const DenseProblem &p, const Eigen::VectorXd &d) {
 int Spectrum::growing() const {
     return static_cast<int>(
         std::count_if(roots.begin(), roots.end(), [](const Root &r) { return r.sign() > 0; }));
+}
+
+const Root &Spectrum::nearest(std::complex<double> value) const {
+    return *std::min_element(roots.begin(), roots.end(), [&](const Root &a, const Root &b) {
+        return std::abs(a.value - value) < std::abs(b.value - value);
+    });
 }
 
 Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int zeros) {

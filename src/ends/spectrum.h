@@ -29,6 +29,8 @@ struct Spectrum {
     std::vector<Root> roots;
 
     [[nodiscard]] int growing() const;
+    /// The root next to a value.
+    [[nodiscard]] const Root &nearest(std::complex<double> value) const;
 };
 
 /// @param shift  positive, of the order of the slow motions, 1/s

@@ -39,13 +39,6 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     return out;
 }
 
-const Root &nearest(const Spectrum &spectrum, Complex value) {
-    return *std::min_element(spectrum.roots.begin(), spectrum.roots.end(),
-                             [&](const Root &a, const Root &b) {
-                                 return std::abs(a.value - value) < std::abs(b.value - value);
-                             });
-}
-
 /// A change as the whole rotor has it, with what it does to the number of growing motions.
 struct Found {
     WholeMotion motion;
@@ -116,7 +109,7 @@ class EndSearch {
 
     void take(const Change &change, int piece) {
         const Spectrum there = _motions.at(change.speed, piece);
-        const Root &root = nearest(there, change.value);
+        const Root &root = there.nearest(change.value);
         WholeMotion guess = _motions.lifted(root, change.speed);
         // A pair that has come to the real axis moves along it as two.
         const bool standing = root.value.imag() == 0 || change.value.imag() == 0;

@@ -113,11 +113,7 @@ void Sweep::take_abrupt(const Spectrum &a, const Spectrum &b) {
     Change change{(a.speed + b.speed) / 2, a.speed, b.speed, 0, gain, false, false};
     if (best != nullptr) {
         change.value = best->value;
-        const auto from = std::min_element(
-            fewer.roots.begin(), fewer.roots.end(), [&](const Root &x, const Root &y) {
-                return std::abs(x.value - best->value) < std::abs(y.value - best->value);
-            });
-        change.undamped = from->sign() == 0;
+        change.undamped = fewer.nearest(best->value).sign() == 0;
     }
     _changes.push_back(change);
 }

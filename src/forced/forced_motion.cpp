@@ -11,7 +11,6 @@
 
 #include <Eigen/SparseLU>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -20,6 +19,14 @@ namespace whirl::forced {
 
 std::complex<double> reading(const Phasor &motion, double angle) {
     return motion.x * std::cos(angle) + motion.y * std::sin(angle);
+}
+
+Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization) {
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(discretization.planar_size());
+    for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
+        for (const auto &[unknown, value] : discretization.deflection_at(imbalance.z))
+            out(unknown) += value * std::polar(imbalance.mr, imbalance.phase);
+    return out;
 }
 
 assembly::Combination stretch_of_bearing(const assembly::Discretization &discretization,
@@ -115,13 +122,11 @@ void ForcedMotion::assemble_general(double from, double to) {
 }
 
 void ForcedMotion::enter_piece(double speed) {
-    const auto above = std::upper_bound(_rows.begin(), _rows.end(), speed);
-    const auto piece = static_cast<int>(above - _rows.begin());
-    if (piece == _piece)
+    const synchronous::TablePiece piece = synchronous::table_piece(_rows, speed);
+    if (piece.index == _piece)
         return;
-    const bool between = above != _rows.begin() && above != _rows.end();
-    assemble(between ? *(above - 1) : speed, between ? *above : speed);
-    _piece = piece;
+    assemble(piece.from, piece.to);
+    _piece = piece.index;
 }
 
 int ForcedMotion::size() const {
@@ -131,19 +136,12 @@ int ForcedMotion::size() const {
 int ForcedMotion::unknowns() const { return 2 * size(); }
 
 Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
-    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(size());
-    for (const model::Imbalance &imbalance : _discretization.rotor().imbalances) {
-        const std::complex<double> force =
-            imbalance.mr * speed * speed * std::polar(1.0, imbalance.phase);
-        for (const auto &[unknown, value] : _discretization.deflection_at(imbalance.z)) {
-            if (_planar) {
-                f(unknown) += value * force;
-            } else {
-                f(2 * unknown) += value * force;
-                f(2 * unknown + 1) -= value * imaginary_unit * force; // sin = Re(-i exp)
-            }
-        }
-    }
+    const Eigen::VectorXcd planar = (speed * speed) * imbalance_loads(_discretization);
+    if (_planar)
+        return planar;
+    Eigen::VectorXcd f(size());
+    f(Eigen::seqN(0, planar.size(), 2)) = planar;
+    f(Eigen::seqN(1, planar.size(), 2)) = -imaginary_unit * planar; // sin = Re(-i exp)
     return f;
 }
 

@@ -21,8 +21,20 @@ struct Phasor {
     std::complex<double> y;
 };
 
+/// Forward and backward part: x(t) + i y(t) = a exp(i Omega t) + conj(d) exp(-i Omega t).
+struct WhirlParts {
+    explicit WhirlParts(const Phasor &motion)
+        : a((motion.x + imaginary_unit * motion.y) / 2.0),
+          d((motion.x - imaginary_unit * motion.y) / 2.0) {}
+    std::complex<double> a, d;
+};
+
 /// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
 [[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
+
+/// The imbalances of the rotor as forces on w = x + i y, over planar unknowns, by the spin speed
+/// squared: kg m.
+[[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization);
 
 /// What a bearing's force works on: the deflection of the shaft there, against that of a pedestal.
 [[nodiscard]] assembly::Combination

@@ -44,7 +44,7 @@ class OneResonance {
 class LocalCurve {
   public:
     explicit LocalCurve(const std::array<Phasor, 3> &at)
-        : _forward(part(at, 1)), _backward(part(at, -1)) {}
+        : _forward(part(at, &WhirlParts::a)), _backward(part(at, &WhirlParts::d)) {}
 
     [[nodiscard]] double operator()(double t) const { return _forward.size(t) + _backward.size(t); }
 
@@ -64,11 +64,8 @@ class LocalCurve {
   private:
     OneResonance _forward, _backward;
 
-    static OneResonance part(const std::array<Phasor, 3> &at, double sense) {
-        const auto of = [sense](const Phasor &p) {
-            return (p.x + sense * imaginary_unit * p.y) / 2.0;
-        };
-        return {of(at[0]), of(at[1]), of(at[2])};
+    static OneResonance part(const std::array<Phasor, 3> &at, Complex WhirlParts::*sense) {
+        return {WhirlParts(at[0]).*sense, WhirlParts(at[1]).*sense, WhirlParts(at[2]).*sense};
     }
 };
 

@@ -3,6 +3,7 @@
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
+#include "modes/orbits.h"
 #include "modes/support_damping.h"
 #include "synchronous/parts.h"
 
@@ -24,27 +25,9 @@ using Complex = std::complex<double>;
 /// Rotors with no more planar unknowns are kept whole.
 constexpr int few_unknowns = 24;
 
-/// Forward and backward part: x(t) + i y(t) = a exp(i s t) + conj(d) exp(-i s t).
-struct Parts {
-    explicit Parts(const Phasor &p)
-        : a((p.x + imaginary_unit * p.y) / 2.0), d((p.x - imaginary_unit * p.y) / 2.0) {}
-    Complex a, d;
-};
-
 double slope_of_modulus(Complex value, Complex slope) {
     const double size = std::abs(value);
     return size > 0 ? (std::conj(value) * slope).real() / size : std::abs(slope);
-}
-
-/// Deflections under unit imbalances at rest, over planar unknowns, a column each.
-Eigen::MatrixXd loads(const assembly::Discretization &d) {
-    const auto &imbalances = d.rotor().imbalances;
-    Eigen::MatrixXd out =
-        Eigen::MatrixXd::Zero(d.planar_size(), static_cast<Eigen::Index>(imbalances.size()));
-    for (std::size_t i = 0; i < imbalances.size(); ++i)
-        for (const auto &[unknown, value] : d.deflection_at(imbalances[i].z))
-            out(unknown, static_cast<Eigen::Index>(i)) += value;
-    return out;
 }
 
 using Wide = long double;
@@ -81,14 +64,11 @@ Eigen::SparseMatrix<Wide> wide(const linalg::Matrix &A) { return Sparse(A.view()
 
 } // namespace
 
-double Reading::major() const {
-    const Parts parts(value);
-    return std::abs(parts.a) + std::abs(parts.d);
-}
+double Reading::major() const { return modes::ellipse_of(value.x, value.y).major; }
 
 double Reading::major_slope() const {
-    const Parts of_value(value);
-    const Parts of_slope(slope);
+    const WhirlParts of_value(value);
+    const WhirlParts of_slope(slope);
     return slope_of_modulus(of_value.a, of_slope.a) + slope_of_modulus(of_value.d, of_slope.d);
 }
 
@@ -101,7 +81,10 @@ ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, res
     if (!_whole)
         try {
             _shapes = std::make_unique<reduction::PlanarShapes>(discretization, top);
-            _shapes->add_static(loads(discretization));
+            std::vector<assembly::Combination> loaded;
+            for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
+                loaded.push_back(discretization.deflection_at(imbalance.z));
+            _shapes->add_static(loaded);
         } catch (const linalg::SolverError &) { // bearings push away
             _whole = true;
         }
@@ -164,11 +147,7 @@ ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {
-    const Eigen::MatrixXd &V = _shapes->matrix();
-    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(V.cols());
-    for (const model::Imbalance &imbalance : _discretization.rotor().imbalances)
-        for (const auto &[unknown, value] : _discretization.deflection_at(imbalance.z))
-            f += value * std::polar(imbalance.mr, imbalance.phase) * V.row(unknown).transpose();
+    Eigen::VectorXcd f = _shapes->matrix().transpose() * imbalance_loads(_discretization);
     if (_form == results::Form::planar)
         return f;
     Eigen::VectorXcd pairs(2 * f.size());
@@ -197,17 +176,16 @@ ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const 
 }
 
 void ReducedMotion::enter_piece(double inside) {
-    const auto above = std::upper_bound(_rows.begin(), _rows.end(), inside);
-    const double below = above == _rows.begin() ? -1 : *(above - 1);
-    auto known = _pieces.find(below);
-    if (known == _pieces.end()) {
-        const bool between = above != _rows.begin() && above != _rows.end();
-        known = _pieces
-                    .emplace(below, between ? piece_between(*(above - 1), *above)
-                                            : piece_between(inside, inside))
-                    .first;
-    }
+    const synchronous::TablePiece piece = synchronous::table_piece(_rows, inside);
+    auto known = _pieces.find(piece.index);
+    if (known == _pieces.end())
+        known = _pieces.emplace(piece.index, piece_between(piece.from, piece.to)).first;
     _piece = &known->second;
+}
+
+Eigen::PartialPivLU<Eigen::MatrixXcd> ReducedMotion::factors(Complex speed) const {
+    return Eigen::PartialPivLU<Eigen::MatrixXcd>(_piece->P0 + speed * _piece->P1 +
+                                                 (speed * speed) * _piece->P2);
 }
 
 std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) const {
@@ -215,9 +193,10 @@ std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) c
     // a companion matrix. The shift keeps away from the real speeds, where a pole may be.
     const double width = std::max(to - from, 0.1 * std::max(std::abs(from), std::abs(to)));
     const Complex shift((from + to) / 2, 0.3 * width);
-    const auto &[first, last, P0, P1, P2] = *_piece;
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(P0 + shift * P1 + shift * shift * P2);
-    const Eigen::Index m = P0.rows();
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift = factors(shift);
+    const auto &P1 = _piece->P1;
+    const auto &P2 = _piece->P2;
+    const Eigen::Index m = P1.rows();
     Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
     companion.topLeftCorner(m, m) = -width * at_shift.solve(P1 + 2.0 * shift * P2);
     companion.topRightCorner(m, m) = -width * width * at_shift.solve(P2);
@@ -233,16 +212,14 @@ std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) c
 }
 
 double ReducedMotion::rounding(double speed) const {
-    const auto &[first, last, P0, P1, P2] = *_piece;
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(P0 + speed * P1 + (speed * speed) * P2);
-    return std::numeric_limits<double>::epsilon() / std::max(P.rcond(), 1e-300);
+    return std::numeric_limits<double>::epsilon() / std::max(factors(speed).rcond(), 1e-300);
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
-    const auto &[first, last, P0, P1, P2] = *_piece;
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(P0 + speed * P1 + (speed * speed) * P2);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> P = factors(speed);
     const Eigen::VectorXcd u = P.solve((speed * speed) * _b);
-    const Eigen::VectorXcd slope = P.solve((2 * speed) * _b - P1 * u - (2 * speed) * (P2 * u));
+    const Eigen::VectorXcd slope =
+        P.solve((2 * speed) * _b - _piece->P1 * u - (2 * speed) * (_piece->P2 * u));
     std::vector<Reading> out;
     for (int i = 0; i < static_cast<int>(_quantities.size()); ++i)
         out.push_back(reading(i, u, slope, speed));
@@ -270,17 +247,14 @@ Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
     if (bearing == Quantity::deflection)
         return {of.seen(value), of.seen(change)};
     const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
+    const model::BearingCoefficients now = b.at(speed);
     const model::BearingCoefficients low = b.at(_piece->from);
     const model::BearingCoefficients high = b.at(_piece->to);
     const double width = _piece->to > _piece->from ? _piece->to - _piece->from : 1;
     const Eigen::Matrix2d k_slope = (high.k - low.k) / width;
     const Eigen::Matrix2d c_slope = (high.c - low.c) / width;
-    const Eigen::Matrix2d k =
-        low.k + (_piece->to > _piece->from ? speed - _piece->from : 0) * k_slope;
-    const Eigen::Matrix2d c =
-        low.c + (_piece->to > _piece->from ? speed - _piece->from : 0) * c_slope;
-    const Eigen::Matrix2cd z = k + imaginary_unit * speed * c;
-    const Eigen::Matrix2cd z_slope = k_slope + imaginary_unit * (c + speed * c_slope);
+    const Eigen::Matrix2cd z = now.k + imaginary_unit * speed * now.c;
+    const Eigen::Matrix2cd z_slope = k_slope + imaginary_unit * (now.c + speed * c_slope);
     const Eigen::Vector2cd xy(value.x, value.y);
     const Eigen::Vector2cd force = z * xy;
     const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);

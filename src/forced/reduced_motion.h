@@ -6,6 +6,7 @@
 #include "results/formulation.h"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <complex>
 #include <map>
@@ -91,11 +92,12 @@ class ReducedMotion {
     std::vector<double> _rows;  ///< of bearing tables, rad/s
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
 
-    std::map<double, Piece> _pieces; ///< seen so far, by the row below them
+    std::map<int, Piece> _pieces; ///< seen so far, by their numbers
     const Piece *_piece = nullptr;
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
+    [[nodiscard]] Eigen::PartialPivLU<Eigen::MatrixXcd> factors(std::complex<double> speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
     [[nodiscard]] Reading reading(int quantity, const Eigen::VectorXcd &u,

@@ -3,6 +3,7 @@
 #include "linalg/check.h"
 #include "linalg/handles.h"
 #include "linalg/quadratic_problem.h"
+#include "linalg/unit_scales.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,17 +142,6 @@ bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &opti
     return static_cast<int>(pairs.size()) >= options.wanted;
 }
 
-/// Scales of the unknowns that make the diagonal of the matrix at the shift 1. Deflections and
-/// slopes have different units, and a short element is far stiffer than a long one: without it
-/// the pivots of the factorisation are chosen by units, and several digits are lost.
-Eigen::VectorXd scales(const Sparse &M, const Sparse &K, double shift) {
-    const Eigen::VectorXd of_mass = M.diagonal().cwiseAbs();
-    const Eigen::VectorXd of_stiffness = K.diagonal().cwiseAbs();
-    const Eigen::VectorXd diagonal = of_stiffness + shift * shift * of_mass;
-    const double mean = diagonal.mean();
-    return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
-}
-
 QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
                              const QuadraticOptions &options) {
     const QuadraticProblem problem(M, D, K, options.shift);
@@ -210,7 +200,7 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
 
 QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
                                 const QuadraticOptions &options) {
-    const Eigen::VectorXd d = scales(M, K, options.shift);
+    const Eigen::VectorXd d = scales_at(options.shift, M.diagonal(), K.diagonal());
     const auto scaled = [&d](const Sparse &A) {
         return Sparse(d.asDiagonal() * A * d.asDiagonal());
     };

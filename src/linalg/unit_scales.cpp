@@ -33,4 +33,10 @@ Eigen::VectorXd unit_scales(const Matrix &K, const Matrix *M) {
     return scales;
 }
 
+Eigen::VectorXd scales_at(double shift, const Eigen::VectorXd &M, const Eigen::VectorXd &K) {
+    const Eigen::VectorXd diagonal = K.cwiseAbs() + shift * shift * M.cwiseAbs();
+    const double mean = diagonal.mean();
+    return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
+}
+
 } // namespace whirl::linalg

@@ -13,4 +13,11 @@ namespace whirl::linalg {
 /// depend on units.
 [[nodiscard]] Eigen::VectorXd unit_scales(const Matrix &K, const Matrix *M);
 
+/// Scales of the unknowns that make the diagonal |K| + shift^2 |M| of a quadratic problem 1.
+/// Deflections and slopes have different units, and a short element is far stiffer than a long one:
+/// without it the pivots of the factorisation are chosen by units, and several digits are lost.
+/// @param M,K  diagonals
+[[nodiscard]] Eigen::VectorXd scales_at(double shift, const Eigen::VectorXd &M,
+                                        const Eigen::VectorXd &K);
+
 } // namespace whirl::linalg

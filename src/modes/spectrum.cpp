@@ -31,14 +31,6 @@ double real_value(const WhirlMode &mode, results::Form form, double speed) {
     return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
 }
 
-/// A real part that the eigensolver does not tell from zero is none: without damping the forms that
-/// allow for it would otherwise show damping of either sign.
-void drop_undetermined_damping(WhirlMode &mode) {
-    const double error = (mode.residual + mode.rounding) * std::abs(mode.eigenvalue);
-    if (std::abs(mode.eigenvalue.real()) <= error)
-        mode.eigenvalue.real(0);
-}
-
 /// Change of the eigenvalue in the fixed frame from that of the value in rotating axes: the mode
 /// whirls at the spin speed plus or minus what is seen from the rotor.
 std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
@@ -49,6 +41,12 @@ std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
     const double turn = positive ? mode.eigenvalue.imag() : -mode.eigenvalue.imag();
     const double turn_rate = 1 + (turn >= speed ? rate.imag() : -rate.imag());
     return {rate.real(), positive ? turn_rate : -turn_rate};
+}
+
+/// @param found  Modes of a form
+template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
 }
 
 } // namespace
@@ -105,19 +103,13 @@ Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
 }
 
 Spectrum SpectrumSolver::planar_damped(double speed, int wanted) const {
-    GeneralSpectrum::Modes found = _data->tables
-                                       ? PlanarDamped(_data->d, speed).modes(speed, wanted)
-                                       : _data->planar_damped->modes(speed, wanted);
-    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
-            found.complete_radius};
+    return spectrum_of(speed, _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
+                                            : _data->planar_damped->modes(speed, wanted));
 }
 
 Spectrum SpectrumSolver::general(double speed, int wanted) const {
-    GeneralSpectrum::Modes found = _data->tables
-                                       ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
-                                       : _data->general->modes(speed, wanted);
-    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
-            found.complete_radius};
+    return spectrum_of(speed, _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
+                                            : _data->general->modes(speed, wanted));
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
@@ -126,8 +118,7 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
             ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
                   .modes(speed, wanted)
             : _data->rotating->modes(speed, wanted);
-    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
-            found.complete_radius};
+    return spectrum_of(speed, std::move(found));
 }
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {
@@ -154,7 +145,7 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
                                                                    : symmetric(speed, wanted);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)
-            drop_undetermined_damping(mode);
+            mode.eigenvalue = determined_value(mode);
         std::stable_sort(spectrum.modes.begin(), spectrum.modes.end(),
                          [](const WhirlMode &a, const WhirlMode &b) {
                              return a.eigenvalue.imag() < b.eigenvalue.imag();

@@ -33,4 +33,12 @@ struct WhirlMode {
     double rounding = 0;
 };
 
+/// The eigenvalue of a mode. A real part that the eigensolver does not tell from zero is none:
+/// without damping the forms that allow for it would otherwise show damping of either sign.
+[[nodiscard]] inline std::complex<double> determined_value(const WhirlMode &mode) {
+    const double error = (mode.residual + mode.rounding) * std::abs(mode.eigenvalue);
+    const bool damped = std::abs(mode.eigenvalue.real()) > error;
+    return {damped ? mode.eigenvalue.real() : 0, mode.eigenvalue.imag()};
+}
+
 } // namespace whirl::modes

@@ -15,8 +15,8 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Unit loads, a column each.
-Eigen::MatrixXd loads(const assembly::Discretization &d) {
+/// What loads act on that the modes at rest do not know.
+std::vector<assembly::Combination> loaded_quantities(const assembly::Discretization &d) {
     std::vector<assembly::Combination> loaded;
     const model::Rotor &rotor = d.rotor();
     for (const model::Bearing &b : rotor.bearings) {
@@ -35,26 +35,22 @@ Eigen::MatrixXd loads(const assembly::Discretization &d) {
         loaded.push_back(d.deflection_at(balancer.z));
         loaded.push_back(d.slope_at(balancer.z));
     }
-    Eigen::MatrixXd out =
-        Eigen::MatrixXd::Zero(d.planar_size(), static_cast<Eigen::Index>(loaded.size()));
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-        for (const auto &[unknown, value] : loaded[i])
-            out(unknown, static_cast<Eigen::Index>(i)) += value;
-    return out;
+    return loaded;
 }
 
+/// Under unit loads on the quantities, a column each.
 /// @throws linalg::SolverError where H is not positive definite
-Eigen::MatrixXd static_deflections(const Sparse &H, const Eigen::MatrixXd &loads) {
+Eigen::MatrixXd static_deflections(const Sparse &H,
+                                   const std::vector<assembly::Combination> &loaded) {
+    Eigen::MatrixXd loads =
+        Eigen::MatrixXd::Zero(H.rows(), static_cast<Eigen::Index>(loaded.size()));
+    for (std::size_t i = 0; i < loaded.size(); ++i)
+        for (const auto &[unknown, value] : loaded[i])
+            loads(unknown, static_cast<Eigen::Index>(i)) += value;
     const Eigen::SimplicialLDLT<Sparse> factors(H);
     if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
         throw linalg::SolverError("the bearings push away: no shapes to reduce the rotor to");
     return factors.solve(loads);
-}
-
-Sparse identity(Eigen::Index n) {
-    Sparse I(n, n);
-    I.setIdentity();
-    return I;
 }
 
 constexpr int fewest_modes = 6;
@@ -67,7 +63,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
                            const Eigen::MatrixXd &columns) {
     const PlanarPair pair = planar_pair(discretization, 0);
     const Sparse H = pair.K + top * top * pair.M;
-    _H = Eigen::VectorXd(H.diagonal().cwiseAbs()).asDiagonal() * identity(H.rows());
+    _H = Sparse(Eigen::VectorXd(H.diagonal().cwiseAbs()).asDiagonal());
     _shapes.resize(_H.rows(), 0);
     add(columns, 1e-12);
 }
@@ -76,7 +72,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     const PlanarPair pair = planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
     _shapes.resize(_H.rows(), 0);
-    const Eigen::MatrixXd bent = static_deflections(_H, loads(discretization));
+    const Eigen::MatrixXd bent = static_deflections(_H, loaded_quantities(discretization));
     const linalg::DefinitePair held(linalg::Matrix::from_sparse(_H),
                                     linalg::Matrix::from_sparse(pair.M));
     // (K + top^2 M - s^2 M) x = 0: at rest the frequency is sqrt(s^2 - top^2).
@@ -88,8 +84,8 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     add(bent, 1e-6);
 }
 
-void PlanarShapes::add_static(const Eigen::MatrixXd &loads) {
-    add(static_deflections(_H, loads), 1e-6);
+void PlanarShapes::add_static(const std::vector<assembly::Combination> &loaded) {
+    add(static_deflections(_H, loaded), 1e-6);
 }
 
 void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {

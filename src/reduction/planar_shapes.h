@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <vector>
+
 namespace whirl::reduction {
 
 /// Shapes of a shaft in one plane that describe its slow motions: the lowest modes at rest, and
@@ -30,9 +32,10 @@ class PlanarShapes {
     /// @param newness  part of a column that must be new, of its length under K + top^2 M
     void add(const Eigen::MatrixXd &columns, double newness);
 
-    /// Takes in the deflections under loads (N entries a column) of the shaft held by K + top^2 M.
+    /// Takes in the deflections, held by K + top^2 M, under unit loads that work on these
+    /// quantities.
     /// @throws linalg::SolverError where the bearings push away
-    void add_static(const Eigen::MatrixXd &loads);
+    void add_static(const std::vector<assembly::Combination> &loaded);
 
   private:
     Eigen::SparseMatrix<double> _H; ///< K + top^2 M

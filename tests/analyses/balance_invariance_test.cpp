@@ -4,31 +4,20 @@
 #include "analyses/balance.h"
 #include "analyses/critical.h"
 #include "results/critical.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace {
 
 using namespace whirl;
 using results::BalanceResult;
 using results::SpeedBand;
-
-/// Uniform in [a, b), the same on every machine.
-class Random {
-  public:
-    explicit Random(unsigned seed) : _engine(seed) {}
-    double operator()(double a, double b) {
-        return a + (b - a) * static_cast<double>(_engine()) / 4294967296.0;
-    }
-
-  private:
-    std::mt19937 _engine;
-};
+using tests::Random;
 
 model::Case random_scene(Random &random) {
     model::Case scene;

@@ -8,6 +8,7 @@
 #include "modes/orbits.h"
 #include "results/critical.h"
 #include "results/response.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -15,26 +16,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace {
 
 using namespace whirl;
 using results::Form;
 using results::ResponsePeak;
-
-/// Uniform in [a, b), the same on every machine.
-class Random {
-  public:
-    explicit Random(unsigned seed) : _engine(seed) {}
-    double operator()(double a, double b) {
-        return a + (b - a) * static_cast<double>(_engine()) / 4294967296.0;
-    }
-    bool coin() { return _engine() % 2 == 0; }
-
-  private:
-    std::mt19937 _engine;
-};
+using tests::Random;
 
 /// A disc on a rigid weightless shaft between two equal bearings: it moves without tilting.
 model::Case jeffcott(double mass, double k, double c, double mr) {

@@ -5,31 +5,20 @@
 #include "analyses/critical.h"
 #include "results/critical.h"
 #include "results/whirl.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace {
 
 using namespace whirl;
 using results::CriticalResult;
 using results::CriticalSpeed;
-
-/// Uniform in [a, b), the same on every machine.
-class Random {
-  public:
-    explicit Random(unsigned seed) : _engine(seed) {}
-    double operator()(double a, double b) {
-        return a + (b - a) * static_cast<double>(_engine()) / 4294967296.0;
-    }
-
-  private:
-    std::mt19937 _engine;
-};
+using tests::Random;
 
 TEST(CriticalError, HoldsWhereOneOrderMoreChangesNothing) {
     // One element, symmetric: the next order adds functions of the other parity only.
