@@ -130,7 +130,7 @@ double blur_of_zeros(const std::vector<ComplexPair> &pairs, int zeros) {
 /// problem or lies beyond it. @returns whether enough pairs are left.
 bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &options,
                    double acceptable) {
-    const double blur = blur_of_zeros(pairs, options.zeros);
+    const double blur = std::max(blur_of_zeros(pairs, options.zeros), options.negligible);
     const auto bad = std::find_if(pairs.begin(), pairs.end(), [&](const ComplexPair &pair) {
         // Beside a shift, an eigenvalue near zero is known to a part of the shift, not of itself.
         const double size = std::abs(pair.value);
@@ -165,7 +165,10 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
             result.pairs.clear(); // the next way decides
         }
         sort_by_distance(result.pairs, options.shift);
-        if (keep_resolved(result.pairs, options, acceptable_residual)) {
+        const bool all = keep_resolved(result.pairs, options, acceptable_residual);
+        const bool few = options.method == QuadraticMethod::toar && options.fewest > 0 &&
+                         static_cast<int>(result.pairs.size()) >= options.fewest;
+        if (all || few) {
             result.complete_radius = std::abs(result.pairs.back().value - options.shift);
             return result;
         }

@@ -20,6 +20,7 @@ struct QuadraticOptions {
     int fewest = 0;   ///< accept so many where double precision resolves no more; 0: `wanted`
     double shift = 0; ///< real; Q(shift) must be regular, 1/s
     int zeros = 0;    ///< eigenvalues known to be zero: they need not be resolved
+    double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
 };
 

@@ -18,6 +18,14 @@ constexpr std::complex<double> i_unit(0, 1);
 /// Share of the copy whose centre must be largest; equal shares may differ by rounding.
 constexpr double equal_share = 1 - 1e-6;
 
+/// @throws linalg::SolverError where those found are not all up to the radius
+const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalues &found,
+                                              double radius) {
+    if (found.complete_radius < radius)
+        throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
+    return found;
+}
+
 template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
     return shapes != nullptr ? reduction::Projection(*shapes).of(system) : std::move(system);
 }
@@ -112,6 +120,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
             solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
     }
     Eigenvalues out;
+    out.exhausted = found.method == linalg::QuadraticMethod::dense;
     out.complete_radius = std::max(0.0, found.complete_radius - shift);
     const int last = keep == Keep::best ? 0 : std::max(1, _harmonics - 1);
     for (linalg::ComplexPair &pair : found.pairs) {
@@ -150,12 +159,22 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
                                                       Keep keep, double shift) const {
+    if (!_exhausted.empty() && _exhausted.front().speed != speed)
+        _exhausted.clear();
     const int terms = keep == Keep::best ? 1 : 2 * _harmonics + 1;
     const int all = _system.M.size() * terms;
+    const int first = std::min(all, std::max(least, _usual));
+    const double needed = first < all ? radius : 0; // of all asked for, those that are resolved
+    for (const Exhausted &known : _exhausted)
+        if (known.shift == shift && known.keep == keep)
+            return reaching(known.found, needed);
     double reached = 0;
-    for (int wanted = std::min(all, std::max(least, _usual));;
-         wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
+    for (int wanted = first;; wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
         Eigenvalues out = solve(speed, wanted, shift, keep);
+        if (out.exhausted) {
+            _exhausted.push_back({speed, shift, keep, out});
+            return reaching(out, needed);
+        }
         // No more can be resolved beside those found: enough where they reach as far as asked.
         const bool last = out.complete_radius <= reached;
         reached = std::max(reached, out.complete_radius);

@@ -29,6 +29,7 @@ class RotatingSpectrum {
     struct Eigenvalues {
         std::vector<linalg::ComplexPair> pairs; ///< by modulus, ascending
         double complete_radius = 0;             ///< all of smaller modulus are in `pairs`
+        bool exhausted = false;                 ///< from its shift no more can be resolved
     };
     /// All of modulus up to `radius` (1/s), and at least `least`, or all there are.
     /// @throws linalg::SolverError
@@ -78,6 +79,13 @@ class RotatingSpectrum {
         best,    ///< the one whose constant part is largest
         accurate ///< those whose largest term has neighbours on both sides in the series
     };
+    /// What a shift gives at a speed from which no more can be had, however much is asked for.
+    struct Exhausted {
+        double speed = 0, shift = 0;
+        Keep keep = Keep::best;
+        Eigenvalues found;
+    };
+    mutable std::vector<Exhausted> _exhausted; ///< of the last speed
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
                                     double shift) const;

@@ -210,6 +210,8 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     return out;
 }
 
+QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices->at(speed); }
+
 Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
     if (_data->form == results::Form::planar)
         return stations.deflections(mode.shape);

@@ -49,6 +49,10 @@ class SpectrumSolver {
     /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
     [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
 
+    /// The matrices of the eigenproblem at a speed; form hill: without the part of the bearings
+    /// that turns. In no form with complex matrices.
+    [[nodiscard]] QuadraticAt problem_at(double speed) const;
+
     /// Complex deflections of a mode at the stations: x(t) = Re(x exp(l t)).
     [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;
     [[nodiscard]] Eigen::VectorXcd y_at(const WhirlMode &mode, const Stations &stations) const;

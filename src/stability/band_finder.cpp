@@ -22,7 +22,7 @@ constexpr double large_part = 0.7;
 /// Eigenvalues of the reduced rotor as far as the search needs them, over the spin speed.
 constexpr double agreeing = 1e-7;
 /// Part of a shape that the others must lack for it to be taken in.
-constexpr double newness = 1e-5;
+constexpr double newness = 1e-3;
 
 /// Those of `some` that none of the others is.
 std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,

@@ -25,6 +25,14 @@ struct ZeroRootSystem {
     Eigen::SparseMatrix<double> K, Ks, Kss;
 };
 
+/// Calls visit(row) for each entry that is not zero.
+template <class Visit> void for_each_entry(const Eigen::SparseMatrix<double> &A, Visit visit) {
+    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry)
+            if (entry.value() != 0)
+                visit(entry.row());
+}
+
 /// Rows of balancers have speed^2 as a factor, but for those with a drift: without it they have no
 /// root at zero.
 ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
@@ -35,14 +43,15 @@ ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
     ZeroRootSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
     Eigen::VectorXd alone = Eigen::VectorXd::Zero(out.K.rows()); // rows with Kss alone
     alone.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
-    for (Eigen::Index column = 0; column < out.K.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(out.K, column); entry; ++entry)
-            if (entry.value() != 0)
-                alone(entry.row()) = 0;
+    for_each_entry(out.K, [&](Eigen::Index row) { alone(row) = 0; });
     out.K += Eigen::SparseMatrix<double>(alone.asDiagonal() * out.Kss);
     out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - alone).asDiagonal() * out.Kss;
     return out;
 }
+
+/// Part of the largest speed below which a root is one at zero that rounding blurs (of several
+/// balls it is a multiple one).
+constexpr double at_rest = 1e-6;
 
 /// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
 std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pairs, double top) {
@@ -52,7 +61,7 @@ std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pa
         const double across = std::abs(pair.value.imag());
         // A root at zero of several balls comes blurred: of nothing it has a digit right.
         const bool known = 100 * pair.rounding + pair.residual < 0.1;
-        if (known && speed > 1e-6 * top && speed <= top && across < speed)
+        if (known && speed > at_rest * top && speed <= top && across < speed)
             out.push_back({speed, across <= 1e-7 * speed});
     }
     std::sort(out.begin(), out.end(),
@@ -105,29 +114,34 @@ std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &disc
         return {};
     const ZeroRootSystem system = zero_root_system(discretization, arrangement, frozen);
     linalg::QuadraticOptions options;
-    options.shift = 0.41 * top;
     options.fewest = 1;
-    const auto all = static_cast<int>(system.K.rows());
+    options.negligible = at_rest * top;
     constexpr int small = 150;
-    if (all <= small) // with all finite roots, of which there may be few
-        options.method = linalg::QuadraticMethod::dense;
-    int tries = 0;
-    for (int wanted = all <= small ? 1 : 8;; wanted *= 2) {
-        options.wanted = std::min(wanted, all);
-        linalg::QuadraticResult found;
+    const auto all = static_cast<int>(system.K.rows());
+    const int most = all <= small ? 0 : 32; // small: all finite roots, of which there may be few
+    options.method = linalg::QuadraticMethod::toar;
+    options.shift = 0.41 * top;
+    for (options.wanted = 8; options.wanted <= most; options.wanted *= 2)
         try {
-            found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
-            if (found.complete_radius < top && all > small && options.wanted < all)
-                continue;
+            const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+            if (found.complete_radius >= top)
+                return zero_roots(found.pairs, top);
+        } catch (const linalg::SolverError &) {
+            break;
+        }
+    options.method = linalg::QuadraticMethod::dense;
+    options.wanted = 1;
+    for (int tries = 1;; ++tries)
+        try {
+            const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
             if (found.complete_radius < top - options.shift)
                 throw linalg::SolverError("roots in the range are not resolved beside the others");
             return zero_roots(found.pairs, top);
         } catch (const linalg::SolverError &) {
-            if (++tries == 4)
+            if (tries == 4)
                 throw;
             options.shift *= 0.63; // an unlucky neighbour of a root, or not resolved from there
         }
-    }
 }
 
 } // namespace whirl::stability

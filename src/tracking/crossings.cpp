@@ -53,7 +53,8 @@ class Sweep {
         drop_on_rides(rides, multiple, out.found);
         out.locked.insert(out.locked.end(), rides.begin(), rides.end());
         if (multiple == 1 && turning && _nodes.count() > 1) {
-            const std::vector<Locked> standing = standing_intervals(_nodes, search.band_ends());
+            const std::vector<Locked> standing =
+                standing_intervals(_nodes, search.band_ends(), wanted_for_bands());
             out.locked.insert(out.locked.end(), standing.begin(), standing.end());
         }
     }

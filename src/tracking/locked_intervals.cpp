@@ -30,7 +30,7 @@ class OpenIntervals {
   public:
     /// @param already  motions that stand still from the beginning, their lines not known yet
     OpenIntervals(double low, std::ptrdiff_t already)
-        : _open(static_cast<std::size_t>(already), {1, no_line, low, low}) {}
+        : _low(low), _open(static_cast<std::size_t>(already), {1, no_line, low, low}) {}
 
     void pass(const BandEnd &end) {
         if (end.enters) {
@@ -41,8 +41,10 @@ class OpenIntervals {
                                    [&](const Locked &open) { return open.mode == end.line; });
         if (leaves == _open.rend())
             leaves = _open.rbegin();
-        if (leaves == _open.rend())
-            return; // entered where the motion was not among those computed
+        if (leaves == _open.rend()) { // from the beginning, where rounding hid that it stands
+            _closed.push_back({1, end.line, _low, end.speed});
+            return;
+        }
         leaves->to = end.speed;
         if (leaves->mode == no_line)
             leaves->mode = end.line;
@@ -59,6 +61,7 @@ class OpenIntervals {
     }
 
   private:
+    double _low;
     std::vector<Locked> _open, _closed;
 };
 
@@ -85,10 +88,9 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
 }
 
 std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<BandEnd> &ends,
-                                 double low, double high) {
+                                 int wanted, double low, double high) {
     // Close to the beginning, as at rest nothing is said to stand still.
     const double inside = low + 1e-5 * (high - low);
-    const auto wanted = static_cast<int>(sweep.spectrum(0).modes.size());
     const modes::Spectrum first = sweep.solver().at(inside, wanted);
     const auto already =
         std::count_if(first.modes.begin(), first.modes.end(),
@@ -180,7 +182,8 @@ class Ride {
 
 } // namespace
 
-std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends) {
+std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends,
+                                       int wanted) {
     std::sort(ends.begin(), ends.end(),
               [](const BandEnd &a, const BandEnd &b) { return a.speed < b.speed; });
     double low = sweep.speed(0);
@@ -192,7 +195,7 @@ std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<Band
          {std::pair(low, std::min(high, 0.0)), std::pair(std::max(low, 0.0), high)}) {
         if (!(a < b))
             continue;
-        const std::vector<Locked> more = of_one_sense(sweep, ends, a, b);
+        const std::vector<Locked> more = of_one_sense(sweep, ends, wanted, a, b);
         out.insert(out.end(), more.begin(), more.end());
     }
     name_by_lines(sweep, out);

@@ -4,12 +4,13 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
+#include "modes/double_root.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -17,60 +18,104 @@ namespace whirl::tracking {
 
 namespace {
 
-/// A speed and how many motions are locked there.
+/// A speed, how many motions are locked there, and the others, those that turn least first.
 struct Count {
     double speed = 0;
     std::ptrdiff_t motions = 0;
+    std::vector<modes::WhirlMode> others;
 };
 
 Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
-    const modes::Spectrum spectrum = solver.at(speed, wanted);
-    return {speed,
-            std::count_if(spectrum.modes.begin(), spectrum.modes.end(),
-                          [speed](const modes::WhirlMode &mode) { return locked(mode, speed); })};
+    Count out{speed, 0, solver.at(speed, wanted).modes};
+    const auto others =
+        std::partition(out.others.begin(), out.others.end(),
+                       [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
+    out.motions = std::distance(others, out.others.end());
+    out.others.erase(others, out.others.end());
+    std::sort(out.others.begin(), out.others.end(),
+              [](const modes::WhirlMode &a, const modes::WhirlMode &b) {
+                  return std::abs(a.frequency_rotating) < std::abs(b.frequency_rotating);
+              });
+    return out;
 }
 
-/// Beside a branch point the frequency seen from the rotor grows with the square root of the
-/// distance: four times as far away some motion has twice of it, at the same damping. The real part
-/// at the branch point, or none where there is no such motion: it is smooth on the outer side.
-std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, const LockEnd &end,
-                                           int wanted) {
-    const double step = end.outside - end.speed;
-    const modes::Spectrum near = solver.at(end.outside, wanted);
-    const modes::Spectrum far = solver.at(end.speed + 4 * step, wanted);
-    const double size = std::abs(end.speed);
-    const auto parts_there = [size](const modes::WhirlMode &a, const modes::WhirlMode &b) {
-        const double ratio = b.frequency_rotating / a.frequency_rotating;
-        return a.frequency_rotating != 0 && std::abs(a.frequency_rotating) < 0.01 * size &&
-               std::abs(ratio - 2) < 0.05 &&
-               std::abs(a.eigenvalue.real() - b.eigenvalue.real()) < 1e-4 * size;
-    };
-    for (const modes::WhirlMode &a : near.modes)
-        for (const modes::WhirlMode &b : far.modes)
-            if (parts_there(a, b))
-                return (4 * a.eigenvalue.real() - b.eigenvalue.real()) / 3;
-    return std::nullopt;
+/// The locked motion at an end still counts as whirl.
+bool whirls(const modes::DoubleRoot &end) {
+    return std::abs(end.speed) > modes::real_axis * std::hypot(end.speed, end.value);
 }
 
-/// Halves a part over which the number changes. Of several ends in it one is found.
-std::optional<LockEnd> end_between(const modes::SpectrumSolver &solver, Count a, Count b,
-                                   int wanted) {
-    for (int step = 0;
-         step < 60 && std::abs(b.speed - a.speed) > 1e-11 * std::max(std::abs(a.speed), 1e-300);
-         ++step) {
-        const Count middle = count_at(solver, (a.speed + b.speed) / 2, wanted);
-        (middle.motions == a.motions ? a : b) = middle;
-    }
+/// Ends inside a part, each once, ascending: those to which the motions lead that turn least at one
+/// of its borders.
+std::vector<modes::DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const Count &a,
+                                             const Count &b) {
+    constexpr std::size_t most = 6;
+    const auto problem_at = [&solver](double speed) { return solver.problem_at(speed); };
+    const double low = std::min(a.speed, b.speed);
+    const double high = std::max(a.speed, b.speed);
+    std::vector<modes::DoubleRoot> out;
+    for (const Count *from : {&a, &b})
+        for (std::size_t i = 0; i < std::min(most, from->others.size()); ++i) {
+            const modes::WhirlMode &mode = from->others[i];
+            const auto root =
+                modes::double_root(problem_at, from->speed, mode.rotating_value.real(),
+                                   mode.rotating_vector.real(), high - low);
+            if (root && root->speed > low && root->speed < high && whirls(*root) &&
+                std::none_of(out.begin(), out.end(), [&](const modes::DoubleRoot &other) {
+                    return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed);
+                }))
+                out.push_back(*root);
+        }
+    std::sort(out.begin(), out.end(),
+              [](const auto &x, const auto &y) { return x.speed < y.speed; });
+    return out;
+}
+
+LockEnd end_of(const modes::DoubleRoot &root) {
+    constexpr double resolved = 1e-11; // over the spin speed
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
     constexpr double beside = 1e-7;
-    const double outwards = (a.motions < b.motions) == (a.speed < b.speed) ? -1 : 1;
-    LockEnd end{a.motions > b.motions ? a.speed : b.speed,
-                a.speed + outwards * beside * std::abs(a.speed)};
-    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
-    if (!real)
-        return std::nullopt;
-    end.real = *real;
-    return end;
+    const double outwards = root.opens ? -1 : 1;
+    const bool undamped = std::abs(root.value) <= resolved * std::abs(root.speed);
+    return {root.speed, root.speed + outwards * beside * std::abs(root.speed),
+            undamped ? 0 : root.value};
+}
+
+/// The roots account for the numbers at both borders and half way between each two neighbours.
+bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
+               const std::vector<modes::DoubleRoot> &roots) {
+    const Count &low = a.speed < b.speed ? a : b;
+    const Count &high = a.speed < b.speed ? b : a;
+    std::ptrdiff_t expected = low.motions;
+    for (const modes::DoubleRoot &root : roots)
+        expected += root.opens ? 1 : -1;
+    if (roots.empty() || expected != high.motions)
+        return false;
+    expected = low.motions;
+    for (std::size_t i = 0; i <= roots.size(); ++i) {
+        const double from = i == 0 ? low.speed : roots[i - 1].speed;
+        const double to = i == roots.size() ? high.speed : roots[i].speed;
+        if (count_at(solver, (from + to) / 2, wanted).motions != expected)
+            return false;
+        if (i < roots.size())
+            expected += roots[i].opens ? 1 : -1;
+    }
+    return true;
+}
+
+/// All ends in a part over which the number changes: halved until the roots in it account for that.
+void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
+              int halves, std::vector<LockEnd> &ends) {
+    constexpr int most = 6; // beyond, it changes by rounding or by heavy damping
+    if (a.motions == b.motions || halves > most)
+        return;
+    const std::vector<modes::DoubleRoot> roots = roots_between(solver, a, b);
+    if (explained(solver, a, b, wanted, roots)) {
+        std::transform(roots.begin(), roots.end(), std::back_inserter(ends), end_of);
+        return;
+    }
+    const Count middle = count_at(solver, a.speed + (b.speed - a.speed) / 2, wanted);
+    add_ends(solver, a, middle, wanted, halves + 1, ends);
+    add_ends(solver, middle, b, wanted, halves + 1, ends);
 }
 
 /// Ends among the parts between speeds of one sign, in ascending or descending order.
@@ -79,11 +124,9 @@ std::vector<LockEnd> ends_among(const modes::SpectrumSolver &solver,
     std::vector<LockEnd> ends;
     Count last = count_at(solver, speeds.front(), wanted);
     for (std::size_t i = 1; i < speeds.size(); ++i) {
-        const Count next = count_at(solver, speeds[i], wanted);
-        if (last.motions != next.motions)
-            if (const std::optional<LockEnd> end = end_between(solver, last, next, wanted))
-                ends.push_back(*end);
-        last = next;
+        Count next = count_at(solver, speeds[i], wanted);
+        add_ends(solver, last, next, wanted, 0, ends);
+        last = std::move(next);
     }
     return ends;
 }

@@ -3,8 +3,10 @@
 
 #include "analyses/campbell.h"
 #include "input/case_file.h"
+#include "modes/spectrum.h"
 #include "results/campbell.h"
 #include "support/scenes.h"
+#include "tracking/locked_whirl.h"
 
 #include <gtest/gtest.h>
 
@@ -132,6 +134,28 @@ TEST(Locked, EndsWithTheRange) {
         ASSERT_EQ(turned.size(), 1U);
         EXPECT_NEAR(turned[0].from / -high, 1, 1e-9);
         EXPECT_NEAR(turned[0].to / -low, 1, 1e-9);
+    }
+}
+
+/// As many intervals cover a speed as motions stand still there, counted at that speed alone.
+TEST(Locked, CoversEverySpeedAsOftenAsMotionsStandStillThere) {
+    for (const char *name : {"disc_type_short", "extractor_two_plane"}) {
+        model::Case scene = input::load_case(std::string(WHIRL_ROOT "/cases/") + name);
+        scene.speeds->count = 24;
+        const std::vector<results::Locked> locked = analyses::campbell(scene).locked;
+        const modes::SpectrumSolver solver(scene.rotor, results::Form::rotating, 5);
+        for (int k = 0; k < 30; ++k) { // off every grid that the search may use
+            const double speed = 8 + (scene.speeds->to - 8) * (k + 0.37) / 30.2;
+            const modes::Spectrum all = solver.at(speed, 60);
+            const auto standing = std::count_if(
+                all.modes.begin(), all.modes.end(),
+                [speed](const modes::WhirlMode &mode) { return tracking::locked(mode, speed); });
+            const auto covering = std::count_if(
+                locked.begin(), locked.end(), [speed](const results::Locked &interval) {
+                    return interval.from <= speed && speed <= interval.to;
+                });
+            EXPECT_EQ(covering, standing) << name << " " << speed;
+        }
     }
 }
 

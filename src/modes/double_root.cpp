@@ -1,0 +1,143 @@
+#include "modes/double_root.h"
+
+#include "linalg/unit_scales.h"
+
+#include <Eigen/LU>
+#include <Eigen/SparseLU>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace whirl::modes {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// [Q b; c^T 0], factorised.
+class Bordered {
+  public:
+    Bordered(const Sparse &Q, const Eigen::VectorXd &b, const Eigen::VectorXd &c) : _n(Q.rows()) {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (Eigen::Index column = 0; column < _n; ++column)
+            for (Sparse::InnerIterator entry(Q, column); entry; ++entry)
+                entries.emplace_back(entry.row(), column, entry.value());
+        for (Eigen::Index i = 0; i < _n; ++i) {
+            entries.emplace_back(i, _n, b(i));
+            entries.emplace_back(_n, i, c(i));
+        }
+        Sparse A(_n + 1, _n + 1);
+        A.setFromTriplets(entries.begin(), entries.end());
+        _factors.compute(A);
+    }
+
+    [[nodiscard]] bool regular() const { return _factors.info() == Eigen::Success; }
+    /// x and g for a right-hand side [f; last].
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd &f, double last) const {
+        Eigen::VectorXd rhs(_n + 1);
+        rhs << f, last;
+        return _factors.solve(rhs);
+    }
+    [[nodiscard]] Eigen::VectorXd solve_transposed(double last) {
+        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(_n + 1);
+        rhs(_n) = last;
+        return _factors.transpose().solve(rhs);
+    }
+
+  private:
+    Eigen::Index _n;
+    Eigen::SparseLU<Sparse> _factors;
+};
+
+/// Q and its derivatives at one place, over scaled unknowns.
+struct Derivatives {
+    Sparse Q, l, ll, s, ls;
+};
+
+Derivatives derivatives(const QuadraticAt &p, double value, double scale) {
+    const Eigen::VectorXd d = linalg::scales_at(scale, p.M.diagonal(), p.K.diagonal());
+    const auto of = [&d](const Sparse &A) { return Sparse(d.asDiagonal() * A * d.asDiagonal()); };
+    return {of(value * value * p.M + value * p.D + p.K), of(2 * value * p.M + p.D), of(2 * p.M),
+            of(value * p.above.D + p.above.K), of(p.above.D)};
+}
+
+/// g and dg/dl with their derivatives.
+struct Fold {
+    Eigen::Vector2d values = Eigen::Vector2d::Zero();   ///< g, g_l
+    Eigen::Matrix2d jacobian = Eigen::Matrix2d::Zero(); ///< over l, speed
+};
+
+class FoldSearch {
+  public:
+    FoldSearch(const std::function<QuadraticAt(double)> &problem_at, const Eigen::VectorXd &shape)
+        : _problem_at(problem_at), _b(shape.normalized()), _c(_b) {}
+
+    /// Borders are the vectors found last: next to the root the best there are.
+    std::optional<Fold> at(double speed, double value, double scale) {
+        const Derivatives Q = derivatives(_problem_at(speed), value, scale);
+        Bordered system(Q.Q, _b, _c);
+        if (!system.regular())
+            return std::nullopt;
+        const Eigen::Index n = Q.Q.rows();
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
+        const Eigen::VectorXd x = system.solve(zero, 1);
+        const Eigen::VectorXd w = system.solve_transposed(1).head(n);
+        const auto v = x.head(n);
+        const Eigen::VectorXd Ql = Q.l * v;
+        const Eigen::VectorXd Qs = Q.s * v;
+        const Eigen::VectorXd x_l = system.solve(-Ql, 0).head(n);
+        const Eigen::VectorXd x_s = system.solve(-Qs, 0).head(n);
+        Fold out;
+        const double g_l = -w.dot(Ql);
+        out.values << x(n), g_l;
+        out.jacobian << g_l, -w.dot(Qs), -w.dot(Q.ll * v + 2.0 * (Q.l * x_l)),
+            -w.dot(Q.ls * v + Q.l * x_s + Q.s * x_l);
+        if (!out.values.allFinite() || !out.jacobian.allFinite() || !(w.norm() > 0))
+            return std::nullopt;
+        _c = v.normalized();
+        _b = w.normalized();
+        return out;
+    }
+
+  private:
+    const std::function<QuadraticAt(double)> &_problem_at;
+    Eigen::VectorXd _b, _c;
+};
+
+} // namespace
+
+std::optional<DoubleRoot> double_root(const std::function<QuadraticAt(double)> &problem_at,
+                                      double speed, double value, const Eigen::VectorXd &shape,
+                                      double reach) {
+    constexpr int most = 30;
+    constexpr double converged = 3e-13;
+    const double scale = std::abs(speed);
+    FoldSearch search(problem_at, shape);
+    double s = speed;
+    double l = value;
+    double last = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < most; ++k) {
+        const std::optional<Fold> fold = search.at(s, l, scale);
+        if (!fold)
+            return std::nullopt;
+        Eigen::Vector2d step = -fold->jacobian.fullPivLu().solve(fold->values);
+        if (!step.allFinite())
+            return std::nullopt;
+        step *= std::min(1.0, reach / std::max(std::abs(step(1)), 1e-300));
+        l += step(0);
+        s += step(1);
+        if (std::abs(s - speed) > 2 * reach || s * speed <= 0)
+            return std::nullopt;
+        const double moved = std::abs(step(1));
+        // At the rounding of the root itself steps no longer shrink.
+        if (moved <= converged * scale || (moved < 1e-10 * scale && moved >= last)) {
+            const Eigen::Matrix2d &J = fold->jacobian;
+            return DoubleRoot{s, l, J(0, 1) * J(1, 0) < 0}; // g = g_s ds + g_ll dl^2 / 2
+        }
+        last = moved;
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::modes
