@@ -16,10 +16,10 @@ enum class QuadraticMethod {
 
 /// What to compute.
 struct QuadraticOptions {
-    int wanted = 8;   ///< eigenvalues nearest the shift, conjugates counted as one
-    int fewest = 0;   ///< accept so many where double precision resolves no more; 0: `wanted`
-    double shift = 0; ///< real; Q(shift) must be regular, 1/s
-    int zeros = 0;    ///< eigenvalues known to be zero: they need not be resolved
+    int wanted = 8;        ///< eigenvalues nearest the shift, conjugates counted as one
+    int fewest = 0;        ///< accept so many where double precision resolves no more; 0: `wanted`
+    double shift = 0;      ///< real; Q(shift) must be regular, 1/s
+    int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
 };

@@ -4,9 +4,9 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
-#include "modes/double_root.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
+#include "tracking/double_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,27 +40,26 @@ Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
 }
 
 /// The locked motion at an end still counts as whirl.
-bool whirls(const modes::DoubleRoot &end) {
+bool whirls(const DoubleRoot &end) {
     return std::abs(end.speed) > modes::real_axis * std::hypot(end.speed, end.value);
 }
 
 /// Ends inside a part, each once, ascending: those to which the motions lead that turn least at one
 /// of its borders.
-std::vector<modes::DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const Count &a,
-                                             const Count &b) {
+std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const Count &a,
+                                      const Count &b) {
     constexpr std::size_t most = 6;
     const auto problem_at = [&solver](double speed) { return solver.problem_at(speed); };
     const double low = std::min(a.speed, b.speed);
     const double high = std::max(a.speed, b.speed);
-    std::vector<modes::DoubleRoot> out;
+    std::vector<DoubleRoot> out;
     for (const Count *from : {&a, &b})
         for (std::size_t i = 0; i < std::min(most, from->others.size()); ++i) {
             const modes::WhirlMode &mode = from->others[i];
-            const auto root =
-                modes::double_root(problem_at, from->speed, mode.rotating_value.real(),
-                                   mode.rotating_vector.real(), high - low);
+            const auto root = double_root(problem_at, from->speed, mode.rotating_value.real(),
+                                          mode.rotating_vector.real(), high - low);
             if (root && root->speed > low && root->speed < high && whirls(*root) &&
-                std::none_of(out.begin(), out.end(), [&](const modes::DoubleRoot &other) {
+                std::none_of(out.begin(), out.end(), [&](const DoubleRoot &other) {
                     return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed);
                 }))
                 out.push_back(*root);
@@ -70,7 +69,7 @@ std::vector<modes::DoubleRoot> roots_between(const modes::SpectrumSolver &solver
     return out;
 }
 
-LockEnd end_of(const modes::DoubleRoot &root) {
+LockEnd end_of(const DoubleRoot &root) {
     constexpr double resolved = 1e-11; // over the spin speed
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
     constexpr double beside = 1e-7;
@@ -82,11 +81,11 @@ LockEnd end_of(const modes::DoubleRoot &root) {
 
 /// The roots account for the numbers at both borders and half way between each two neighbours.
 bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
-               const std::vector<modes::DoubleRoot> &roots) {
+               const std::vector<DoubleRoot> &roots) {
     const Count &low = a.speed < b.speed ? a : b;
     const Count &high = a.speed < b.speed ? b : a;
     std::ptrdiff_t expected = low.motions;
-    for (const modes::DoubleRoot &root : roots)
+    for (const DoubleRoot &root : roots)
         expected += root.opens ? 1 : -1;
     if (roots.empty() || expected != high.motions)
         return false;
@@ -108,7 +107,7 @@ void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &
     constexpr int most = 6; // beyond, it changes by rounding or by heavy damping
     if (a.motions == b.motions || halves > most)
         return;
-    const std::vector<modes::DoubleRoot> roots = roots_between(solver, a, b);
+    const std::vector<DoubleRoot> roots = roots_between(solver, a, b);
     if (explained(solver, a, b, wanted, roots)) {
         std::transform(roots.begin(), roots.end(), std::back_inserter(ends), end_of);
         return;

@@ -1,4 +1,4 @@
-#include "modes/double_root.h"
+#include "tracking/double_root.h"
 
 #include "linalg/unit_scales.h"
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace whirl::modes {
+namespace whirl::tracking {
 
 namespace {
 
@@ -55,7 +55,7 @@ struct Derivatives {
     Sparse Q, l, ll, s, ls;
 };
 
-Derivatives derivatives(const QuadraticAt &p, double value, double scale) {
+Derivatives derivatives(const modes::QuadraticAt &p, double value, double scale) {
     const Eigen::VectorXd d = linalg::scales_at(scale, p.M.diagonal(), p.K.diagonal());
     const auto of = [&d](const Sparse &A) { return Sparse(d.asDiagonal() * A * d.asDiagonal()); };
     return {of(value * value * p.M + value * p.D + p.K), of(2 * value * p.M + p.D), of(2 * p.M),
@@ -70,7 +70,8 @@ struct Fold {
 
 class FoldSearch {
   public:
-    FoldSearch(const std::function<QuadraticAt(double)> &problem_at, const Eigen::VectorXd &shape)
+    FoldSearch(const std::function<modes::QuadraticAt(double)> &problem_at,
+               const Eigen::VectorXd &shape)
         : _problem_at(problem_at), _b(shape.normalized()), _c(_b) {}
 
     /// Borders are the vectors found last: next to the root the best there are.
@@ -101,13 +102,13 @@ class FoldSearch {
     }
 
   private:
-    const std::function<QuadraticAt(double)> &_problem_at;
+    const std::function<modes::QuadraticAt(double)> &_problem_at;
     Eigen::VectorXd _b, _c;
 };
 
 } // namespace
 
-std::optional<DoubleRoot> double_root(const std::function<QuadraticAt(double)> &problem_at,
+std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(double)> &problem_at,
                                       double speed, double value, const Eigen::VectorXd &shape,
                                       double reach) {
     constexpr int most = 30;
@@ -140,4 +141,4 @@ std::optional<DoubleRoot> double_root(const std::function<QuadraticAt(double)> &
     return std::nullopt;
 }
 
-} // namespace whirl::modes
+} // namespace whirl::tracking

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-namespace whirl::modes {
+namespace whirl::tracking {
 
 /// A speed at which two real eigenvalues meet and go on as a complex pair.
 struct DoubleRoot {
@@ -26,7 +26,7 @@ struct DoubleRoot {
 /// @param reach        how far from `speed` to go, rad/s
 /// @returns nothing where there is none in reach
 [[nodiscard]] std::optional<DoubleRoot>
-double_root(const std::function<QuadraticAt(double)> &problem_at, double speed, double value,
+double_root(const std::function<modes::QuadraticAt(double)> &problem_at, double speed, double value,
             const Eigen::VectorXd &shape, double reach);
 
-} // namespace whirl::modes
+} // namespace whirl::tracking
