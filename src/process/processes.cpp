@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <numeric>
 
 namespace whirl::process {
@@ -42,6 +43,47 @@ void broadcast(std::vector<char> &bytes) {
     linalg::check(MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD));
     bytes.resize(static_cast<std::size_t>(size));
     linalg::check(MPI_Bcast(bytes.data(), size, MPI_BYTE, 0, MPI_COMM_WORLD));
+}
+
+/// Memory of process 0 that the others reach by themselves.
+struct SharedCounter::Window {
+    MPI_Win window = MPI_WIN_NULL;
+    std::int64_t *value = nullptr;
+};
+
+SharedCounter::SharedCounter() {
+    if (process_count() == 1)
+        return;
+    _window = std::make_unique<Window>();
+    const MPI_Aint size = process_rank() == 0 ? sizeof(std::int64_t) : 0;
+    linalg::check(MPI_Win_allocate(size, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                                   &_window->value, &_window->window));
+    linalg::check(MPI_Win_lock_all(MPI_MODE_NOCHECK, _window->window));
+    if (process_rank() == 0) {
+        *_window->value = 0;
+        linalg::check(MPI_Win_sync(_window->window));
+    }
+    linalg::check(MPI_Barrier(MPI_COMM_WORLD));
+}
+
+SharedCounter::~SharedCounter() {
+    if (!_window)
+        return;
+    MPI_Win_unlock_all(_window->window);
+    MPI_Win_free(&_window->window);
+}
+
+std::size_t SharedCounter::add(std::size_t step) {
+    if (!_window) {
+        const std::size_t before = _alone;
+        _alone += step;
+        return before;
+    }
+    const auto added = static_cast<std::int64_t>(step);
+    std::int64_t before = 0;
+    linalg::check(MPI_Fetch_and_op(&added, &before, MPI_INT64_T, 0, 0, MPI_SUM, _window->window));
+    linalg::check(MPI_Win_flush(0, _window->window));
+    return static_cast<std::size_t>(before);
 }
 
 } // namespace whirl::process

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace whirl::process {
@@ -13,5 +15,28 @@ namespace whirl::process {
 
 /// The bytes of process 0 on every process.
 void broadcast(std::vector<char> &bytes);
+
+/// Hands out 0, 1, 2, ..., each number once among all processes, to whoever asks next; nobody waits
+/// for a process that is at work elsewhere. Making and ending one is collective.
+class SharedCounter {
+  public:
+    SharedCounter();
+    ~SharedCounter();
+    SharedCounter(const SharedCounter &) = delete;
+    SharedCounter &operator=(const SharedCounter &) = delete;
+    SharedCounter(SharedCounter &&) = delete;
+    SharedCounter &operator=(SharedCounter &&) = delete;
+
+    [[nodiscard]] std::size_t next() { return add(1); }
+    /// From now on every process is given numbers of `to` and above.
+    void skip(std::size_t to) { (void)add(to); }
+
+  private:
+    struct Window;
+    std::unique_ptr<Window> _window; ///< none: there is one process
+    std::size_t _alone = 0;
+
+    std::size_t add(std::size_t step); ///< @returns what it was before
+};
 
 } // namespace whirl::process
