@@ -352,6 +352,8 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     results::ResponseResult result;
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    result.model.unknowns = forced::ForcedMotion(d, result.model.formulation.form).unknowns();
     add_peaks(result, d, attached_nodes(d), model::required_speeds(scene), with_errors);
     return result;
 }

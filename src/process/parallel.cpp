@@ -107,18 +107,19 @@ std::vector<Outcome> deal(std::size_t count, const std::string &doing,
         const Stage all(doing, 0, 1);
         const double whole = static_cast<double>(count);
         SharedCounter counter;
-        for (std::size_t piece = counter.next(); piece < count; piece = counter.next())
+        for (std::size_t piece = counter.next(); piece < count; piece = counter.next()) {
+            const Stage one(doing, static_cast<double>(piece) / whole,
+                            static_cast<double>(piece + 1) / whole);
             try {
-                // Every piece before this one is done or in hand.
-                const double before = static_cast<double>(piece);
-                const Stage one(doing, before / whole, (before + 1) / whole);
                 append_outcome(mine, piece, work(piece));
             } catch (const std::exception &error) {
                 failure = error.what();
                 if (failure.empty())
                     failure = "a piece of the work failed";
-                counter.skip(count); // the others need not go on
+                counter.skip(count); // the others end after what they have asked for
+                break;
             }
+        }
     }
     failure = common_failure(failure);
     if (!failure.empty())

@@ -48,7 +48,15 @@ void broadcast(std::vector<char> &bytes) {
 /// Memory of process 0 that the others reach by themselves.
 struct SharedCounter::Window {
     MPI_Win window = MPI_WIN_NULL;
-    std::int64_t *value = nullptr;
+    std::int64_t *value = nullptr; ///< on process 0
+    std::int64_t step = 1;
+    std::int64_t asked = 0; ///< arrives here
+    MPI_Request request = MPI_REQUEST_NULL;
+
+    void ask() {
+        linalg::check(MPI_Rget_accumulate(&step, 1, MPI_INT64_T, &asked, 1, MPI_INT64_T, 0, 0, 1,
+                                          MPI_INT64_T, MPI_SUM, window, &request));
+    }
 };
 
 SharedCounter::SharedCounter() {
@@ -64,26 +72,34 @@ SharedCounter::SharedCounter() {
         linalg::check(MPI_Win_sync(_window->window));
     }
     linalg::check(MPI_Barrier(MPI_COMM_WORLD));
+    _window->ask();
 }
 
 SharedCounter::~SharedCounter() {
     if (!_window)
         return;
+    MPI_Wait(&_window->request, MPI_STATUS_IGNORE);
     MPI_Win_unlock_all(_window->window);
     MPI_Win_free(&_window->window);
 }
 
-std::size_t SharedCounter::add(std::size_t step) {
-    if (!_window) {
-        const std::size_t before = _alone;
-        _alone += step;
-        return before;
-    }
-    const auto added = static_cast<std::int64_t>(step);
-    std::int64_t before = 0;
-    linalg::check(MPI_Fetch_and_op(&added, &before, MPI_INT64_T, 0, 0, MPI_SUM, _window->window));
+std::size_t SharedCounter::next() {
+    if (!_window)
+        return _alone++;
+    linalg::check(MPI_Wait(&_window->request, MPI_STATUS_IGNORE));
+    const auto number = static_cast<std::size_t>(_window->asked);
+    _window->ask();
+    return number;
+}
+
+void SharedCounter::skip(std::size_t by) {
+    _alone += by;
+    if (!_window)
+        return;
+    const auto step = static_cast<std::int64_t>(by);
+    linalg::check(
+        MPI_Accumulate(&step, 1, MPI_INT64_T, 0, 0, 1, MPI_INT64_T, MPI_SUM, _window->window));
     linalg::check(MPI_Win_flush(0, _window->window));
-    return static_cast<std::size_t>(before);
 }
 
 } // namespace whirl::process

@@ -117,8 +117,9 @@ const Columns<SampleFailure> failure_columns{
      [](const SampleFailure &failure) { return failure.samples.front(); }},
     {"samples", "", {}, {}, &SampleFailure::samples}};
 
+/// Heading in the file: names may hold commas.
 std::string with_unit(const std::string &name, const std::string &unit) {
-    return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+    return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
 }
 
 /// A line a sample; its columns are the inputs and answers.

@@ -67,9 +67,9 @@ TEST(SamplesSettings, AllMistakesAreListedAtOnce) {
                        "{path = \"bearing[1].k\", distribution = \"gauss\"},\n"
                        "{path = \"bearing[0].c\", distribution = \"normal\", deviation = -1}]\n");
     for (const char *part :
-         {"case.toml:16: samples.count: ", "case.toml:17: samples.of[0]: ",
-          "case.toml:19: samples.vary[0].path: ", "case.toml:19: samples.vary[0].distribution: ",
-          "case.toml:20: samples.vary[1].deviation: "})
+         {"case.toml:17: samples.count: ", "case.toml:18: samples.of[0]: ",
+          "case.toml:20: samples.vary[0].path: ", "case.toml:20: samples.vary[0].distribution: ",
+          "case.toml:21: samples.vary[1].deviation: "})
         EXPECT_NE(message.find(part), std::string::npos) << part << " in\n" << message;
     EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 4) << message;
 }

@@ -128,8 +128,9 @@ Support support_of(const toml::table &table) {
         out.c[i / 2][i % 2] =
             number(table, std::string("c") + ends[i], diagonal ? number(table, "c") : 0);
     }
-    if (table.contains("kt") || table.contains("ct") || table.contains("pedestal_k"))
-        throw std::runtime_error("the oracles read no tilt coefficients and no pedestals");
+    out.kt[0][0] = out.kt[1][1] = number(table, "kt");
+    if (table.contains("ct") || table.contains("ktxx") || table.contains("pedestal_k"))
+        throw std::runtime_error("the oracles read of tilt coefficients kt alone, no pedestals");
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include "analyses/critical.h"
 #include "analyses/response.h"
 #include "analyses/stability.h"
+#include "assembly/discretization.h"
 #include "balancers/balanced_position.h"
 #include "linalg/check.h"
 #include "model/errors.h"
@@ -90,13 +91,16 @@ model::Case with_order(model::Case scene, int order) {
     return scene;
 }
 
-/// Form and order by which the ends are looked for; the mesh is that of the others.
+/// By what the ends are looked for.
 results::ModelSummary model_of_ends(const model::Case &scene) {
     const stability::StabilityModel used =
         stability::stability_model(scene, stability::search_speeds(model::required_speeds(scene)));
     results::ModelSummary model;
     model.formulation = used.formulation;
     model.order = used.order;
+    const assembly::Discretization d(scene.rotor, used.order);
+    model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    model.unknowns = 2 * d.planar_size();
     return model;
 }
 

@@ -195,6 +195,9 @@ void add_notes(results::SamplesResult &result) {
     if (result.failed > 0)
         notes.push_back(fmt::format("{} of {} samples failed: quantiles are those of the others",
                                     result.failed, result.count));
+    if (result.answers.empty())
+        notes.emplace_back("neither the case as it is nor any sample has an answer of the kinds "
+                           "asked for in the range of speeds");
     const int sound = result.count - result.failed;
     if (std::any_of(result.answers.begin(), result.answers.end(),
                     [sound](const auto &answer) { return answer.present < sound; }))

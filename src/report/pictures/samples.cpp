@@ -101,14 +101,15 @@ std::string panel_of(const SampledAnswer &answer, std::size_t index) {
     const double margin = 0.06 * (high - low);
     const std::string name = fmt::format("samples{}", index);
     return data_block(name, {bars}) + marks_of(answer) +
-           fmt::format("set title {} font ',12' offset 0,0.9\nset xlabel '{}' font ',10'\n"
-                       "set ylabel 'samples' font ',10'\n"
-                       "set xrange [{:.9g}:{:.9g}]\nset yrange [0:{}]\n"
-                       "set xtics {:.9g} font ',9'\nset ytics font ',9'\nset boxwidth {:.9g}\n",
-                       plot_text(answer.name), axis_of(answer), low - margin, high + margin,
-                       1.08 * most, step_of(high - low), histogram.width) +
-           fmt::format("plot ${} using 1:2 with boxes fs solid 0.55 border lc rgb '#3C97CF' "
-                       "notitle\n",
+           fmt::format(
+               "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',10' offset 0,0.4\n"
+               "set ylabel 'samples' font ',10' offset 1.5,0\n"
+               "set xrange [{:.9g}:{:.9g}]\nset yrange [0:{}]\n"
+               "set xtics {:.9g} font ',9'\nset ytics font ',9'\nset boxwidth {:.9g}\n",
+               plot_text(answer.name), axis_of(answer), low - margin, high + margin, 1.08 * most,
+               step_of(high - low), histogram.width) +
+           fmt::format("plot ${} using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid "
+                       "0.45 border lc rgb '#0072B2' notitle\n",
                        name) +
            "unset object\nunset arrow\nunset label\nunset title\n";
 }
@@ -134,7 +135,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
         if (++all <= most_panels)
             drawn.push_back(&answer);
     }
-    const std::size_t columns = std::clamp<std::size_t>(drawn.size(), 1, 3);
+    const std::size_t columns = drawn.size() == 4 ? 2 : std::clamp<std::size_t>(drawn.size(), 1, 3);
     const std::size_t rows = std::max<std::size_t>((drawn.size() + columns - 1) / columns, 1);
     Figure figure;
     figure.width = columns == 1 ? 900 : 1300;

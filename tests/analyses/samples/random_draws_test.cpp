@@ -182,7 +182,7 @@ TEST(Quantiles, IntervalsOfTheMedian) {
 
 TEST(Quantiles, IntervalsHoldTheTruthAsOftenAsTheySay) {
     constexpr int repeats = 2000;
-    constexpr int size = 60;
+    constexpr int size = 40;
     for (const double share : {0.1, 0.5, 0.8}) {
         int inside = 0;
         for (int repeat = 0; repeat < repeats; ++repeat) {
@@ -201,7 +201,8 @@ TEST(Quantiles, MeanAndDeviationHaveIntervalsThatHold) {
     int deviation_inside = 0;
     for (int repeat = 0; repeat < repeats; ++repeat) {
         results::SampledAnswer answer;
-        for (const double value : drawn(settings_of({normal(3, 2)}, repeat), 100)[0])
+        const auto values = drawn(settings_of({normal(3, 2)}, repeat), 100)[0];
+        for (const double value : values)
             answer.values.emplace_back(value);
         analyses::describe_values({0.5}, answer);
         mean_inside += std::abs(*answer.mean - 3) <= *answer.mean_error ? 1 : 0;
