@@ -53,6 +53,15 @@ struct SharedCounter::Window {
     std::int64_t asked = 0; ///< arrives here
     MPI_Request request = MPI_REQUEST_NULL;
 
+    /// Lets the library send and answer what waits: where the network cannot reach into memory by
+    /// itself, it does so only while it is called.
+    static void let_messages_pass() {
+        constexpr int often_enough = 20; // each call takes some of them
+        int found = 0;
+        for (int i = 0; i < often_enough; ++i)
+            linalg::check(
+                MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, MPI_STATUS_IGNORE));
+    }
     void ask() {
         linalg::check(MPI_Rget_accumulate(&step, 1, MPI_INT64_T, &asked, 1, MPI_INT64_T, 0, 0, 1,
                                           MPI_INT64_T, MPI_SUM, window, &request));
@@ -88,7 +97,9 @@ std::size_t SharedCounter::next() {
         return _alone++;
     linalg::check(MPI_Wait(&_window->request, MPI_STATUS_IGNORE));
     const auto number = static_cast<std::size_t>(_window->asked);
+    Window::let_messages_pass();
     _window->ask();
+    Window::let_messages_pass();
     return number;
 }
 
