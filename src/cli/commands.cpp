@@ -55,6 +55,22 @@ auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &
     };
 }
 
+Command stability_row() {
+    return {"stability",
+            "where motion is unstable",
+            {"speeds", "map"},
+            {},
+            on_cases(analyses::stability)};
+}
+
+Command samples_row() {
+    return {"samples",
+            "quantiles of critical speeds, peaks or band ends over uncertain entries of the case",
+            {"samples", "speeds", "campbell", "imbalance"},
+            {},
+            on_cases(analyses::samples)};
+}
+
 } // namespace
 
 std::filesystem::path Run::folder() const {
@@ -78,11 +94,7 @@ const std::vector<Command> &commands() {
          {"speeds", "campbell"},
          {},
          on_case(analyses::critical_speeds)},
-        {"stability",
-         "where motion is unstable",
-         {"speeds", "map"},
-         {},
-         on_cases(analyses::stability)},
+        stability_row(),
         {"response",
          "unbalance response over speed, forces at bearings",
          {"speeds", "imbalance", "probe"},
@@ -108,11 +120,7 @@ const std::vector<Command> &commands() {
          {"speeds", "campbell"},
          {},
          on_case(analyses::accuracy)},
-        {"samples",
-         "quantiles of critical speeds, peaks or band ends over uncertain entries of the case",
-         {"samples", "speeds", "campbell", "imbalance"},
-         {},
-         on_cases(analyses::samples)},
+        samples_row(),
         {"modes",
          "mode shapes as pictures and for ParaView",
          {"speeds", "campbell"},

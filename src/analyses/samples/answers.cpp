@@ -85,8 +85,10 @@ void append(std::vector<Answer> &all, const std::vector<Answer> &more) {
 /// Speed up to which a case wants all critical speeds.
 double top_of(const model::Case &scene) { return scene.speeds ? scene.speeds->to : 0; }
 
+/// An order that is to be found is that of the case as it is.
 model::Case with_order(model::Case scene, int order) {
-    scene.rotor.shaft.order = order;
+    if (scene.rotor.shaft.order_auto)
+        scene.rotor.shaft.order = order;
     scene.rotor.shaft.order_auto = false;
     return scene;
 }
@@ -135,7 +137,7 @@ void Answers::take_model(const results::ModelSummary &model) {
         _model.notes.insert(_model.notes.end(), model.notes.begin(), model.notes.end());
 }
 
-std::vector<Answer> Answers::of(model::Case scene) const {
+std::vector<Answer> Answers::of(const model::Case &scene) const {
     std::vector<Answer> out;
     if (_wanted.critical) {
         model::Case more = with_order(scene, _critical_order);
@@ -144,12 +146,12 @@ std::vector<Answer> Answers::of(model::Case scene) const {
                answers_of(unjudged_critical_speeds(more), scene.campbell.modes, top_of(scene)));
     }
     if (_wanted.peaks) {
-        scene = with_order(std::move(scene), _peaks_order);
-        append(out, answers_of(response_peaks(scene, false).peaks));
+        const model::Case own = with_order(scene, _peaks_order);
+        append(out, answers_of(response_peaks(own, false).peaks));
     }
     if (_wanted.ends) {
-        scene = with_order(std::move(scene), _ends_order);
-        append(out, answers_of(bands_of(scene, false), model::required_speeds(scene)));
+        const model::Case own = with_order(scene, _ends_order);
+        append(out, answers_of(bands_of(own, false), model::required_speeds(own)));
     }
     return out;
 }

@@ -32,9 +32,10 @@ class Answers {
     /// Of the case as it is.
     [[nodiscard]] const results::ModelSummary &model() const { return _model; }
 
-    /// Of another rotor, with the elements of the case as it is and without errors.
+    /// Of another rotor, without errors; where the order of the elements is to be found, with that
+    /// of the case as it is.
     /// @throws model::AnalysisFailure, linalg::SolverError
-    [[nodiscard]] std::vector<Answer> of(model::Case scene) const;
+    [[nodiscard]] std::vector<Answer> of(const model::Case &scene) const;
 
   private:
     model::SamplesSettings _wanted;

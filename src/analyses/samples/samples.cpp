@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -59,8 +60,7 @@ std::vector<Answer> unpacked(const Outcome &outcome) {
     return answers;
 }
 
-/// The reason alone, so that samples that fail for the same one are counted together: without the
-/// override that names the sample's own value, and without the value.
+/// The reason without the override that names the sample's own value, and without the value.
 std::string reason_of(const std::string &message) {
     std::istringstream lines(message);
     std::string all;
@@ -160,10 +160,28 @@ class Table {
     }
 };
 
+/// What two samples that fail for one reason have in common: bounds that depend on other entries
+/// differ, the key in front does not.
+std::string without_numbers(const std::string &message) {
+    const std::size_t key_end = message.find(": expected");
+    std::string out = message.substr(0, key_end == std::string::npos ? 0 : key_end);
+    bool in_number = false;
+    for (const char c : message.substr(out.size())) {
+        const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+        in_number = digit || (in_number && (c == '.' || c == 'e' || c == '-' || c == '+'));
+        if (!in_number)
+            out += c;
+    }
+    return out;
+}
+
+/// @param message  of which the first of its kind is shown
 void note_failure(const std::string &message, int sample,
                   std::vector<results::SampleFailure> &failures) {
-    const auto same = std::find_if(failures.begin(), failures.end(),
-                                   [&](const auto &f) { return f.message == message; });
+    const std::string kind = without_numbers(message);
+    const auto same = std::find_if(failures.begin(), failures.end(), [&kind](const auto &failure) {
+        return without_numbers(failure.message) == kind;
+    });
     if (same == failures.end())
         failures.push_back({message, {sample}});
     else

@@ -17,12 +17,14 @@ namespace {
 
 constexpr std::size_t most_panels = 12;
 
-/// The numbers of an answer as they are drawn: speeds in rpm.
-double factor_of(const SampledAnswer &answer) { return answer.unit == "rad/s" ? rpm : 1; }
+/// The numbers of an answer as they are drawn: speeds in rpm, amplitudes in µm.
+double factor_of(const SampledAnswer &answer) {
+    return answer.unit == "rad/s" ? rpm : answer.unit == "m" ? 1e6 : 1;
+}
 
 std::string axis_of(const SampledAnswer &answer) {
     return answer.unit == "rad/s" ? "Spin speed (rpm)"
-           : answer.unit == "m"   ? "Amplitude (m)"
+           : answer.unit == "m"   ? "Amplitude (µm)"
            : answer.unit == "N"   ? "Force (N)"
                                   : answer.unit;
 }
@@ -150,7 +152,8 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
     const double top = 1 - static_cast<double>(head) / figure.height;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const double left = static_cast<double>(i % columns) * across;
-        const double upper = top - static_cast<double>(i / columns) * down;
+        const std::size_t row = i / columns;
+        const double upper = top - static_cast<double>(row) * down;
         figure.script += panel_margins(left + 0.2 * across, left + 0.94 * across,
                                        upper - 0.8 * down, upper - 0.2 * down) +
                          panel_of(*drawn[i], i);

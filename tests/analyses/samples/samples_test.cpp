@@ -193,6 +193,23 @@ TEST(Samples, ThatFailAreListedWithTheirReason) {
     EXPECT_FALSE(result.model.notes.empty());
 }
 
+// A bound that depends on other entries that vary is another number in every sample.
+TEST(Samples, ReasonsThatDifferInNumbersAreOne) {
+    model::Case scene = disc_on_spring();
+    scene.samples->vary = {normal_input("k", 1e7, 1e6)};
+    const CaseWith with = [&](const std::vector<std::string> &overrides) {
+        const double k = std::stod(overrides.at(0).substr(2));
+        if (k > 1.1e7)
+            throw model::BadInput("case.toml:9: disc[1].Id: expected at least " +
+                                  std::to_string(k) + " kg m2, got 0");
+        if (k < 0.9e7)
+            throw model::BadInput("case.toml:9: disc[0].Id: expected at least 2e-5, got 0");
+        return scene;
+    };
+    const SamplesResult result = analyses::samples(scene, with);
+    EXPECT_EQ(result.failures.size(), 2U); // of two discs
+}
+
 TEST(Samples, AllFailedIsAFailureWithTheReason) {
     model::Case scene = disc_on_spring();
     scene.samples->vary = {normal_input("k", -1e7, 1)};
