@@ -159,10 +159,10 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
                                           mode.eigenvalue.real(), errors[i], mode.residual,
                                           results::damping_of(modes::determined_value(mode))});
     }
-    if (form == results::Form::rotating)
-        drop_second_directions(result.critical_speeds, wanted, top);
     if (!judged)
         return result;
+    if (form == results::Form::rotating)
+        drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
     note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
     return result;

@@ -55,6 +55,16 @@ auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &
     };
 }
 
+// Rows of the table that would make it too long to be read at once.
+
+Command balance_row() {
+    return {"balance",
+            "where correction planes can balance the rotor",
+            {"speeds", "plane", "balance", "simulate"},
+            {"--map"},
+            balance};
+}
+
 Command stability_row() {
     return {"stability",
             "where motion is unstable",
@@ -100,11 +110,7 @@ const std::vector<Command> &commands() {
          {"speeds", "imbalance", "probe"},
          {},
          on_case(analyses::unbalance_response)},
-        {"balance",
-         "where correction planes can balance the rotor",
-         {"speeds", "plane", "balance", "simulate"},
-         {"--map"},
-         balance},
+        balance_row(),
         {"rigid-limit",
          "flexible model against rigid closed forms as the shaft stiffens",
          {"speeds", "plane"},

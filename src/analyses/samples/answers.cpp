@@ -26,18 +26,29 @@ constexpr int spare_modes = 4;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Numbered by sense of whirl.
-std::vector<Answer> answers_of(const results::CriticalResult &result, int modes, double top) {
+/// Numbered by sense of whirl. Directions of asymmetric rotors count one by one.
+std::vector<Answer> answers_of(const results::CriticalResult &result, const model::Case &scene) {
+    const bool directions = result.model.formulation.form == results::Form::rotating;
+    const int modes = (directions ? 2 : 1) * scene.campbell.modes;
+    const double top = scene.speeds ? scene.speeds->to : 0;
     std::vector<Answer> out;
     std::map<results::Whirl, int> count;
     for (const results::CriticalSpeed &critical : result.critical_speeds) {
         const std::string name =
             fmt::format("{} {}", results::whirl_name(critical.whirl), ++count[critical.whirl]);
         const bool asked_for = std::ssize(out) < modes || critical.speed <= top;
-        out.push_back({"critical " + name, "critical", name, "rad/s", critical.speed, asked_for,
-                       critical.error});
+        out.push_back(
+            {"critical " + name, "critical", name, "rad/s", critical.speed, asked_for, not_known});
     }
     return out;
+}
+
+/// Errors of the speeds that `critical` lists.
+void take_errors(const std::vector<results::CriticalSpeed> &judged, std::vector<Answer> &answers) {
+    for (Answer &answer : answers)
+        for (const results::CriticalSpeed &critical : judged)
+            if (std::abs(critical.speed - answer.value) <= 1e-8 * critical.speed)
+                answer.error = critical.error;
 }
 
 std::vector<Answer> answers_of(const std::vector<results::ResponsePeak> &peaks) {
@@ -82,9 +93,6 @@ void append(std::vector<Answer> &all, const std::vector<Answer> &more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Speed up to which a case wants all critical speeds.
-double top_of(const model::Case &scene) { return scene.speeds ? scene.speeds->to : 0; }
-
 /// An order that is to be found is that of the case as it is.
 model::Case with_order(model::Case scene, int order) {
     if (scene.rotor.shaft.order_auto)
@@ -111,8 +119,11 @@ results::ModelSummary model_of_ends(const model::Case &scene) {
 Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
     if (_wanted.critical) {
         const results::CriticalResult result = critical_speeds(scene);
-        append(_nominal, answers_of(result, scene.campbell.modes, top_of(scene)));
         _critical_order = result.model.order;
+        std::vector<Answer> answers =
+            answers_of(unjudged_critical_speeds(with_order(scene, _critical_order)), scene);
+        take_errors(result.critical_speeds, answers);
+        append(_nominal, answers);
         take_model(result.model);
     }
     if (_wanted.peaks) {
@@ -142,8 +153,7 @@ std::vector<Answer> Answers::of(const model::Case &scene) const {
     if (_wanted.critical) {
         model::Case more = with_order(scene, _critical_order);
         more.campbell.modes += spare_modes;
-        append(out,
-               answers_of(unjudged_critical_speeds(more), scene.campbell.modes, top_of(scene)));
+        append(out, answers_of(unjudged_critical_speeds(more), scene));
     }
     if (_wanted.peaks) {
         const model::Case own = with_order(scene, _peaks_order);

@@ -193,6 +193,30 @@ TEST(Samples, ThatFailAreListedWithTheirReason) {
     EXPECT_FALSE(result.model.notes.empty());
 }
 
+// Translation of an asymmetric rotor is the same in both directions: two equal critical speeds,
+// which stay the first two in every sample. Tilt: sqrt(kt/(Id +- dI - Ip)).
+TEST(Samples, DirectionsOfAnAsymmetricRotorKeepTheirNumbers) {
+    constexpr double dI = 0.02;
+    model::Case scene = disc_on_spring();
+    scene.rotor.anisotropies = {{"", 0.5, dI, 0}};
+    scene.samples->count = 10;
+    scene.samples->vary = {normal_input("k", 1e7, 1e6), normal_input("kt", 2e6, 5e4)};
+    const SamplesResult result = analyses::samples(scene, varied(scene));
+    ASSERT_EQ(result.answers.size(), 4U);
+    const std::vector<std::pair<std::size_t, double>> closed{
+        {0, mass}, {0, mass}, {1, Id + dI - Ip}, {1, Id - dI - Ip}};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const SampledAnswer &answer = result.answers[k];
+        EXPECT_EQ(answer.name, "forward " + std::to_string(k + 1));
+        const auto &[input, inertia] = closed[k];
+        EXPECT_NEAR(*answer.nominal / std::sqrt((input == 0 ? 1e7 : 2e6) / inertia), 1, rounding);
+        EXPECT_TRUE(answer.nominal_error) << k;
+        for (std::size_t i = 0; i < 10; ++i)
+            EXPECT_NEAR(*answer.values[i] / std::sqrt(result.inputs[input].values[i] / inertia), 1,
+                        rounding);
+    }
+}
+
 // A bound that depends on other entries that vary is another number in every sample.
 TEST(Samples, ReasonsThatDifferInNumbersAreOne) {
     model::Case scene = disc_on_spring();
