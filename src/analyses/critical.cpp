@@ -133,7 +133,7 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
 
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
-                                 int order) {
+                                 int order, bool judged) {
     results::CriticalResult result;
     results::ModelSummary &model = result.model;
     const results::Form form = formulation.form;
@@ -150,13 +150,17 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     synchronous::SynchronousModes list =
         synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
     keep_lowest(list, ask, top);
-    const std::vector<double> errors = judged_errors(scene, form, d, list, symmetric, model);
+    const std::vector<double> errors =
+        judged ? judged_errors(scene, form, d, list, symmetric, model)
+               : std::vector<double>(list.modes.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
         const modes::WhirlMode &mode = list.modes[i];
         result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
                                           mode.eigenvalue.real(), errors[i], mode.residual,
                                           results::damping_of(modes::determined_value(mode))});
     }
+    if (!judged)
+        return result;
     if (form == results::Form::rotating)
         drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
@@ -173,28 +177,26 @@ double largest_error(const results::CriticalResult &result) {
 
 /// With order = "auto" the lowest at which every critical speed listed meets the tolerance.
 results::CriticalResult of_resolved_order(const model::Case &scene,
-                                          const results::Formulation &formulation) {
+                                          const results::Formulation &formulation, bool judged) {
     const model::Shaft &shaft = scene.rotor.shaft;
-    if (!shaft.order_auto || shaft.rigid)
-        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order);
+    if (!shaft.order_auto || shaft.rigid || !judged)
+        return of_order(scene, formulation, shaft.rigid ? 1 : shaft.order, judged);
     results::CriticalResult result;
     (void)mesh_error::lowest_order(shaft.tolerance, [&](int order) {
-        result = of_order(scene, formulation, order);
+        result = of_order(scene, formulation, order, judged);
         return largest_error(result);
     });
     return result;
 }
 
-} // namespace
-
-results::CriticalResult critical_speeds(const model::Case &as_given) {
+results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
     const results::Formulation formulation = modes::choose_formulation(as_given, false);
     refuse_hill(formulation.form);
     const model::Case scene =
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;
     results::CriticalResult result;
     try {
-        result = of_resolved_order(scene, formulation);
+        result = of_resolved_order(scene, formulation, judged);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
@@ -207,6 +209,16 @@ results::CriticalResult critical_speeds(const model::Case &as_given) {
     note_damping(formulation.form, as_given.rotor.damped(), result.model);
     note_balls_held(formulation.form, result.model);
     return result;
+}
+
+} // namespace
+
+results::CriticalResult critical_speeds(const model::Case &scene) {
+    return critical_of(scene, true);
+}
+
+results::CriticalResult unjudged_critical_speeds(const model::Case &scene) {
+    return critical_of(scene, false);
 }
 
 } // namespace whirl::analyses

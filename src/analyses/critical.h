@@ -17,4 +17,9 @@ namespace whirl::analyses {
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
 [[nodiscard]] results::CriticalResult critical_speeds(const model::Case &scene);
 
+/// The same with elements of the order given, errors and completeness not judged: for many rotors
+/// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a
+/// motion is listed, as equal ones need not stay equal, and twice as many.
+[[nodiscard]] results::CriticalResult unjudged_critical_speeds(const model::Case &scene);
+
 } // namespace whirl::analyses

@@ -230,7 +230,9 @@ struct Watched {
     std::vector<double> z; ///< m
 
     void add(forced::Quantity quantity, const char *of, double place, const std::string &name) {
+        const int before = places.empty() || places.back().of != of ? 0 : places.back().place + 1;
         places.emplace_back().of = of;
+        places.back().place = before;
         places.back().z = place;
         places.back().name = name;
         places.back().angle = quantity.angle;
@@ -257,9 +259,9 @@ Watched watched(const assembly::Discretization &d, const std::map<int, std::stri
 
 /// Peaks of the stations, bearings and probes between two speeds of one sign, and the curves.
 void add_peaks_between(results::ResponseResult &result, const assembly::Discretization &d,
-                       const Watched &all, double from, double to) {
-    const forced::CertifiedPeaks found =
-        forced::response_peaks(d, result.model.formulation.form, all.quantities, all.z, from, to);
+                       const Watched &all, double from, double to, bool with_errors) {
+    const forced::CertifiedPeaks found = forced::response_peaks(
+        d, result.model.formulation.form, all.quantities, all.z, from, to, with_errors);
     for (std::size_t i = 0; i < found.peaks.size(); ++i) {
         const forced::Peak &peak = found.peaks[i];
         results::ResponsePeak out = all.places[static_cast<std::size_t>(peak.quantity)];
@@ -270,8 +272,8 @@ void add_peaks_between(results::ResponseResult &result, const assembly::Discreti
         out.upper = peak.upper;
         if (peak.lower && peak.upper)
             out.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
-        out.error = found.errors[i].value + found.reduction_error;
-        out.speed_error = found.errors[i].speed;
+        out.error = with_errors ? found.errors[i].value + found.reduction_error : none;
+        out.speed_error = with_errors ? found.errors[i].speed : none;
         result.peaks.push_back(out);
     }
     for (const forced::PeakSearch::Sample &sample : found.curve) {
@@ -284,16 +286,17 @@ void add_peaks_between(results::ResponseResult &result, const assembly::Discreti
 }
 
 void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-               const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
+               const std::map<int, std::string> &nodes, const model::SpeedRange &range,
+               bool with_errors = true) {
     if (range.count < 2 || !(range.to > range.from) || nodes.empty())
         return;
     const Watched all = watched(d, nodes);
     result.curves.values.resize(all.quantities.size());
     result.curves.phases.resize(all.quantities.size());
     if (range.from < 0)
-        add_peaks_between(result, d, all, range.from, std::min(range.to, 0.0));
+        add_peaks_between(result, d, all, range.from, std::min(range.to, 0.0), with_errors);
     if (range.to > 0)
-        add_peaks_between(result, d, all, std::max(range.from, 0.0), range.to);
+        add_peaks_between(result, d, all, std::max(range.from, 0.0), range.to, with_errors);
 }
 
 /// Empty lists with places and names.
@@ -326,20 +329,40 @@ void note_resonances(results::ResponseResult &result) {
                         speeds));
 }
 
-} // namespace
-
-results::ResponseResult unbalance_response(const model::Case &asked) {
-    model::Case scene = asked;
-    scene.rotor = model::with_balancer_imbalances(asked.rotor);
+/// The case with the imbalances that its balancers are for.
+model::Case driven(model::Case scene) {
+    scene.rotor = model::with_balancer_imbalances(std::move(scene.rotor));
     refuse_what_is_missing(scene);
-    const std::vector<double> speeds = model::required_speeds(scene).values();
-    results::ResponseResult result;
-    result.model.formulation = forced::response_formulation(scene);
+    return scene;
+}
+
+/// Form of the equations and order of the elements.
+void choose_model(const model::Case &scene, results::ModelSummary &model) {
+    model.formulation = forced::response_formulation(scene);
     model::Case free_choice = scene; // the order is judged by frequencies, in their best form
     free_choice.rotor.balancers.clear();
     free_choice.formulation = model::FormChoice::automatic;
-    result.model.order =
-        mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
+    model.order = mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
+}
+
+} // namespace
+
+results::ResponseResult response_peaks(const model::Case &asked, bool with_errors) {
+    const model::Case scene = driven(asked);
+    results::ResponseResult result;
+    choose_model(scene, result.model);
+    const assembly::Discretization d(scene.rotor, result.model.order);
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    result.model.unknowns = forced::ForcedMotion(d, result.model.formulation.form).unknowns();
+    add_peaks(result, d, attached_nodes(d), model::required_speeds(scene), with_errors);
+    return result;
+}
+
+results::ResponseResult unbalance_response(const model::Case &asked) {
+    const model::Case scene = driven(asked);
+    const std::vector<double> speeds = model::required_speeds(scene).values();
+    results::ResponseResult result;
+    choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
     const std::map<int, std::string> nodes = attached_nodes(d);
     Response response(d, result.model.formulation.form, nodes);

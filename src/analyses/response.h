@@ -21,4 +21,8 @@ namespace whirl::analyses {
 ///         directions.
 [[nodiscard]] results::ResponseResult unbalance_response(const model::Case &scene);
 
+/// Of that response the model and the peaks alone, by this process alone.
+/// @param with_errors  false: the errors of the peaks are NaN
+[[nodiscard]] results::ResponseResult response_peaks(const model::Case &scene, bool with_errors);
+
 } // namespace whirl::analyses

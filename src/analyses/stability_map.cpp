@@ -3,7 +3,6 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "process/parallel.h"
-#include "process/progress.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
@@ -42,34 +41,31 @@ std::vector<double> growth_at(const model::Case &scene, const std::vector<double
     return out;
 }
 
-/// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1.
-/// `why` takes the first reason.
-std::vector<double> where_possible(std::size_t count, std::string &why,
-                                   const std::function<std::vector<double>()> &growth) {
+/// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1; with the reason.
+process::Outcome where_possible(std::size_t count,
+                                const std::function<std::vector<double>()> &growth) {
     try {
-        return growth();
+        return {growth(), {}};
     } catch (const model::BadInput &problem) {
-        if (why.empty())
-            why = problem.what();
-        return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
+        return {std::vector<double>(count, std::numeric_limits<double>::quiet_NaN()),
+                problem.what()};
     }
 }
 
-std::vector<double> row_of(const model::MapSettings &map, double y, const CaseWith &with,
-                           std::string &why) {
-    const std::vector<double> x_values = values_of(map.x);
-    if (is_speed(map.x))
-        return where_possible(x_values.size(), why,
-                              [&] { return growth_at(with({entry(map.y, y)}), x_values); });
-    std::vector<double> row;
-    for (const double x : x_values)
-        row.push_back(where_possible(1, why, [&]() -> std::vector<double> {
-                          const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
-                          const auto growth =
-                              growth_at(scene, model::required_speeds(scene).values());
-                          return {*std::max_element(growth.begin(), growth.end())};
-                      }).front());
-    return row;
+/// A row over the spin speed.
+process::Outcome row_of(const model::MapSettings &map, double y, const CaseWith &with) {
+    const std::vector<double> speeds = values_of(map.x);
+    return where_possible(speeds.size(),
+                          [&] { return growth_at(with({entry(map.y, y)}), speeds); });
+}
+
+/// One point of a map without the spin speed.
+process::Outcome point_of(const model::MapSettings &map, double x, double y, const CaseWith &with) {
+    return where_possible(1, [&]() -> std::vector<double> {
+        const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
+        const auto growth = growth_at(scene, model::required_speeds(scene).values());
+        return {*std::max_element(growth.begin(), growth.end())};
+    });
 }
 
 } // namespace
@@ -88,13 +84,22 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
                 map.growth[j][i] = turned.growth[i][j];
         return map;
     }
-    std::size_t done = 0;
-    const process::Stage stage("map", 0, 1);
-    map.growth = process::rows_at(map.y_values, [&](double y) {
-        process::report_progress(static_cast<double>(done++) /
-                                 static_cast<double>(map.y_values.size()));
-        return row_of(settings, y, with, map.why);
+    const bool rows = is_speed(settings.x);
+    const std::size_t columns = map.x_values.size();
+    const std::size_t pieces = map.y_values.size() * (rows ? 1 : columns);
+    const auto outcomes = process::deal(pieces, "map", [&](std::size_t i) {
+        return rows
+                   ? row_of(settings, map.y_values[i], with)
+                   : point_of(settings, map.x_values[i % columns], map.y_values[i / columns], with);
     });
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        if (rows || i % columns == 0)
+            map.growth.emplace_back();
+        map.growth.back().insert(map.growth.back().end(), outcomes[i].numbers.begin(),
+                                 outcomes[i].numbers.end());
+        if (map.why.empty())
+            map.why = outcomes[i].text;
+    }
     return map;
 }
 

@@ -7,6 +7,7 @@
 #include "analyses/modes.h"
 #include "analyses/response.h"
 #include "analyses/rigid_limit.h"
+#include "analyses/samples/samples.h"
 #include "analyses/show.h"
 #include "analyses/stability.h"
 #include "input/case_file.h"
@@ -18,6 +19,7 @@
 #include "results/modes.h"
 #include "results/response.h"
 #include "results/rigid_limit.h"
+#include "results/samples.h"
 #include "results/show.h"
 #include "results/stability.h"
 
@@ -39,15 +41,44 @@ void balance(const Run &run) {
     run.deliver(report::describe(run.scene, result));
 }
 
-void stability(const Run &run) {
-    const analyses::CaseWith with = [&run](const std::vector<std::string> &more) {
-        std::vector<std::string> overrides = run.arguments.overrides;
-        overrides.insert(overrides.end(), more.begin(), more.end());
-        return input::load_case(run.arguments.scene, overrides);
+/// A command whose analysis reads the case again with other values.
+template <class Result>
+auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &)) {
+    return [analysis](const Run &run) {
+        const analyses::CaseWith with = [&run](const std::vector<std::string> &more) {
+            std::vector<std::string> overrides = run.arguments.overrides;
+            overrides.insert(overrides.end(), more.begin(), more.end());
+            return input::load_case(run.arguments.scene, overrides);
+        };
+        const Result result = run.timed([&] { return analysis(run.scene, with); });
+        run.deliver(report::describe(run.scene, result));
     };
-    const results::StabilityResult result =
-        run.timed([&] { return analyses::stability(run.scene, with); });
-    run.deliver(report::describe(run.scene, result));
+}
+
+// Rows of the table that would make it too long to be read at once.
+
+Command balance_row() {
+    return {"balance",
+            "where correction planes can balance the rotor",
+            {"speeds", "plane", "balance", "simulate"},
+            {"--map"},
+            balance};
+}
+
+Command stability_row() {
+    return {"stability",
+            "where motion is unstable",
+            {"speeds", "map"},
+            {},
+            on_cases(analyses::stability)};
+}
+
+Command samples_row() {
+    return {"samples",
+            "quantiles of critical speeds, peaks or band ends over uncertain entries of the case",
+            {"samples", "speeds", "campbell", "imbalance"},
+            {},
+            on_cases(analyses::samples)};
 }
 
 } // namespace
@@ -73,17 +104,13 @@ const std::vector<Command> &commands() {
          {"speeds", "campbell"},
          {},
          on_case(analyses::critical_speeds)},
-        {"stability", "where motion is unstable", {"speeds", "map"}, {}, stability},
+        stability_row(),
         {"response",
          "unbalance response over speed, forces at bearings",
          {"speeds", "imbalance", "probe"},
          {},
          on_case(analyses::unbalance_response)},
-        {"balance",
-         "where correction planes can balance the rotor",
-         {"speeds", "plane", "balance", "simulate"},
-         {"--map"},
-         balance},
+        balance_row(),
         {"rigid-limit",
          "flexible model against rigid closed forms as the shaft stiffens",
          {"speeds", "plane"},
@@ -99,6 +126,7 @@ const std::vector<Command> &commands() {
          {"speeds", "campbell"},
          {},
          on_case(analyses::accuracy)},
+        samples_row(),
         {"modes",
          "mode shapes as pictures and for ParaView",
          {"speeds", "campbell"},

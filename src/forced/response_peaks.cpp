@@ -132,7 +132,8 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
 
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities,
-                              const std::vector<double> &places, double from, double to) {
+                              const std::vector<double> &places, double from, double to,
+                              bool with_errors) {
     constexpr double agreed = 1e-9;
     constexpr int most_rounds = 6;
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities);
@@ -152,7 +153,8 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     out.peaks = search.peaks();
     out.curve = drawn(search, from, to);
     out.shapes = reduced.size();
-    out.errors = PeakError(discretization, form, quantities, places).of(out.peaks, reduced);
+    if (with_errors)
+        out.errors = PeakError(discretization, form, quantities, places).of(out.peaks, reduced);
     return out;
 }
 

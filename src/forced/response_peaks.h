@@ -10,7 +10,7 @@ namespace whirl::forced {
 /// Peaks as of the whole rotor.
 struct CertifiedPeaks {
     std::vector<Peak> peaks;        ///< ascending by quantity, then by speed
-    std::vector<PeakErrors> errors; ///< by the elements, of each
+    std::vector<PeakErrors> errors; ///< by the elements, of each; empty: not asked for
     /// Largest relative difference of a quantity of the reduced rotor from that of the whole rotor,
     /// at and beside every resonance; 0 where nothing was left out.
     double reduction_error = 0;
@@ -25,11 +25,12 @@ struct CertifiedPeaks {
 ///
 /// @param quantities  what is looked at
 /// @param places      z of each, m
+/// @param with_errors  whether the errors by the elements are wanted
 /// @throws linalg::SolverError where the poles of the response are not found
 [[nodiscard]] CertifiedPeaks response_peaks(const assembly::Discretization &discretization,
                                             results::Form form,
                                             const std::vector<Quantity> &quantities,
                                             const std::vector<double> &places, double from,
-                                            double to);
+                                            double to, bool with_errors = true);
 
 } // namespace whirl::forced

@@ -73,6 +73,7 @@ model::Case read_case(CheckedTable &root) {
     read_simulate(root, scene);
     read_balance(root, scene);
     read_map(root, scene);
+    read_samples(root, scene);
     root.refuse_unknown();
     return scene;
 }

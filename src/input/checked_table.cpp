@@ -47,6 +47,12 @@ int ReadContext::whole(const Node &node, const std::string &path, int low, int h
     return low;
 }
 
+std::string one_of(const std::vector<std::string> &words, const Node &node) {
+    const std::string best = node.kind == Node::Kind::text ? nearest(node.text, words) : "";
+    return fmt::format("expected \"{}\", got {}{}", fmt::join(words, "\" or \""), shown(node),
+                       best.empty() ? "" : fmt::format(", did you mean \"{}\"?", best));
+}
+
 const Node *CheckedTable::find(const std::string &key) {
     if (std::find(_known.begin(), _known.end(), key) == _known.end())
         _known.push_back(key);
@@ -117,8 +123,7 @@ std::size_t CheckedTable::choice(const std::string &key, const std::vector<std::
     const auto found = std::find(choices.begin(), choices.end(), entry->text);
     if (entry->kind == Node::Kind::text && found != choices.end())
         return static_cast<std::size_t>(found - choices.begin());
-    fail(key,
-         fmt::format("expected \"{}\", got {}", fmt::join(choices, "\" or \""), shown(*entry)));
+    fail(key, one_of(choices, *entry));
     return fallback;
 }
 

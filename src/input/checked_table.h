@@ -44,6 +44,10 @@ struct ReadContext {
     int whole(const Node &node, const std::string &path, int low, int high);
 };
 
+/// What to say of a node that is none of some words: `expected "a" or "b", got "c", did you mean
+/// ...`.
+[[nodiscard]] std::string one_of(const std::vector<std::string> &words, const Node &node);
+
 /// A table of a case file whose every entry must be asked for: those nobody asked for are unknown
 /// keys. Mistakes are collected with line and path.
 class CheckedTable {

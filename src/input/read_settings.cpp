@@ -86,23 +86,6 @@ void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
     }
 }
 
-/// Quantity of the entry that a map varies: "speed", or a number that the case file contains.
-std::optional<Quantity> varied_quantity(CheckedTable &axis, const std::string &path,
-                                        const std::map<std::string, Quantity> &entries) {
-    if (path == "speed")
-        return Quantity::angular_speed;
-    const auto found = entries.find(path);
-    if (found != entries.end())
-        return found->second;
-    std::vector<std::string> paths{"speed"};
-    for (const auto &entry : entries)
-        paths.push_back(entry.first);
-    const std::string best = nearest(path, paths);
-    axis.fail("path", "expected \"speed\" or a numeric entry of the case, got " + in_quotes(path) +
-                          (best.empty() ? "" : ", did you mean \"" + best + "\"?"));
-    return std::nullopt;
-}
-
 model::MapAxis read_axis(CheckedTable &map, const std::string &key,
                          const std::map<std::string, Quantity> &entries) {
     model::MapAxis axis;
@@ -115,7 +98,10 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key,
     const auto path = table->text("path");
     if (!table->has("path"))
         table->fail("path", "missing, expected \"speed\" or a numeric entry of the case");
-    const auto quantity = path ? varied_quantity(*table, *path, entries) : std::nullopt;
+    std::optional<Quantity> quantity;
+    if (path)
+        quantity = *path == "speed" ? Quantity::angular_speed
+                                    : quantity_of_entry(*table, *path, entries, "speed");
     if (!quantity)
         return axis;
     axis.path = *path;
@@ -158,6 +144,24 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
 }
 
 } // namespace
+
+std::optional<Quantity> quantity_of_entry(CheckedTable &table, const std::string &path,
+                                          const std::map<std::string, Quantity> &entries,
+                                          const std::string &besides) {
+    const auto found = entries.find(path);
+    if (found != entries.end())
+        return found->second;
+    std::vector<std::string> paths;
+    if (!besides.empty())
+        paths.push_back(besides);
+    for (const auto &entry : entries)
+        paths.push_back(entry.first);
+    const std::string best = nearest(path, paths);
+    table.fail("path", "expected " + (besides.empty() ? "" : in_quotes(besides) + " or ") +
+                           "a numeric entry of the case, got " + in_quotes(path) +
+                           (best.empty() ? "" : ", did you mean \"" + best + "\"?"));
+    return std::nullopt;
+}
 
 void read_speeds(CheckedTable &root, model::Case &scene) {
     auto table = root.table("speeds");

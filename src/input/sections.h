@@ -4,6 +4,7 @@
 #include "model/case.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,13 +35,21 @@ void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Rotor &rotor);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Reads [speeds], [campbell], [simulate], and [map], which must come last: it may name any numeric
+/// Reads [speeds], [campbell], [simulate]; last [map] and [samples], which may name any numeric
 /// entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
 void read_simulate(CheckedTable &root, model::Case &scene);
 void read_balance(CheckedTable &root, model::Case &scene);
 void read_map(CheckedTable &root, model::Case &scene);
+void read_samples(CheckedTable &root, model::Case &scene);
+
+/// Collects a mistake where `path` is no key of `entries`, numbers that may be varied.
+/// @param besides  a word that may stand for one: "speed", or empty
+/// @returns quantity of the entry, empty with a mistake
+[[nodiscard]] std::optional<Quantity>
+quantity_of_entry(CheckedTable &table, const std::string &path,
+                  const std::map<std::string, Quantity> &entries, const std::string &besides);
 
 /// Largest number of anything that a case counts.
 inline constexpr int largest_count = 1000000;

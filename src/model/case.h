@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/rotor.h"
+#include "model/samples.h"
 
 #include <filesystem>
 #include <optional>
@@ -92,6 +93,7 @@ struct Case {
     SimulateSettings simulate;
     BalanceSettings balance;
     std::optional<MapSettings> map;
+    std::optional<SamplesSettings> samples;
 };
 
 /// The spin speeds of a case.

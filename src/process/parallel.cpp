@@ -2,6 +2,7 @@
 
 #include "model/errors.h"
 #include "process/processes.h"
+#include "process/progress.h"
 
 #include <fmt/format.h>
 
@@ -25,15 +26,40 @@ void append_row(std::vector<char> &bytes, const std::vector<double> &row) {
     append(bytes, row.data(), size * sizeof(double));
 }
 
-/// Reads what append_row wrote, from `next` on.
-std::vector<double> take_row(const std::vector<char> &bytes, std::size_t &next) {
+std::size_t take_size(const std::vector<char> &bytes, std::size_t &next) {
     std::size_t size = 0;
     std::memcpy(&size, bytes.data() + next, sizeof size);
     next += sizeof size;
-    std::vector<double> row(size);
-    std::memcpy(row.data(), bytes.data() + next, size * sizeof(double));
+    return size;
+}
+
+/// Reads what append_row wrote, from `next` on.
+std::vector<double> take_row(const std::vector<char> &bytes, std::size_t &next) {
+    std::vector<double> row(take_size(bytes, next));
+    const std::size_t size = row.size();
+    if (size > 0) // an empty row has no address to copy to
+        std::memcpy(row.data(), bytes.data() + next, size * sizeof(double));
     next += size * sizeof(double);
     return row;
+}
+
+void append_outcome(std::vector<char> &bytes, std::size_t piece, const Outcome &outcome) {
+    append(bytes, &piece, sizeof piece);
+    append_row(bytes, outcome.numbers);
+    const std::size_t size = outcome.text.size();
+    append(bytes, &size, sizeof size);
+    append(bytes, outcome.text.data(), size);
+}
+
+/// Puts what append_outcome wrote in its place.
+void take_outcomes(const std::vector<char> &bytes, std::vector<Outcome> &outcomes) {
+    for (std::size_t next = 0; next < bytes.size();) {
+        Outcome &outcome = outcomes.at(take_size(bytes, next));
+        outcome.numbers = take_row(bytes, next);
+        const std::size_t size = take_size(bytes, next);
+        outcome.text.assign(bytes.data() + next, size);
+        next += size;
+    }
 }
 
 /// The first failure message of any process, on every process.
@@ -71,6 +97,40 @@ rows_at(const std::vector<double> &speeds,
     for (std::size_t i = 0; i < speeds.size(); ++i)
         rows.push_back(take_row(parts[i % processes], next[i % processes]));
     return rows;
+}
+
+std::vector<Outcome> deal(std::size_t count, const std::string &doing,
+                          const std::function<Outcome(std::size_t piece)> &work) {
+    std::vector<char> mine;
+    std::string failure;
+    {
+        const Stage all(doing, 0, 1);
+        const double whole = static_cast<double>(count);
+        SharedCounter counter;
+        for (std::size_t piece = counter.next(); piece < count; piece = counter.next()) {
+            const Stage one(doing, static_cast<double>(piece) / whole,
+                            static_cast<double>(piece + 1) / whole);
+            try {
+                append_outcome(mine, piece, work(piece));
+            } catch (const std::exception &error) {
+                failure = error.what();
+                if (failure.empty())
+                    failure = "a piece of the work failed";
+                counter.skip(count); // the others end after what they have asked for
+                break;
+            }
+        }
+    }
+    failure = common_failure(failure);
+    if (!failure.empty())
+        throw model::AnalysisFailure(failure);
+    std::vector<Outcome> outcomes;
+    const std::vector<std::vector<char>> parts = gather(mine);
+    if (!parts.empty())
+        outcomes.resize(count);
+    for (const std::vector<char> &part : parts)
+        take_outcomes(part, outcomes);
+    return outcomes;
 }
 
 } // namespace whirl::process

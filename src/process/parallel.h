@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace whirl::process {
@@ -11,5 +13,20 @@ namespace whirl::process {
 [[nodiscard]] std::vector<std::vector<double>>
 rows_at(const std::vector<double> &speeds,
         const std::function<std::vector<double>(double speed)> &row);
+
+/// What one piece of work hands back.
+struct Outcome {
+    std::vector<double> numbers;
+    std::string text;
+};
+
+/// The outcomes of pieces of work 0 .. count-1 that take unequal times, dealt out among the
+/// processes: whoever is free does the next one. A piece must not depend on those before it, and
+/// must not wait for other processes. Process 0 works too, and reports the progress as a stage.
+/// Collective; in order and complete on process 0, empty on the others.
+/// @param doing  what is done, as for Stage
+/// @throws model::AnalysisFailure on every process where one of them failed.
+[[nodiscard]] std::vector<Outcome> deal(std::size_t count, const std::string &doing,
+                                        const std::function<Outcome(std::size_t piece)> &work);
 
 } // namespace whirl::process

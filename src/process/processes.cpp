@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <cstdint>
 #include <numeric>
 
 namespace whirl::process {
@@ -42,6 +43,74 @@ void broadcast(std::vector<char> &bytes) {
     linalg::check(MPI_Bcast(&size, 1, MPI_INT, 0, MPI_COMM_WORLD));
     bytes.resize(static_cast<std::size_t>(size));
     linalg::check(MPI_Bcast(bytes.data(), size, MPI_BYTE, 0, MPI_COMM_WORLD));
+}
+
+/// Memory of process 0 that the others reach by themselves.
+struct SharedCounter::Window {
+    MPI_Win window = MPI_WIN_NULL;
+    std::int64_t *value = nullptr; ///< on process 0
+    std::int64_t step = 1;
+    std::int64_t asked = 0; ///< arrives here
+    MPI_Request request = MPI_REQUEST_NULL;
+
+    /// Lets the library send and answer what waits: where the network cannot reach into memory by
+    /// itself, it does so only while it is called.
+    static void let_messages_pass() {
+        constexpr int often_enough = 20; // each call takes some of them
+        int found = 0;
+        for (int i = 0; i < often_enough; ++i)
+            linalg::check(
+                MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, MPI_STATUS_IGNORE));
+    }
+    void ask() {
+        linalg::check(MPI_Rget_accumulate(&step, 1, MPI_INT64_T, &asked, 1, MPI_INT64_T, 0, 0, 1,
+                                          MPI_INT64_T, MPI_SUM, window, &request));
+    }
+};
+
+SharedCounter::SharedCounter() {
+    if (process_count() == 1)
+        return;
+    _window = std::make_unique<Window>();
+    const MPI_Aint size = process_rank() == 0 ? sizeof(std::int64_t) : 0;
+    linalg::check(MPI_Win_allocate(size, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                                   &_window->value, &_window->window));
+    linalg::check(MPI_Win_lock_all(MPI_MODE_NOCHECK, _window->window));
+    if (process_rank() == 0) {
+        *_window->value = 0;
+        linalg::check(MPI_Win_sync(_window->window));
+    }
+    linalg::check(MPI_Barrier(MPI_COMM_WORLD));
+    _window->ask();
+}
+
+SharedCounter::~SharedCounter() {
+    if (!_window)
+        return;
+    MPI_Wait(&_window->request, MPI_STATUS_IGNORE);
+    MPI_Win_unlock_all(_window->window);
+    MPI_Win_free(&_window->window);
+}
+
+std::size_t SharedCounter::next() {
+    if (!_window)
+        return _alone++;
+    linalg::check(MPI_Wait(&_window->request, MPI_STATUS_IGNORE));
+    const auto number = static_cast<std::size_t>(_window->asked);
+    Window::let_messages_pass();
+    _window->ask();
+    Window::let_messages_pass();
+    return number;
+}
+
+void SharedCounter::skip(std::size_t by) {
+    _alone += by;
+    if (!_window)
+        return;
+    const auto step = static_cast<std::int64_t>(by);
+    linalg::check(
+        MPI_Accumulate(&step, 1, MPI_INT64_T, 0, 0, 1, MPI_INT64_T, MPI_SUM, _window->window));
+    linalg::check(MPI_Win_flush(0, _window->window));
 }
 
 } // namespace whirl::process

@@ -10,6 +10,7 @@ struct CriticalResult;
 struct ModesResult;
 struct ResponseResult;
 struct RigidLimitResult;
+struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
@@ -25,6 +26,7 @@ namespace whirl::report {
 [[nodiscard]] Report describe(const model::Case &scene, const results::ModesResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::ResponseResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::RigidLimitResult &result);
+[[nodiscard]] Report describe(const model::Case &scene, const results::SamplesResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::ShowResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::SimulateResult &result);
 [[nodiscard]] Report describe(const model::Case &scene, const results::StabilityResult &result);

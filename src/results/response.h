@@ -46,6 +46,7 @@ struct ResponseBearing {
 /// A local maximum over the spin speed, found as a root of the derivative of the whole curve.
 struct ResponsePeak {
     std::string of; ///< "station", "bearing" or "probe"
+    int place = 0;  ///< among those of its kind, as in the lists of the result
     double z = 0;   ///< m
     std::string name;
     double speed = 0; ///< rad/s

@@ -66,7 +66,7 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     const ProgramRun help = run({"--help"});
     EXPECT_EQ(help.status, 0);
     for (const char *command : {"show", "campbell", "critical", "stability", "response", "balance",
-                                "rigid-limit", "simulate", "accuracy", "modes"})
+                                "rigid-limit", "simulate", "accuracy", "samples", "modes"})
         EXPECT_TRUE(contains(help.output, command)) << command;
     const ProgramRun of_command = run({"campbell", "--help"});
     EXPECT_EQ(of_command.status, 0);
@@ -253,6 +253,58 @@ TEST_F(Program, UnderMpirunSpeaksOnceAndComputesTheSame) {
     const std::string message = "expected a stiffness";
     EXPECT_TRUE(contains(bad.errors, message)) << bad.errors;
     EXPECT_EQ(bad.errors.find(message), bad.errors.rfind(message)) << bad.errors;
+    EXPECT_TRUE(nothing_written());
+}
+
+/// Samples and points of maps are dealt out to whoever is free: in another order every time.
+TEST_F(Program, DealtWorkGivesTheSameOnAnyNumberOfProcesses) {
+    if (!fs::exists("/usr/bin/mpirun"))
+        GTEST_SKIP() << "no mpirun";
+    const auto of = [](const ProgramRun &result, const std::vector<std::string> &keys) {
+        EXPECT_EQ(result.status, 0) << result.errors;
+        const auto json = nlohmann::json::parse(result.output);
+        nlohmann::json parts;
+        for (const std::string &key : keys)
+            parts.push_back(json.at(key));
+        return parts;
+    };
+    const std::string cases = std::string(WHIRL_ROOT) + "/cases/";
+    // A fifth of the springs is below zero and fails.
+    const std::vector<std::string> samples{
+        "samples", cases + "uncertain_jeffcott",   "--json", "--set", "samples.count=40",
+        "--set",   "samples.vary[0].deviation=1.2"};
+    const std::vector<std::string> keys{"samples", "inputs", "answers", "notes"};
+    const nlohmann::json alone = of(run(samples), keys);
+    EXPECT_GT(alone.at(0).at("failed"), 0);
+    EXPECT_EQ(alone.at(1).at(0).at("values").size(), 40U);
+    for (const std::string processes : {"2", "3"})
+        EXPECT_EQ(of(run_on(processes, samples), keys), alone) << processes;
+    // An anisotropy of 0.5 kg m2 is no rotor: the reason must arrive from every process.
+    const std::vector<std::string> map{
+        "stability",
+        cases + "anisotropic_rotor",
+        "--json",
+        "--set",
+        "speeds.count=5",
+        "--set",
+        "map={x = {path = \"anisotropy[0].dI\", from = 0.1, to = 0.5, count = 3}, y = {path = "
+        "\"bearing[0].c\", from = 0, to = 1, count = 3}}"};
+    EXPECT_EQ(of(run_on("3", map), {"map", "notes"}), of(run(map), {"map", "notes"}));
+    EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(Program, SamplesOfNoRotorAreStatusOneOnEveryNumberOfProcesses) {
+    const std::vector<std::string> arguments{
+        "samples", std::string(WHIRL_ROOT) + "/cases/uncertain_jeffcott",
+        "--set",   "samples.count=4",
+        "--set",   "samples.vary[0].mean=-1e9"};
+    const ProgramRun alone = run(arguments);
+    EXPECT_EQ(alone.status, 1);
+    EXPECT_TRUE(contains(alone.errors, "each of the 4 samples failed: bearing[0].k: expected a"))
+        << alone.errors;
+    if (fs::exists("/usr/bin/mpirun")) {
+        EXPECT_EQ(run_on("2", arguments).status, 1);
+    }
     EXPECT_TRUE(nothing_written());
 }
 

@@ -12,7 +12,8 @@ Answer answer(const Request &request) {
         {"campbell", answer_campbell}, {"critical", answer_critical},
         {"response", answer_response}, {"stability", answer_stability},
         {"show", answer_show},         {"balance", answer_balance},
-        {"simulate", answer_simulate}, {"rigid-limit", answer_rigid_limit}};
+        {"simulate", answer_simulate}, {"rigid-limit", answer_rigid_limit},
+        {"samples", answer_samples}};
     const auto found = answers.find(request.command);
     if (found == answers.end())
         no_answer("no oracle for the command " + request.command);

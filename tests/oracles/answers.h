@@ -39,6 +39,7 @@ struct Answer {
 [[nodiscard]] Answer answer_pendulums(const Request &request);
 [[nodiscard]] Answer answer_rigid_limit(const Request &request);
 [[nodiscard]] Answer answer_simulate(const Request &request);
+[[nodiscard]] Answer answer_samples(const Request &request);
 
 /// The reason of an oracle that cannot answer.
 [[noreturn]] void no_answer(const std::string &reason);

@@ -128,8 +128,9 @@ Support support_of(const toml::table &table) {
         out.c[i / 2][i % 2] =
             number(table, std::string("c") + ends[i], diagonal ? number(table, "c") : 0);
     }
-    if (table.contains("kt") || table.contains("ct") || table.contains("pedestal_k"))
-        throw std::runtime_error("the oracles read no tilt coefficients and no pedestals");
+    out.kt[0][0] = out.kt[1][1] = number(table, "kt");
+    if (table.contains("ct") || table.contains("ktxx") || table.contains("pedestal_k"))
+        throw std::runtime_error("the oracles read of tilt coefficients kt alone, no pedestals");
     return out;
 }
 
@@ -227,6 +228,33 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
             rotor.other_starts.push_back(lists(item));
 }
 
+std::vector<double> numbers(const toml::node *list) {
+    std::vector<double> out;
+    if (list)
+        for (const toml::node &item : *list->as_array())
+            out.push_back(number(item));
+    return out;
+}
+
+void read_samples(const toml::table &root, CaseRotor &rotor) {
+    const toml::table &table = part(root, "samples");
+    rotor.samples.count = static_cast<int>(number(table, "count"));
+    rotor.samples.seed = static_cast<int>(number(table, "seed", 1));
+    rotor.samples.quantiles = numbers(table.get("quantiles"));
+    for (const toml::table *t : tables_of(table, "vary")) {
+        UncertainEntry entry;
+        entry.path = word(*t, "path");
+        entry.distribution = word(*t, "distribution");
+        entry.mean = number(*t, "mean", std::nan(""));
+        entry.deviation = number(*t, "deviation");
+        entry.relative = (*t)["relative"].value_or(false);
+        entry.from = number(*t, "from");
+        entry.to = number(*t, "to");
+        entry.values = numbers(t->get("values"));
+        rotor.samples.vary.push_back(entry);
+    }
+}
+
 Block between(const Block &a, const Block &b, double share) {
     Block out = a;
     for (std::size_t i = 0; i < 4; ++i)
@@ -280,6 +308,7 @@ CaseRotor read_case(const std::string &file, const std::vector<std::string> &set
     read_shaft(root, folder, rotor);
     read_attached(root, folder, rotor);
     read_analyses(root, rotor);
+    read_samples(root, rotor);
     return rotor;
 }
 

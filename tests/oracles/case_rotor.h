@@ -55,6 +55,23 @@ struct PendulumDesign {
     double pivot = 0;
 };
 
+/// An entry that [samples] varies.
+struct UncertainEntry {
+    std::string path, distribution;
+    double mean = 0, deviation = 0; ///< without a mean in the case: nan
+    bool relative = false;
+    double from = 0, to = 0;
+    std::vector<double> values;
+};
+
+/// What [samples] says.
+struct SampledCase {
+    int count = 0;
+    int seed = 1;
+    std::vector<double> quantiles;
+    std::vector<UncertainEntry> vary;
+};
+
 /// What the oracles take from a case file: SI and radians.
 struct CaseRotor {
     std::vector<Segment> shaft;
@@ -77,6 +94,7 @@ struct CaseRotor {
     double time = 0;                              ///< s, of [simulate]
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;
+    SampledCase samples;
 
     [[nodiscard]] double length() const;
     [[nodiscard]] bool damped() const;

@@ -20,6 +20,7 @@ struct PendulumBalance;
 struct Placement;
 struct ResponseResult;
 struct RigidLimitResult;
+struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
@@ -77,6 +78,10 @@ struct ModeCurves {
 /// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.
 [[nodiscard]] Figure rigid_limit_figure(const model::Case &scene,
                                         const results::RigidLimitResult &result);
+
+/// One panel an answer, for the first of them: histogram of the samples, quantiles with their
+/// intervals, and the case as it is.
+[[nodiscard]] Figure samples_figure(const model::Case &scene, const results::SamplesResult &result);
 
 /// Bands over spin speed for each plane and for all together, flexible above rigid, and below them
 /// the eigenvalues of the joint form, coloured by their sign, on an axis that is logarithmic away

@@ -1,0 +1,169 @@
+#include "analyses/samples/answers.h"
+
+#include "analyses/critical.h"
+#include "analyses/response.h"
+#include "analyses/stability.h"
+#include "assembly/discretization.h"
+#include "balancers/balanced_position.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "results/critical.h"
+#include "stability/rotor_at_speeds.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// A rotor that is changed may have its n-th forward critical speed behind more backward ones: so
+/// many more are looked for than the case asks for.
+constexpr int spare_modes = 4;
+
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// Numbered by sense of whirl. Directions of asymmetric rotors count one by one.
+std::vector<Answer> answers_of(const results::CriticalResult &result, const model::Case &scene) {
+    const bool directions = result.model.formulation.form == results::Form::rotating;
+    const int modes = (directions ? 2 : 1) * scene.campbell.modes;
+    const double top = scene.speeds ? scene.speeds->to : 0;
+    std::vector<Answer> out;
+    std::map<results::Whirl, int> count;
+    for (const results::CriticalSpeed &critical : result.critical_speeds) {
+        const std::string name =
+            fmt::format("{} {}", results::whirl_name(critical.whirl), ++count[critical.whirl]);
+        const bool asked_for = std::ssize(out) < modes || critical.speed <= top;
+        out.push_back(
+            {"critical " + name, "critical", name, "rad/s", critical.speed, asked_for, not_known});
+    }
+    return out;
+}
+
+/// Errors of the speeds that `critical` lists.
+void take_errors(const std::vector<results::CriticalSpeed> &judged, std::vector<Answer> &answers) {
+    for (Answer &answer : answers)
+        for (const results::CriticalSpeed &critical : judged)
+            if (std::abs(critical.speed - answer.value) <= 1e-8 * critical.speed)
+                answer.error = critical.error;
+}
+
+std::vector<Answer> answers_of(const std::vector<results::ResponsePeak> &peaks) {
+    std::vector<Answer> out;
+    std::map<std::pair<std::string, int>, int> count;
+    for (const results::ResponsePeak &peak : peaks) {
+        const int number = ++count[{peak.of, peak.place}];
+        const std::string key = fmt::format("peaks {} {} {}", peak.of, peak.place, number);
+        const std::string where =
+            peak.name.empty() ? fmt::format("z = {:.6g} m", peak.z) : peak.name;
+        const std::string name = fmt::format("{} {}, peak {}", peak.of, where, number);
+        out.push_back({key + " speed", "peaks", name + ", speed", "rad/s", peak.speed, true,
+                       peak.speed_error});
+        out.push_back({key + " value", "peaks", name + ", value", peak.of == "bearing" ? "N" : "m",
+                       peak.value, true, peak.error});
+    }
+    return out;
+}
+
+/// The border of the range is no end.
+std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRange &range) {
+    std::vector<Answer> out;
+    const auto add = [&](std::size_t band, const char *side, double speed, double error) {
+        const std::string name = fmt::format("band {} {}", band + 1, side);
+        if (speed > range.from && speed < range.to)
+            out.push_back(
+                {"ends " + name, "ends", name, "rad/s", speed, true, std::abs(error / speed)});
+    };
+    for (std::size_t i = 0; i < found.bands.size(); ++i) {
+        const bool judged = i < found.errors.size();
+        add(i, "from", found.bands[i].first, judged ? found.errors[i].first : not_known);
+        add(i, "to", found.bands[i].second, judged ? found.errors[i].second : not_known);
+    }
+    return out;
+}
+
+UnstableBands bands_of(const model::Case &scene, bool with_errors) {
+    return unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor), with_errors);
+}
+
+void append(std::vector<Answer> &all, const std::vector<Answer> &more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
+/// An order that is to be found is that of the case as it is.
+model::Case with_order(model::Case scene, int order) {
+    if (scene.rotor.shaft.order_auto)
+        scene.rotor.shaft.order = order;
+    scene.rotor.shaft.order_auto = false;
+    return scene;
+}
+
+/// By what the ends are looked for.
+results::ModelSummary model_of_ends(const model::Case &scene) {
+    const stability::StabilityModel used =
+        stability::stability_model(scene, stability::search_speeds(model::required_speeds(scene)));
+    results::ModelSummary model;
+    model.formulation = used.formulation;
+    model.order = used.order;
+    const assembly::Discretization d(scene.rotor, used.order);
+    model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    model.unknowns = 2 * d.planar_size();
+    return model;
+}
+
+} // namespace
+
+Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
+    if (_wanted.critical) {
+        const results::CriticalResult result = critical_speeds(scene);
+        _critical_order = result.model.order;
+        std::vector<Answer> answers =
+            answers_of(unjudged_critical_speeds(with_order(scene, _critical_order)), scene);
+        take_errors(result.critical_speeds, answers);
+        append(_nominal, answers);
+        take_model(result.model);
+    }
+    if (_wanted.peaks) {
+        const results::ResponseResult result = response_peaks(scene, true);
+        append(_nominal, answers_of(result.peaks));
+        _peaks_order = result.model.order;
+        take_model(result.model);
+    }
+    if (_wanted.ends) {
+        const results::ModelSummary model = model_of_ends(scene);
+        append(_nominal, answers_of(bands_of(scene, true), *scene.speeds));
+        _ends_order = model.order;
+        take_model(model);
+    }
+}
+
+/// The first of them is shown; the notes are those of all.
+void Answers::take_model(const results::ModelSummary &model) {
+    if (_model.order == 0)
+        _model = model;
+    else
+        _model.notes.insert(_model.notes.end(), model.notes.begin(), model.notes.end());
+}
+
+std::vector<Answer> Answers::of(const model::Case &scene) const {
+    std::vector<Answer> out;
+    if (_wanted.critical) {
+        model::Case more = with_order(scene, _critical_order);
+        more.campbell.modes += spare_modes;
+        append(out, answers_of(unjudged_critical_speeds(more), scene));
+    }
+    if (_wanted.peaks) {
+        const model::Case own = with_order(scene, _peaks_order);
+        append(out, answers_of(response_peaks(own, false).peaks));
+    }
+    if (_wanted.ends) {
+        const model::Case own = with_order(scene, _ends_order);
+        append(out, answers_of(bands_of(own, false), model::required_speeds(own)));
+    }
+    return out;
+}
+
+} // namespace whirl::analyses

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "model/case.h"
+#include "results/model_summary.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace whirl::analyses {
+
+/// A number that a rotor answers with.
+struct Answer {
+    std::string key; ///< which one: the same for all rotors
+    std::string of;  ///< "critical", "peaks" or "ends"
+    std::string name;
+    std::string unit; ///< SI
+    double value = 0;
+    bool asked_for = true; ///< false: beyond the number of modes that the case wants
+    double error = std::numeric_limits<double>::quiet_NaN(); ///< relative; NaN: not known
+};
+
+/// The numbers that [samples] asks for, of a case as it is and of rotors that differ a little from
+/// it. By this process alone.
+class Answers {
+  public:
+    /// Those of the case as it is, with their errors.
+    /// @throws model::BadInput, model::AnalysisFailure as the commands do that list them
+    explicit Answers(const model::Case &scene);
+
+    [[nodiscard]] const std::vector<Answer> &nominal() const { return _nominal; }
+    /// Of the case as it is.
+    [[nodiscard]] const results::ModelSummary &model() const { return _model; }
+
+    /// Of another rotor, without errors; where the order of the elements is to be found, with that
+    /// of the case as it is.
+    /// @throws model::AnalysisFailure, linalg::SolverError
+    [[nodiscard]] std::vector<Answer> of(const model::Case &scene) const;
+
+  private:
+    model::SamplesSettings _wanted;
+    std::vector<Answer> _nominal;
+    results::ModelSummary _model;
+    int _critical_order = 1, _peaks_order = 1, _ends_order = 1;
+
+    void take_model(const results::ModelSummary &model);
+};
+
+} // namespace whirl::analyses

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace whirl::model {
+
+enum class Distribution {
+    normal,
+    uniform,
+    values ///< one of a list, each equally likely
+};
+
+/// An entry of the case that is not known for certain. Numbers in the SI unit of the entry.
+struct UncertainInput {
+    std::string path; ///< as --set takes it
+    std::string unit; ///< SI; empty: a pure number
+    Distribution distribution = Distribution::normal;
+    double mean = 0;            ///< of normal
+    double deviation = 0;       ///< of normal: standard deviation
+    double from = 0, to = 0;    ///< of uniform
+    std::vector<double> values; ///< of values
+};
+
+/// Entries of [samples].
+struct SamplesSettings {
+    int count = 1;
+    int seed = 1;
+    bool critical = true;                           ///< answers wanted: critical speeds,
+    bool peaks = false;                             ///< peaks of the response to imbalance,
+    bool ends = false;                              ///< ends of the unstable bands
+    std::vector<double> quantiles{0.05, 0.5, 0.95}; ///< ascending, each inside (0, 1)
+    std::vector<UncertainInput> vary;
+};
+
+} // namespace whirl::model

@@ -1,0 +1,192 @@
+// Report of the command samples.
+
+#include "results/samples.h"
+
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "report/reports.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+using results::SampledAnswer;
+using results::SampledInput;
+using results::SampleFailure;
+using results::SampleQuantile;
+using results::SamplesResult;
+
+namespace {
+
+std::string of_and_name(const SampledAnswer &answer) {
+    return answer.of == "critical" ? "critical " + answer.name
+           : answer.of == "ends"   ? "unstable " + answer.name
+                                   : answer.name;
+}
+
+const Columns<SampleQuantile> quantile_columns{{"p", "", {}, {}, &SampleQuantile::share},
+                                               {"value", "", {}, {}, &SampleQuantile::value},
+                                               {"interval", "", {}, {}, [](const auto &q) {
+                                                    return Json::array({q.low, q.high});
+                                                }}};
+
+const Columns<SampledAnswer> answer_columns{
+    {"of", "", {}, {}, &SampledAnswer::of},
+    {"name", "", {}, {}, &SampledAnswer::name},
+    {"", "", {"Answer"}, {"answer"}, of_and_name},
+    {"unit", "", {"unit"}, {"unit"}, &SampledAnswer::unit},
+    {"nominal", "", {"case as it is", "{:.10g}"}, {"case as is", precise}, &SampledAnswer::nominal},
+    {"nominal_error",
+     "",
+     {"its relative error", "{:.2g}"},
+     {"rel. error", rough},
+     &SampledAnswer::nominal_error},
+    {"quantiles",
+     "",
+     {},
+     {},
+     [](const auto &answer) { return json_rows(quantile_columns, answer.quantiles); }},
+    {"mean", "", {"mean", "{:.6g}"}, {"mean"}, &SampledAnswer::mean},
+    {"mean_error", "", {"± (95 %)", "{:.2g}"}, {"+- 95 %", "{:.2g}"}, &SampledAnswer::mean_error},
+    {"deviation", "", {"standard deviation", "{:.4g}"}, {"deviation"}, &SampledAnswer::deviation},
+    {"deviation_error",
+     "",
+     {"± (95 %)", "{:.2g}"},
+     {"+- 95 %", "{:.2g}"},
+     &SampledAnswer::deviation_error},
+    {"present", "", {"samples"}, {"samples"}, &SampledAnswer::present},
+    {"values", "", {}, {}, &SampledAnswer::values}};
+
+/// A quantile with its answer, for readers.
+struct Line {
+    const SampledAnswer &answer;
+    const SampleQuantile &quantile;
+};
+
+/// 95 % of what the values are of: speeds are read in rpm, too.
+Json in_rpm(const Line &line) {
+    return line.answer.unit == "rad/s" ? Json(line.quantile.value * rpm) : Json();
+}
+
+const Columns<Line> line_columns{
+    {"", "", {"Answer"}, {"answer"}, [](const Line &line) { return of_and_name(line.answer); }},
+    {"",
+     "",
+     {"quantile"},
+     {"quantile"},
+     [](const Line &line) { return readable(100 * line.quantile.share) + " %"; }},
+    {"", "", {"rpm", "{:.6g}"}, {"rpm"}, in_rpm},
+    {"", "", {"value", "{:.6g}"}, {"value"}, [](const Line &line) { return line.quantile.value; }},
+    {"", "", {"unit"}, {"unit"}, [](const Line &line) { return line.answer.unit; }},
+    {"",
+     "",
+     {"95 % from", "{:.6g}"},
+     {"95 % from"},
+     [](const Line &line) { return line.quantile.low; }},
+    {"", "", {"to", "{:.6g}"}, {"to"}, [](const Line &line) { return line.quantile.high; }}};
+
+std::vector<Line> lines_of(const SamplesResult &result) {
+    std::vector<Line> lines;
+    for (const SampledAnswer &answer : result.answers)
+        for (const SampleQuantile &quantile : answer.quantiles)
+            lines.push_back({answer, quantile});
+    return lines;
+}
+
+const Columns<SampledInput> input_columns{
+    {"path", "", {"Entry"}, {}, &SampledInput::path},
+    {"unit", "", {"unit"}, {}, &SampledInput::unit},
+    {"distribution", "", {"distribution"}, {}, &SampledInput::distribution},
+    {"values", "", {}, {}, &SampledInput::values}};
+
+const Columns<SampleFailure> failure_columns{
+    {"message", "", {"Why samples failed"}, {"why samples failed"}, &SampleFailure::message},
+    {"count",
+     "",
+     {"how many"},
+     {"how many"},
+     [](const SampleFailure &failure) { return failure.samples.size(); }},
+    {"",
+     "",
+     {"the first (counted from 0)"},
+     {"the first"},
+     [](const SampleFailure &failure) { return failure.samples.front(); }},
+    {"samples", "", {}, {}, &SampleFailure::samples}};
+
+/// Heading in the file: names may hold commas.
+std::string with_unit(const std::string &name, const std::string &unit) {
+    return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+}
+
+/// A line a sample; its columns are the inputs and answers.
+Columns<int> sample_columns(const SamplesResult &result) {
+    Columns<int> columns{{"", "sample", {}, {}, [](int sample) { return sample; }}};
+    const auto column = [&columns](const std::string &heading, const auto &values) {
+        columns.push_back({"", heading, {}, {}, [&values](int sample) {
+                               return Json(values.at(static_cast<std::size_t>(sample)));
+                           }});
+    };
+    for (const SampledInput &input : result.inputs)
+        column(with_unit(input.path, input.unit), input.values);
+    for (const SampledAnswer &answer : result.answers)
+        column(with_unit(of_and_name(answer), answer.unit), answer.values);
+    columns.push_back(
+        {"", "failure", {}, {}, [&result](int sample) {
+             for (const SampleFailure &failure : result.failures)
+                 if (std::binary_search(failure.samples.begin(), failure.samples.end(), sample))
+                     return failure.message;
+             return std::string();
+         }});
+    return columns;
+}
+
+std::string csv_of(const SamplesResult &result) {
+    std::vector<int> samples(static_cast<std::size_t>(result.count));
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        samples[i] = static_cast<int>(i);
+    return csv_table(sample_columns(result), samples);
+}
+
+Json json_of(const SamplesResult &result) {
+    return {{"samples",
+             {{"count", result.count},
+              {"failed", result.failed},
+              {"seed", result.seed},
+              {"failures", json_rows(failure_columns, result.failures)}}},
+            {"inputs", json_rows(input_columns, result.inputs)},
+            {"answers", json_rows(answer_columns, result.answers)}};
+}
+
+std::vector<Section> sections_of(const SamplesResult &result) {
+    std::vector<Section> sections{
+        {"Quantiles", page_table(line_columns, lines_of(result))},
+        {"Mean and standard deviation", page_table(answer_columns, result.answers)},
+        {"What varies", page_table(input_columns, result.inputs)}};
+    if (!result.failures.empty())
+        sections.push_back({"Failed samples", page_table(failure_columns, result.failures)});
+    return sections;
+}
+
+std::string text_of(const model::Case &scene, const SamplesResult &result) {
+    std::string text =
+        heading(scene, fmt::format("{} samples, seed {}", result.count, result.seed));
+    text += result.answers.empty() ? "  no answers\n" : text_table(line_columns, lines_of(result));
+    if (!result.answers.empty())
+        text += "\n" + text_table(answer_columns, result.answers);
+    if (!result.failures.empty())
+        text += "\n" + text_table(failure_columns, result.failures);
+    return text + model_text(result.model);
+}
+
+} // namespace
+
+Report describe(const model::Case &scene, const SamplesResult &result) {
+    return report_of<SamplesResult>("samples", "Uncertain entries", scene, result,
+                                    {json_of, csv_of, sections_of, text_of, samples_figure});
+}
+
+} // namespace whirl::report
