@@ -1,8 +1,9 @@
 #include "analyses/response.h"
 
+#include "analyses/response_gravity.h"
+#include "analyses/response_places.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
-#include "forced/response_peaks.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -27,44 +27,12 @@ namespace whirl::analyses {
 
 namespace {
 
-/// From this relative error by rounding on, an amplitude is one at an undamped
-/// resonance: without limit, or not determined where the imbalance does not
-/// drive that mode.
-constexpr double resonance = 1e-3;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
 void refuse_what_is_missing(const model::Case &scene) {
-    if (scene.rotor.imbalances.empty())
+    if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
         throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
-                                          "the imbalance of a balancer, to "
+                                          "the imbalance of a balancer, or response.gravity, to "
                                           "drive the response, got none",
                                           scene.file.string()));
-}
-
-/// Nodes of the mesh with the names of what is attached there; the ends are
-/// always among them.
-std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
-    std::map<int, std::string> nodes;
-    const auto &mesh = d.shaft_mesh();
-    nodes[0];
-    nodes[static_cast<int>(mesh.nodes.size()) - 1];
-    const auto collect = [&](const auto &items) {
-        for (const auto &item : items) {
-            std::string &name = nodes[mesh.node_at(item.z)];
-            if (!item.name.empty())
-                name += name.empty() ? item.name : ", " + item.name;
-        }
-    };
-    const model::Rotor &rotor = d.rotor();
-    collect(rotor.discs);
-    collect(rotor.bearings);
-    collect(rotor.anisotropies);
-    collect(rotor.imbalances);
-    collect(rotor.balancers);
-    collect(rotor.planes);
-    collect(rotor.probes);
-    return nodes;
 }
 
 /// The lists of a result, in the order of a row: one value of each a speed.
@@ -89,7 +57,7 @@ double inclination_of(const forced::Phasor &u, double rounding) {
     const double smaller = std::min(std::abs(a), std::abs(d));
     const double larger = std::max(std::abs(a), std::abs(d));
     if (smaller <= (rounding + 1e-14) * larger)
-        return none;
+        return no_value;
     const double angle = std::arg(a * std::conj(d)) / 2;
     return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
 }
@@ -213,88 +181,15 @@ class Response {
     [[nodiscard]] std::vector<double> no_limit() const {
         std::vector<double> row;
         for (std::size_t i = 0; i < _nodes.size(); ++i)
-            row.insert(row.end(), {unlimited, none, unlimited, none, unlimited, none, unlimited,
-                                   none, none, unlimited});
+            row.insert(row.end(), {unlimited, no_value, unlimited, no_value, unlimited, no_value,
+                                   unlimited, no_value, no_value, unlimited});
         for (std::size_t i = 0; i < _discretization.rotor().bearings.size(); ++i)
             row.insert(row.end(), {unlimited, unlimited});
         for (std::size_t i = 0; i < _discretization.rotor().probes.size(); ++i)
-            row.insert(row.end(), {unlimited, none, unlimited});
+            row.insert(row.end(), {unlimited, no_value, unlimited});
         return row;
     }
 };
-
-/// What peaks are looked for of, and where it is.
-struct Watched {
-    std::vector<forced::Quantity> quantities;
-    std::vector<results::ResponsePeak> places;
-    std::vector<double> z; ///< m
-
-    void add(forced::Quantity quantity, const char *of, double place, const std::string &name) {
-        places.emplace_back().of = of;
-        places.back().z = place;
-        places.back().name = name;
-        places.back().angle = quantity.angle;
-        z.push_back(place);
-        quantities.push_back(std::move(quantity));
-    }
-};
-
-Watched watched(const assembly::Discretization &d, const std::map<int, std::string> &nodes) {
-    Watched out;
-    for (const auto &[node, name] : nodes)
-        out.add({d.deflection_at_node(node)}, "station",
-                d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name);
-    const auto &bearings = d.rotor().bearings;
-    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
-        const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
-        out.add({forced::stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
-    }
-    for (const model::Probe &probe : d.rotor().probes)
-        out.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
-                probe.z, probe.name);
-    return out;
-}
-
-/// Peaks of the stations, bearings and probes between two speeds of one sign, and the curves.
-void add_peaks_between(results::ResponseResult &result, const assembly::Discretization &d,
-                       const Watched &all, double from, double to) {
-    const forced::CertifiedPeaks found =
-        forced::response_peaks(d, result.model.formulation.form, all.quantities, all.z, from, to);
-    for (std::size_t i = 0; i < found.peaks.size(); ++i) {
-        const forced::Peak &peak = found.peaks[i];
-        results::ResponsePeak out = all.places[static_cast<std::size_t>(peak.quantity)];
-        out.speed = peak.speed;
-        out.value = peak.value;
-        out.phase = peak.phase;
-        out.lower = peak.lower;
-        out.upper = peak.upper;
-        if (peak.lower && peak.upper)
-            out.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
-        out.error = found.errors[i].value + found.reduction_error;
-        out.speed_error = found.errors[i].speed;
-        result.peaks.push_back(out);
-    }
-    for (const forced::PeakSearch::Sample &sample : found.curve) {
-        result.curves.speeds.push_back(sample.speed);
-        for (std::size_t i = 0; i < all.quantities.size(); ++i) {
-            result.curves.values[i].push_back(sample.value[i]);
-            result.curves.phases[i].push_back(sample.phase[i]);
-        }
-    }
-}
-
-void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-               const std::map<int, std::string> &nodes, const model::SpeedRange &range) {
-    if (range.count < 2 || !(range.to > range.from) || nodes.empty())
-        return;
-    const Watched all = watched(d, nodes);
-    result.curves.values.resize(all.quantities.size());
-    result.curves.phases.resize(all.quantities.size());
-    if (range.from < 0)
-        add_peaks_between(result, d, all, range.from, std::min(range.to, 0.0));
-    if (range.to > 0)
-        add_peaks_between(result, d, all, std::max(range.from, 0.0), range.to);
-}
 
 /// Empty lists with places and names.
 void prepare_lists(results::ResponseResult &result, const assembly::Discretization &d,
@@ -312,10 +207,7 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
 }
 
 void note_resonances(results::ResponseResult &result) {
-    std::string speeds;
-    for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        if (std::isinf(result.nodes.front().amplitude[i]))
-            speeds += fmt::format("{}{:.6g}", speeds.empty() ? "" : ", ", result.speeds[i]);
+    const std::string speeds = speeds_without_limit(result.speeds, result.nodes.front().amplitude);
     if (!speeds.empty())
         result.model.notes.push_back(
             fmt::format("no steady motion at {} rad/s: the rotor is at a resonance without "
@@ -326,34 +218,22 @@ void note_resonances(results::ResponseResult &result) {
                         speeds));
 }
 
-} // namespace
-
-results::ResponseResult unbalance_response(const model::Case &asked) {
-    model::Case scene = asked;
-    scene.rotor = model::with_balancer_imbalances(asked.rotor);
-    refuse_what_is_missing(scene);
-    const std::vector<double> speeds = model::required_speeds(scene).values();
-    results::ResponseResult result;
-    result.model.formulation = forced::response_formulation(scene);
-    model::Case free_choice = scene; // the order is judged by frequencies, in their best form
-    free_choice.rotor.balancers.clear();
-    free_choice.formulation = model::FormChoice::automatic;
-    result.model.order =
-        mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
-    const assembly::Discretization d(scene.rotor, result.model.order);
+/// Lists over the speeds, peaks and curves.
+void add_imbalance_response(results::ResponseResult &result, const assembly::Discretization &d,
+                            const model::SpeedRange &range) {
+    const results::Form form = result.model.formulation.form;
     const std::map<int, std::string> nodes = attached_nodes(d);
-    Response response(d, result.model.formulation.form, nodes);
+    Response response(d, form, nodes);
     std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
     double done = 0;
-    const std::vector<std::vector<double>> rows = process::rows_at(speeds, [&](double speed) {
-        process::report_progress(done++ / static_cast<double>(speeds.size()));
-        return response.row(speed);
-    });
+    const std::vector<std::vector<double>> rows =
+        process::rows_at(result.speeds, [&](double speed) {
+            process::report_progress(done++ / static_cast<double>(result.speeds.size()));
+            return response.row(speed);
+        });
     if (rows.empty())
-        return {};
-    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+        return;
     result.model.unknowns = response.unknowns();
-    result.speeds = speeds;
     prepare_lists(result, d, nodes);
     const std::vector<std::vector<double> *> lists = lists_of(result);
     for (const std::vector<double> &row : rows)
@@ -361,7 +241,41 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
             lists[i]->push_back(row.at(i));
     note_resonances(result);
     stage.emplace("peaks", 0.6, 1.0);
-    add_peaks(result, d, nodes, *scene.speeds);
+    Watched all = watched(d, nodes);
+    for (const model::Probe &probe : d.rotor().probes)
+        all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
+                probe.z, probe.name);
+    add_peaks(result.peaks, result.curves, d, form, all, range);
+}
+
+} // namespace
+
+results::ResponseResult unbalance_response(const model::Case &asked) {
+    model::Case scene = asked;
+    scene.rotor = model::with_balancer_imbalances(asked.rotor);
+    refuse_what_is_missing(scene);
+    results::ResponseResult result;
+    result.speeds = model::required_speeds(scene).values();
+    result.model.formulation = forced::response_formulation(scene);
+    model::Case free_choice = scene; // the order is judged by frequencies, in their best form
+    free_choice.rotor.balancers.clear();
+    free_choice.formulation = model::FormChoice::automatic;
+    result.model.order =
+        mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
+    const assembly::Discretization d(scene.rotor, result.model.order);
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    const bool weight = scene.response.gravity != 0;
+    if (!scene.rotor.imbalances.empty()) {
+        const process::Stage stage("response to the imbalances", 0.0, weight ? 0.5 : 1.0);
+        add_imbalance_response(result, d, *scene.speeds);
+    }
+    if (weight) {
+        const process::Stage stage("motion under the weight",
+                                   scene.rotor.imbalances.empty() ? 0.0 : 0.5, 1.0);
+        add_gravity_response(result, d, *scene.speeds, scene.response.gravity);
+    }
+    if (result.nodes.empty() && !result.gravity) // not process 0
+        return {};
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back(
             "the rotor is driven by its imbalances and by those that its balancers are to balance; "

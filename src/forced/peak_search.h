@@ -49,9 +49,10 @@ class PeakSearch {
     struct Sample {
         double speed = 0; ///< rad/s
         int piece = 0;
-        std::vector<double> value; ///< semi-major axis
-        std::vector<double> slope; ///< what it changes per rad/s
-        std::vector<double> phase; ///< of x, rad
+        std::vector<double> value;     ///< semi-major axis
+        std::vector<double> slope;     ///< what it changes per rad/s
+        std::vector<double> phase;     ///< of x, rad
+        std::vector<double> cancelled; ///< as in Reading
     };
     /// The speeds looked at, ascending: dense where resonances are sharp.
     [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }
