@@ -20,10 +20,10 @@ namespace whirl::analyses {
 
 namespace {
 
-/// An asymmetric rotor is solved in rotating axes; balancers are left out.
+/// A shaft of two stiffnesses is solved in rotating axes. Unequal inertias alone do not move: what
+/// turns about an axis that stands still, u ~ exp(-i Omega t), has u'' + Omega^2 u = 0.
 results::Form form_under_weight(const model::Rotor &rotor) {
-    return rotor.anisotropies.empty() && !rotor.shaft.asymmetric() ? results::Form::general
-                                                                   : results::Form::rotating;
+    return rotor.shaft.asymmetric() ? results::Form::rotating : results::Form::general;
 }
 
 /// The motion under the weight at one speed, as rows for lists_of().
@@ -205,8 +205,8 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
                   drive);
     else
         result.model.notes.emplace_back(
-            "the rotor is axisymmetric: under its weight it stands still in the fixed axes, and no "
-            "part of its motion is at twice the spin speed");
+            "the shaft is equally stiff in all directions: under its weight the rotor turns about "
+            "a bent axis that stands still, and no part of its motion is at twice the spin speed");
 }
 
 } // namespace whirl::analyses

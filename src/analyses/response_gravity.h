@@ -6,8 +6,8 @@
 
 namespace whirl::analyses {
 
-/// Adds the steady motion under the weight of shaft and discs over result.speeds, in the form of
-/// the result where the rotor is asymmetric, else in the fixed frame, where it stands still. With
+/// Adds the steady motion under the weight of shaft and discs over result.speeds: in rotating axes
+/// where the shaft has two stiffnesses, else in the fixed frame, where it stands still. With
 /// notes on resonances without damping. Collective over MPI processes: complete on process 0,
 /// nothing is added elsewhere.
 /// @param gravity  m/s2 towards -y

@@ -61,8 +61,9 @@ stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
 ///
 /// Weight: seen from an asymmetric rotor it turns backwards once a revolution,
 /// [K + Omega Ks + Omega^2 Kss + i Omega (C + Omega Cs) - Omega^2 M] q = f exp(i Omega t); in the
-/// fixed frame w = w0 + a exp(2 i Omega t), nothing else. An axisymmetric rotor (any other form)
-/// stands still in the fixed frame, [K + Omega Kc] q = f. docs/theory.md, "Weight".
+/// fixed frame w = w0 + a exp(2 i Omega t), nothing else. A rotor on a shaft that is equally stiff
+/// in all directions (any other form) stands still in the fixed frame, [K + Omega Kc] q = f.
+/// docs/theory.md, "Weight".
 class ForcedMotion {
   public:
     ForcedMotion(const assembly::Discretization &discretization, results::Form form,

