@@ -1,9 +1,9 @@
 #include "analyses/response.h"
 
-#include "analyses/response_gravity.h"
-#include "analyses/response_places.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
+#include "forced/response_gravity.h"
+#include "forced/response_places.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -26,6 +26,9 @@
 namespace whirl::analyses {
 
 namespace {
+
+using forced::no_value;
+using forced::unlimited;
 
 void refuse_what_is_missing(const model::Case &scene) {
     if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
@@ -83,7 +86,7 @@ class Response {
         } catch (const linalg::SolverError &) { // the finer model is at its resonance
             _error_known = false;
         }
-        if (_forced.rounding() > resonance && !confirmed() && !unexcited(speed))
+        if (_forced.rounding() > forced::resonance_rounding && !confirmed() && !unexcited(speed))
             return no_limit();
         std::vector<double> row;
         add_nodes(row);
@@ -102,7 +105,8 @@ class Response {
     /// By the elements and by rounding; where the finer model has confirmed what
     /// rounding could have decided, the difference to it is both.
     [[nodiscard]] double error(double by_elements) const {
-        const double rounding = _forced.rounding() > resonance ? 0 : _forced.rounding();
+        const double rounding =
+            _forced.rounding() > forced::resonance_rounding ? 0 : _forced.rounding();
         return _error_known ? by_elements + rounding : unlimited;
     }
 
@@ -207,7 +211,8 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
 }
 
 void note_resonances(results::ResponseResult &result) {
-    const std::string speeds = speeds_without_limit(result.speeds, result.nodes.front().amplitude);
+    const std::string speeds =
+        forced::speeds_without_limit(result.speeds, result.nodes.front().amplitude);
     if (!speeds.empty())
         result.model.notes.push_back(
             fmt::format("no steady motion at {} rad/s: the rotor is at a resonance without "
@@ -222,7 +227,7 @@ void note_resonances(results::ResponseResult &result) {
 void add_imbalance_response(results::ResponseResult &result, const assembly::Discretization &d,
                             const model::SpeedRange &range) {
     const results::Form form = result.model.formulation.form;
-    const std::map<int, std::string> nodes = attached_nodes(d);
+    const std::map<int, std::string> nodes = forced::attached_nodes(d);
     Response response(d, form, nodes);
     std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
     double done = 0;
@@ -241,11 +246,11 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
             lists[i]->push_back(row.at(i));
     note_resonances(result);
     stage.emplace("peaks", 0.6, 1.0);
-    Watched all = watched(d, nodes);
+    forced::Watched all = forced::watched(d, nodes);
     for (const model::Probe &probe : d.rotor().probes)
         all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
                 probe.z, probe.name);
-    add_peaks(result.peaks, result.curves, d, form, all, range);
+    forced::add_peaks(result.peaks, result.curves, d, form, all, range);
 }
 
 } // namespace
@@ -272,7 +277,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     if (weight) {
         const process::Stage stage("motion under the weight",
                                    scene.rotor.imbalances.empty() ? 0.0 : 0.5, 1.0);
-        add_gravity_response(result, d, *scene.speeds, scene.response.gravity);
+        forced::add_gravity_response(result, d, *scene.speeds, scene.response.gravity);
     }
     if (result.nodes.empty() && !result.gravity) // not process 0
         return {};

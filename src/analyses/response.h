@@ -7,7 +7,7 @@
 namespace whirl::analyses {
 
 /// Steady motion under the imbalances of the case over its speeds, forward synchronous, and, with
-/// [response] gravity, under its weight (response_gravity.h):
+/// [response] gravity, under its weight (forced/response_gravity.h):
 ///
 ///     force at an imbalance: mr Omega^2 (cos(Omega t + phase), sin(Omega t + phase)).
 ///

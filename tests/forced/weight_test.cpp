@@ -1,16 +1,16 @@
 // Motion under the weight: closed form of a disc on an asymmetric shaft, harmonic balance in the
-// fixed frame, rotors that are axisymmetric, peaks looked for speed by speed.
+// fixed frame, rotors that are axisymmetric.
 
 #include "analyses/response.h"
 #include "assembly/assemble.h"
 #include "assembly/discretization.h"
 #include "assembly/system.h"
 #include "forced/forced_motion.h"
-#include "forced/response_peaks.h"
 #include "model/errors.h"
 #include "results/response.h"
 #include "support/random.h"
 #include "support/scenes.h"
+#include "support/weighed_rotors.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -24,71 +24,13 @@ namespace {
 using namespace whirl;
 using Complex = std::complex<double>;
 using results::Form;
-using results::ResponsePeak;
+using tests::g;
+using tests::Keyway;
 using tests::Random;
+using tests::station;
+using tests::weighed_rotor;
 
 constexpr Complex i_unit(0, 1);
-constexpr double g = 9.81;
-
-/// Disc in the middle of a massless shaft with two stiffnesses, on two equal bearings.
-struct Keyway {
-    double length = 0.8, diameter = 0.025, mass = 9, k = 2e6, c = 0, asymmetry = 0.06, angle = 0.5;
-
-    [[nodiscard]] model::Case scene(double from, double to, int count) const {
-        model::Case out;
-        out.rotor.shaft = tests::uniform_shaft(length, diameter, tests::weightless_steel());
-        out.rotor.shaft.segments[0].asymmetry = asymmetry;
-        out.rotor.shaft.segments[0].asymmetry_angle = angle;
-        out.rotor.shaft.shear = model::ShearFormula::given;
-        out.rotor.shaft.shear_coefficient = 0.9;
-        out.rotor.discs = {tests::disc_at(length / 2, mass, 0.02, 0.03)};
-        out.rotor.bearings = {tests::isotropic_bearing(0, k, c),
-                              tests::isotropic_bearing(length, k, c)};
-        out.speeds = model::SpeedRange{from, to, count};
-        out.response.gravity = g;
-        return out;
-    }
-
-    /// Deflections of the disc (from the ground) for a unit force along and across the stiff axis,
-    /// without those of the bearings: mean, and half the difference.
-    [[nodiscard]] double compliance(double sign) const {
-        const double area = std::numbers::pi * diameter * diameter / 4;
-        const double I = area * diameter * diameter / 16;
-        const model::Material steel = tests::steel();
-        return std::pow(length, 3) / (48 * steel.E * I * (1 + sign * asymmetry)) +
-               length / (4 * 0.9 * steel.G * area);
-    }
-    [[nodiscard]] double mean() const { return (compliance(1) + compliance(-1)) / 2; }
-    [[nodiscard]] Complex turning() const {
-        return (compliance(1) - compliance(-1)) / 2 * std::polar(1.0, 2 * angle);
-    }
-
-    // In rotating axes u = A exp(i W t) + B exp(-i W t), forces 4 m W^2 A and -i g m on the shaft;
-    // u = s_m f + s_d conj(f) and the bearings' compliances at 2 W and at rest.
-    [[nodiscard]] Complex circle(double W) const {
-        const Complex s = mean() + 0.5 / (k + 2.0 * i_unit * W * c);
-        return turning() * (i_unit * g * mass) / (1.0 - 4 * mass * W * W * s);
-    }
-    [[nodiscard]] Complex still(double W) const {
-        return (mean() + 0.5 / k) * (-i_unit * g * mass) +
-               turning() * std::conj(4 * mass * W * W * circle(W));
-    }
-};
-
-const results::GravityStation &station(const results::ResponseResult &result, double z) {
-    for (const results::GravityStation &of : result.gravity->stations)
-        if (std::abs(of.z - z) < 1e-9)
-            return of;
-    throw std::runtime_error("no such station");
-}
-
-std::vector<ResponsePeak> peaks_at(const results::ResponseResult &result, double z) {
-    std::vector<ResponsePeak> out;
-    for (const ResponsePeak &peak : result.gravity->peaks)
-        if (peak.of == "station" && std::abs(peak.z - z) < 1e-9)
-            out.push_back(peak);
-    return out;
-}
 
 TEST(Weight, DiscOnAShaftOfTwoStiffnesses) {
     for (const double c : {0.0, 300.0, 3000.0}) {
@@ -116,108 +58,6 @@ TEST(Weight, DiscOnAShaftOfTwoStiffnesses) {
             EXPECT_LT(disc.error[i], 1e-7 * std::max(1.0, std::abs(circle / still)));
         }
     }
-}
-
-TEST(Weight, PeakOfTheDampedKeywayShaftWhateverTheGrid) {
-    Keyway keyway;
-    keyway.c = 2000;
-    // d |circle|^2 / dW = 0: |D|^2 least, D = 1 - 4 m W^2 (s + 1/(2 (k + 2 i W c))).
-    const auto slope = [&](double W) {
-        const Complex z = keyway.k + 2.0 * i_unit * W * keyway.c;
-        const Complex s = keyway.mean() + 0.5 / z;
-        const Complex D = 1.0 - 4 * keyway.mass * W * W * s;
-        const Complex dD = -8 * keyway.mass * W * s +
-                           4 * keyway.mass * W * W * (0.5 * 2.0 * i_unit * keyway.c / (z * z));
-        return (std::conj(D) * dD).real();
-    };
-    double low = 60;
-    double high = 130;
-    while (high - low > 1e-13 * high)
-        (slope((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
-    for (const int count : {2, 11, 1001}) {
-        const auto peaks = peaks_at(analyses::unbalance_response(keyway.scene(1, 400, count)), 0.4);
-        ASSERT_EQ(peaks.size(), 1U);
-        EXPECT_NEAR(peaks[0].speed / low, 1, 1e-9);
-        EXPECT_NEAR(peaks[0].value / std::abs(keyway.circle(low)), 1, 1e-9);
-        EXPECT_NEAR(
-            std::remainder(peaks[0].phase - std::arg(keyway.circle(low)), 2 * std::numbers::pi), 0,
-            1e-6);
-        ASSERT_TRUE(peaks[0].lower && peaks[0].upper);
-        for (const double half : {*peaks[0].lower, *peaks[0].upper})
-            EXPECT_NEAR(std::abs(keyway.circle(half)) * std::numbers::sqrt2 / peaks[0].value, 1,
-                        1e-8);
-    }
-}
-
-/// Half the critical speed of the mean shaft (Den Hartog, Mechanical Vibrations, 4th ed., section
-/// 6.5: a subcritical speed by gravity and two stiffnesses); with the mean of the compliances
-/// exactly.
-TEST(Weight, CriticalAtHalfTheSpeedWithoutDamping) {
-    for (const double asymmetry : {0.01, 0.06, 0.3}) {
-        Keyway keyway;
-        keyway.asymmetry = asymmetry;
-        const double half = 0.5 / std::sqrt(keyway.mass * (keyway.mean() + 0.5 / keyway.k));
-        auto scene = keyway.scene(1, 400, 11);
-        const auto peaks = peaks_at(analyses::unbalance_response(scene), 0.4);
-        ASSERT_EQ(peaks.size(), 1U);
-        EXPECT_NEAR(peaks[0].speed / half, 1, 1e-9);
-        EXPECT_TRUE(std::isinf(peaks[0].value));
-        Keyway round = keyway;
-        round.asymmetry = 0;
-        const double critical = 1 / std::sqrt(round.mass * (round.mean() + 0.5 / round.k));
-        EXPECT_NEAR(peaks[0].speed / (critical / 2), 1, asymmetry * asymmetry);
-        scene.speeds = model::SpeedRange{peaks[0].speed, peaks[0].speed, 1};
-        const auto there = analyses::unbalance_response(scene);
-        EXPECT_TRUE(std::isinf(station(there, 0.4).twice[0]));
-        EXPECT_TRUE(std::isinf(station(there, 0.4).sag[0]));
-        ASSERT_EQ(there.model.notes.size(), 1U);
-        EXPECT_NE(there.model.notes[0].find("no steady motion under the weight"),
-                  std::string::npos);
-    }
-}
-
-/// Some asymmetric flexible rotor with damping on bearings that are alike in all directions.
-/// @param shaft  of two stiffnesses; else unequal inertias alone
-model::Case random_rotor(Random &random, bool shaft = true) {
-    model::Case scene;
-    model::Rotor &rotor = scene.rotor;
-    rotor.shaft = tests::uniform_shaft(1.0, random(0.03, 0.08), tests::steel());
-    rotor.shaft.order = 2;
-    rotor.shaft.segments[0].elements = 4;
-    rotor.shaft.internal_damping = random.coin() ? 0 : random(1e-6, 1e-5);
-    for (int i = 0; i < 2; ++i)
-        rotor.discs.push_back(
-            tests::disc_at(random(0.1, 0.95), random(5, 30), random(0.1, 0.2), random(0.05, 0.19)));
-    if (shaft) {
-        rotor.shaft.segments[0].asymmetry = random(0.01, 0.3);
-        rotor.shaft.segments[0].asymmetry_angle = random(0, 3);
-    }
-    if (!shaft || random.coin())
-        rotor.anisotropies = {
-            {"", rotor.discs[0].z, random(0.1, 0.5) * rotor.discs[0].Ip, random(0, 3)}};
-    for (const double z : {random(0, 0.2), random(0.8, 1)}) {
-        model::Bearing bearing = tests::isotropic_bearing(z, std::pow(10, random(6, 7.5)),
-                                                          std::pow(10, random(2.5, 3.7)));
-        model::BearingCoefficients &row = bearing.rows[0];
-        if (random.coin()) {
-            row.k(0, 1) = random(-0.02, 0.02) * row.k(0, 0);
-            row.k(1, 0) = -row.k(0, 1);
-        }
-        if (random(0, 1) < 0.3) {
-            model::BearingCoefficients faster = row;
-            faster.k *= random(1, 3);
-            faster.c *= random(0.3, 1);
-            bearing.rows.push_back(faster);
-            bearing.speeds = {random(100, 400), random(600, 1500)};
-        }
-        if (random.coin())
-            bearing.pedestal = model::Pedestal{random(2, 20), std::pow(10, random(7, 8.5)),
-                                               std::pow(10, random(3, 4))};
-        rotor.bearings.push_back(bearing);
-    }
-    scene.speeds = model::SpeedRange{0, random(500, 1200), 11};
-    scene.response.gravity = g;
-    return scene;
 }
 
 /// Harmonic balance in the fixed frame, dense: w = sum w_n exp(2 i n W t), n = -2..2, of
@@ -315,7 +155,7 @@ TEST(Weight, IsAStaticPartAndOneAtTwiceTheSpeedByHarmonicBalance) {
     Random random(31);
     for (int rotor = 0; rotor < 25; ++rotor) {
         const bool shaft = rotor % 5 != 0;
-        const model::Case scene = random_rotor(random, shaft);
+        const model::Case scene = weighed_rotor(random, shaft);
         const assembly::Discretization d(scene.rotor, 2);
         forced::ForcedMotion motion(d, Form::rotating, {g});
         for (int i = 0; i < 3; ++i) {
@@ -342,7 +182,7 @@ TEST(Weight, IsAStaticPartAndOneAtTwiceTheSpeedByHarmonicBalance) {
 TEST(Weight, OfAxisymmetricRotorsInRotatingAxesIsStaticAndTheirImbalanceAsInFixedOnes) {
     Random random(32);
     for (int rotor = 0; rotor < 12; ++rotor) {
-        model::Case scene = random_rotor(random);
+        model::Case scene = weighed_rotor(random);
         scene.rotor.anisotropies.clear();
         scene.rotor.shaft.segments[0].asymmetry = 0;
         scene.rotor.imbalances = {tests::imbalance_at(scene.rotor.discs[0].z, 1e-4, 0.4)};
@@ -374,7 +214,7 @@ TEST(Weight, OfAxisymmetricRotorsInRotatingAxesIsStaticAndTheirImbalanceAsInFixe
 TEST(Weight, OfAnAxisymmetricRotorIsCarriedByItsBearings) {
     Random random(33);
     for (int rotor = 0; rotor < 6; ++rotor) {
-        model::Case scene = random_rotor(random);
+        model::Case scene = weighed_rotor(random);
         scene.rotor.anisotropies.clear();
         scene.rotor.shaft.segments[0].asymmetry = 0;
         scene.rotor.shaft.rigid = rotor % 3 == 0;
@@ -407,95 +247,10 @@ TEST(Weight, OfAnAxisymmetricRotorIsCarriedByItsBearings) {
     }
 }
 
-/// Local maxima of the whole rotor's circle, by looking at very many speeds.
-std::vector<std::pair<double, double>> looked_for(const assembly::Discretization &d, double z, double from, double to,
-                               int count) {
-    forced::ForcedMotion motion(d, Form::rotating, {g});
-    const assembly::Combination w = d.deflection_at(z);
-    const auto circle = [&](double speed) {
-        motion.solve(speed);
-        return std::abs(motion.motion(w).x);
-    };
-    std::vector<double> values;
-    const double step = (to - from) / count;
-    for (int i = 0; i <= count; ++i)
-        values.push_back(circle(from + i * step));
-    std::vector<std::pair<double, double>> out;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-        if (values[i] < values[i - 1] || values[i] <= values[i + 1])
-            continue;
-        double a = from + static_cast<double>(i - 1) * step;
-        double b = from + static_cast<double>(i + 1) * step;
-        while (b - a > 1e-7 * b) { // thirds
-            const double left = a + (b - a) / 3;
-            const double right = b - (b - a) / 3;
-            (circle(left) < circle(right) ? a : b) = circle(left) < circle(right) ? left : right;
-        }
-        out.emplace_back((a + b) / 2, circle((a + b) / 2));
-    }
-    return out;
-}
-
-TEST(Weight, NoPeakIsMissingAndNoneFalseInRandomRotors) {
-    Random random(34);
-    int found = 0;
-    for (int rotor = 0; rotor < 8; ++rotor) {
-        const model::Case scene = random_rotor(random);
-        const auto result = analyses::unbalance_response(scene);
-        const assembly::Discretization d(scene.rotor, 2);
-        for (const model::Disc &disc : scene.rotor.discs) {
-            const auto peaks = peaks_at(result, disc.z);
-            const auto expected = looked_for(d, disc.z, 0.3, scene.speeds->to, 4000);
-            ASSERT_EQ(peaks.size(), expected.size()) << "rotor " << rotor;
-            for (std::size_t i = 0; i < peaks.size(); ++i, ++found) {
-                // A search by values finds the place of a shallow one to the root of rounding.
-                EXPECT_NEAR(peaks[i].speed / expected[i].first, 1, 1e-4) << "rotor " << rotor;
-                EXPECT_NEAR(peaks[i].value / expected[i].second, 1, 1e-8) << "rotor " << rotor;
-            }
-        }
-    }
-    EXPECT_GT(found, 20);
-}
-
-TEST(Weight, TheGridOfItsPeaksDoesNotMatter) {
-    Random random(35);
-    for (int rotor = 0; rotor < 2; ++rotor) {
-        model::Case scene = random_rotor(random);
-        const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
-        scene.speeds->count = 1001;
-        const auto fine = analyses::unbalance_response(scene).gravity->peaks;
-        ASSERT_EQ(coarse.size(), fine.size());
-        for (std::size_t i = 0; i < fine.size(); ++i) {
-            EXPECT_NEAR(coarse[i].speed / fine[i].speed, 1, 1e-8);
-            EXPECT_NEAR(coarse[i].value / fine[i].value, 1, 1e-8);
-        }
-    }
-}
-
-TEST(Weight, ErrorsOfItsPeaksHold) {
-    Random random(36);
-    int compared = 0;
-    for (int rotor = 0; rotor < 3; ++rotor) {
-        model::Case scene = random_rotor(random);
-        scene.rotor.shaft.order = 1 + rotor % 3;
-        const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
-        scene.rotor.shaft.order = 10;
-        const auto fine = analyses::unbalance_response(scene).gravity->peaks;
-        if (coarse.size() != fine.size())
-            continue; // so coarse that a peak is on the other side of an end
-        for (std::size_t i = 0; i < fine.size(); ++i, ++compared)
-            if (!std::isnan(coarse[i].error)) {
-                EXPECT_LE(std::abs(coarse[i].value / fine[i].value - 1), 2 * coarse[i].error + 3e-9)
-                    << "rotor " << rotor << " peak " << i;
-            }
-    }
-    EXPECT_GT(compared, 10);
-}
-
 TEST(Weight, UnequalInertiasAloneAreNotFelt) {
     Random random(38);
     for (int rotor = 0; rotor < 4; ++rotor) {
-        model::Case scene = random_rotor(random, false);
+        model::Case scene = weighed_rotor(random, false);
         const auto with = analyses::unbalance_response(scene);
         scene.rotor.anisotropies.clear();
         const auto without = analyses::unbalance_response(scene);
@@ -508,38 +263,12 @@ TEST(Weight, UnequalInertiasAloneAreNotFelt) {
     }
 }
 
-/// In rotating axes rounding makes no peaks of nothing.
-TEST(Weight, RoundingHasNoPeaks) {
-    Random random(39);
-    for (int rotor = 0; rotor < 6; ++rotor) {
-        model::Case scene = random_rotor(random, false);
-        if (rotor % 2 == 0) {
-            scene.rotor.shaft.internal_damping = 0;
-            for (model::Bearing &bearing : scene.rotor.bearings) {
-                for (model::BearingCoefficients &row : bearing.rows)
-                    row.c.setZero();
-                bearing.pedestal.reset();
-            }
-        }
-        const assembly::Discretization d(scene.rotor, 2);
-        std::vector<forced::Quantity> quantities;
-        std::vector<double> places;
-        for (const model::Disc &disc : scene.rotor.discs) {
-            quantities.push_back({d.deflection_at(disc.z)});
-            places.push_back(disc.z);
-        }
-        const auto found =
-            forced::response_peaks(d, Form::rotating, quantities, places, 0, scene.speeds->to, {g});
-        EXPECT_TRUE(found.peaks.empty()) << rotor;
-    }
-}
-
 TEST(Weight, SaysWhatItCannotAnswer) {
     Random random(37);
-    model::Case scene = random_rotor(random);
+    model::Case scene = weighed_rotor(random);
     scene.rotor.bearings[0].rows[0].k(1, 1) *= 2;
     EXPECT_THROW((void)analyses::unbalance_response(scene), model::AnalysisFailure);
-    scene = random_rotor(random);
+    scene = weighed_rotor(random);
     scene.rotor.bearings.clear();
     EXPECT_THROW((void)analyses::unbalance_response(scene), model::BadInput);
 }

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-namespace whirl::analyses {
+namespace whirl::forced {
 
 /// From this relative error by rounding on, an amplitude is one at an undamped resonance: without
 /// limit, or not determined where nothing drives that mode.
-inline constexpr double resonance = 1e-3;
+inline constexpr double resonance_rounding = 1e-3;
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
@@ -29,11 +29,11 @@ inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What peaks are looked for of, and where it is.
 struct Watched {
-    std::vector<forced::Quantity> quantities;
+    std::vector<Quantity> quantities;
     std::vector<results::ResponsePeak> places;
     std::vector<double> z; ///< m
 
-    void add(forced::Quantity quantity, const char *of, double place, const std::string &name);
+    void add(Quantity quantity, const char *of, double place, const std::string &name);
 };
 /// Nodes, then bearings.
 [[nodiscard]] Watched watched(const assembly::Discretization &d,
@@ -42,6 +42,6 @@ struct Watched {
 /// Adds every peak strictly inside the range, and the curves: one for each quantity.
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, forced::Drive drive = {});
+               const model::SpeedRange &range, Drive drive = {});
 
-} // namespace whirl::analyses
+} // namespace whirl::forced

@@ -1,8 +1,8 @@
-#include "analyses/response_gravity.h"
+#include "forced/response_gravity.h"
 
-#include "analyses/response_places.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
+#include "forced/response_places.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/free_motions.h"
@@ -16,7 +16,7 @@
 #include <complex>
 #include <string>
 
-namespace whirl::analyses {
+namespace whirl::forced {
 
 namespace {
 
@@ -29,8 +29,7 @@ results::Form form_under_weight(const model::Rotor &rotor) {
 /// The motion under the weight at one speed, as rows for lists_of().
 class Weighed {
   public:
-    Weighed(const assembly::Discretization &d, const std::map<int, std::string> &nodes,
-            forced::Drive drive)
+    Weighed(const assembly::Discretization &d, const std::map<int, std::string> &nodes, Drive drive)
         : _discretization(d), _nodes(nodes), _form(form_under_weight(d.rotor())),
           _motion(d, _form, drive), _finer(d, _form, drive) {}
 
@@ -55,8 +54,8 @@ class Weighed {
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
     results::Form _form;
-    forced::ForcedMotion _motion;
-    forced::ResponseError _finer;
+    ForcedMotion _motion;
+    ResponseError _finer;
     bool _error_known = true;
 
     /// False at a resonance without damping.
@@ -66,7 +65,7 @@ class Weighed {
         } catch (const linalg::SolverError &) {
             return false;
         }
-        if (_motion.rounding() > resonance && !same_beside(speed))
+        if (_motion.rounding() > resonance_rounding && !same_beside(speed))
             return false;
         _error_known = true;
         try {
@@ -90,10 +89,10 @@ class Weighed {
     /// A resonance that the weight does not drive, or very short elements: a little beside it the
     /// rotor moves in the same way, where a driven one would be smaller by orders of magnitude.
     bool same_beside(double speed) {
-        constexpr double beside = 1e-8;
+        constexpr double little = 1e-8;
         constexpr double same = 1e-4;
         const std::vector<std::complex<double>> here = deflections();
-        _motion.solve(speed * (1 + beside));
+        _motion.solve(speed * (1 + little));
         const std::vector<std::complex<double>> there = deflections();
         _motion.solve(speed);
         double difference = 0;
@@ -107,7 +106,7 @@ class Weighed {
 
     /// Radius of the circle; 0 where it is no more than what rounding leaves beside the part that
     /// stands still.
-    [[nodiscard]] double radius(const forced::Phasor &twice, double still) const {
+    [[nodiscard]] double radius(const Phasor &twice, double still) const {
         const double radius = std::abs(twice.x);
         return radius > _motion.rounding() * still ? radius : 0;
     }
@@ -123,7 +122,7 @@ class Weighed {
             const assembly::Combination w = _discretization.deflection_at_node(node);
             const double z = _discretization.shaft_mesh().nodes[static_cast<std::size_t>(node)];
             const std::complex<double> sag = _motion.at_rest(w);
-            const forced::Phasor twice = _motion.motion(w);
+            const Phasor twice = _motion.motion(w);
             const double circle = radius(twice, std::abs(sag));
             row.insert(row.end(),
                        {std::abs(sag), sag.real(), sag.imag(), circle,
@@ -137,7 +136,7 @@ class Weighed {
         const auto count = static_cast<int>(_discretization.rotor().bearings.size());
         for (int i = 0; i < count; ++i) {
             const double carried = std::abs(_motion.bearing_force_at_rest(i));
-            const forced::Phasor twice = _motion.bearing_force(i);
+            const Phasor twice = _motion.bearing_force(i);
             const double circle = radius(twice, carried);
             row.insert(row.end(),
                        {carried, circle,
@@ -171,7 +170,7 @@ void refuse_what_falls(const assembly::Discretization &d, double speed) {
 void add_gravity_response(results::ResponseResult &result, const assembly::Discretization &d,
                           const model::SpeedRange &range, double gravity) {
     refuse_what_falls(d, range.from);
-    const forced::Drive drive{gravity};
+    const Drive drive{gravity};
     const std::map<int, std::string> nodes = attached_nodes(d);
     Weighed weighed(d, nodes, drive);
     const std::vector<std::vector<double>> rows =
@@ -209,4 +208,4 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
             "a bent axis that stands still, and no part of its motion is at twice the spin speed");
 }
 
-} // namespace whirl::analyses
+} // namespace whirl::forced

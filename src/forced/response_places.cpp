@@ -1,4 +1,4 @@
-#include "analyses/response_places.h"
+#include "forced/response_places.h"
 
 #include "forced/response_peaks.h"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace whirl::analyses {
+namespace whirl::forced {
 
 std::string speeds_without_limit(const std::vector<double> &speeds,
                                  const std::vector<double> &amplitudes) {
@@ -42,8 +42,7 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     return nodes;
 }
 
-void Watched::add(forced::Quantity quantity, const char *of, double place,
-                  const std::string &name) {
+void Watched::add(Quantity quantity, const char *of, double place, const std::string &name) {
     places.emplace_back().of = of;
     places.back().z = place;
     places.back().name = name;
@@ -60,14 +59,14 @@ Watched watched(const assembly::Discretization &d, const std::map<int, std::stri
     const auto &bearings = d.rotor().bearings;
     for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
         const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
-        out.add({forced::stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
+        out.add({stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
     }
     return out;
 }
 
 namespace {
 
-results::ResponsePeak described(const forced::Peak &peak, const forced::PeakErrors &errors,
+results::ResponsePeak described(const Peak &peak, const PeakErrors &errors,
                                 results::ResponsePeak place) {
     place.speed = peak.speed;
     place.value = peak.value;
@@ -85,20 +84,20 @@ results::ResponsePeak described(const forced::Peak &peak, const forced::PeakErro
 
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, forced::Drive drive) {
+               const model::SpeedRange &range, Drive drive) {
     if (range.count < 2 || !(range.to > range.from) || all.quantities.empty())
         return;
     curves.values.resize(all.quantities.size());
     curves.phases.resize(all.quantities.size());
     const auto add_between = [&](double from, double to) { // of one sign
-        const forced::CertifiedPeaks found =
-            forced::response_peaks(d, form, all.quantities, all.z, from, to, drive);
+        const CertifiedPeaks found =
+            response_peaks(d, form, all.quantities, all.z, from, to, drive);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {
             const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
             peaks.push_back(described(found.peaks[i], found.errors[i], all.places[quantity]));
             peaks.back().error += found.reduction_error;
         }
-        for (const forced::PeakSearch::Sample &sample : found.curve) {
+        for (const PeakSearch::Sample &sample : found.curve) {
             curves.speeds.push_back(sample.speed);
             for (std::size_t i = 0; i < all.quantities.size(); ++i) {
                 curves.values[i].push_back(sample.value[i]);
@@ -112,4 +111,4 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         add_between(std::max(range.from, 0.0), range.to);
 }
 
-} // namespace whirl::analyses
+} // namespace whirl::forced

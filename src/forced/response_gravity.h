@@ -4,7 +4,7 @@
 #include "model/case.h"
 #include "results/response.h"
 
-namespace whirl::analyses {
+namespace whirl::forced {
 
 /// Adds the steady motion under the weight of shaft and discs over result.speeds: in rotating axes
 /// where the shaft has two stiffnesses, else in the fixed frame, where it stands still. With
@@ -15,4 +15,4 @@ namespace whirl::analyses {
 void add_gravity_response(results::ResponseResult &result, const assembly::Discretization &d,
                           const model::SpeedRange &range, double gravity);
 
-} // namespace whirl::analyses
+} // namespace whirl::forced
