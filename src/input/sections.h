@@ -34,8 +34,8 @@ void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Rotor &rotor);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Reads [speeds], [campbell], [response], [simulate], and [map], which must come last: it may name any numeric
-/// entry read before.
+/// Reads [speeds], [campbell], [response], [simulate], and [map], which must come last: it may name
+/// any numeric entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
 void read_response(CheckedTable &root, model::Case &scene);
