@@ -206,6 +206,7 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     peak.value = reading.major();
     peak.phase = std::arg(reading.value.x);
     peak.width = width_at(peak.speed);
+    peak.rounding = _motion.rounding(peak.speed) * reading.cancelled / reading.major();
     peak.lower = half_power(peak, left, -1);
     peak.upper = half_power(peak, left + 1, 1);
     _peaks.push_back(peak);

@@ -75,7 +75,7 @@ results::ResponsePeak described(const Peak &peak, const PeakErrors &errors,
     place.upper = peak.upper;
     if (peak.lower && peak.upper)
         place.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
-    place.error = errors.value;
+    place.error = errors.value + peak.rounding;
     place.speed_error = errors.speed;
     return place;
 }
