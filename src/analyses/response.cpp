@@ -2,7 +2,8 @@
 
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
-#include "forced/response_peaks.h"
+#include "forced/response_gravity.h"
+#include "forced/response_places.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -27,44 +27,15 @@ namespace whirl::analyses {
 
 namespace {
 
-/// From this relative error by rounding on, an amplitude is one at an undamped
-/// resonance: without limit, or not determined where the imbalance does not
-/// drive that mode.
-constexpr double resonance = 1e-3;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double unlimited = std::numeric_limits<double>::infinity();
+using forced::no_value;
+using forced::unlimited;
 
 void refuse_what_is_missing(const model::Case &scene) {
-    if (scene.rotor.imbalances.empty())
+    if (scene.rotor.imbalances.empty() && scene.response.gravity == 0)
         throw model::BadInput(fmt::format("{}: imbalance: expected at least one [[imbalance]], or "
-                                          "the imbalance of a balancer, to "
+                                          "the imbalance of a balancer, or response.gravity, to "
                                           "drive the response, got none",
                                           scene.file.string()));
-}
-
-/// Nodes of the mesh with the names of what is attached there; the ends are
-/// always among them.
-std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
-    std::map<int, std::string> nodes;
-    const auto &mesh = d.shaft_mesh();
-    nodes[0];
-    nodes[static_cast<int>(mesh.nodes.size()) - 1];
-    const auto collect = [&](const auto &items) {
-        for (const auto &item : items) {
-            std::string &name = nodes[mesh.node_at(item.z)];
-            if (!item.name.empty())
-                name += name.empty() ? item.name : ", " + item.name;
-        }
-    };
-    const model::Rotor &rotor = d.rotor();
-    collect(rotor.discs);
-    collect(rotor.bearings);
-    collect(rotor.anisotropies);
-    collect(rotor.imbalances);
-    collect(rotor.balancers);
-    collect(rotor.planes);
-    collect(rotor.probes);
-    return nodes;
 }
 
 /// The lists of a result, in the order of a row: one value of each a speed.
@@ -89,7 +60,7 @@ double inclination_of(const forced::Phasor &u, double rounding) {
     const double smaller = std::min(std::abs(a), std::abs(d));
     const double larger = std::max(std::abs(a), std::abs(d));
     if (smaller <= (rounding + 1e-14) * larger)
-        return none;
+        return no_value;
     const double angle = std::arg(a * std::conj(d)) / 2;
     return angle <= -std::numbers::pi / 2 ? angle + std::numbers::pi : angle;
 }
@@ -115,7 +86,7 @@ class Response {
         } catch (const linalg::SolverError &) { // the finer model is at its resonance
             _error_known = false;
         }
-        if (_forced.rounding() > resonance && !confirmed() && !unexcited(speed))
+        if (_forced.rounding() > forced::resonance_rounding && !confirmed() && !unexcited(speed))
             return no_limit();
         std::vector<double> row;
         add_nodes(row);
@@ -134,7 +105,8 @@ class Response {
     /// By the elements and by rounding; where the finer model has confirmed what
     /// rounding could have decided, the difference to it is both.
     [[nodiscard]] double error(double by_elements) const {
-        const double rounding = _forced.rounding() > resonance ? 0 : _forced.rounding();
+        const double rounding =
+            _forced.rounding() > forced::resonance_rounding ? 0 : _forced.rounding();
         return _error_known ? by_elements + rounding : unlimited;
     }
 
@@ -213,91 +185,15 @@ class Response {
     [[nodiscard]] std::vector<double> no_limit() const {
         std::vector<double> row;
         for (std::size_t i = 0; i < _nodes.size(); ++i)
-            row.insert(row.end(), {unlimited, none, unlimited, none, unlimited, none, unlimited,
-                                   none, none, unlimited});
+            row.insert(row.end(), {unlimited, no_value, unlimited, no_value, unlimited, no_value,
+                                   unlimited, no_value, no_value, unlimited});
         for (std::size_t i = 0; i < _discretization.rotor().bearings.size(); ++i)
             row.insert(row.end(), {unlimited, unlimited});
         for (std::size_t i = 0; i < _discretization.rotor().probes.size(); ++i)
-            row.insert(row.end(), {unlimited, none, unlimited});
+            row.insert(row.end(), {unlimited, no_value, unlimited});
         return row;
     }
 };
-
-/// What peaks are looked for of, and where it is.
-struct Watched {
-    std::vector<forced::Quantity> quantities;
-    std::vector<results::ResponsePeak> places;
-    std::vector<double> z; ///< m
-
-    void add(forced::Quantity quantity, const char *of, double place, const std::string &name) {
-        const int before = places.empty() || places.back().of != of ? 0 : places.back().place + 1;
-        places.emplace_back().of = of;
-        places.back().place = before;
-        places.back().z = place;
-        places.back().name = name;
-        places.back().angle = quantity.angle;
-        z.push_back(place);
-        quantities.push_back(std::move(quantity));
-    }
-};
-
-Watched watched(const assembly::Discretization &d, const std::map<int, std::string> &nodes) {
-    Watched out;
-    for (const auto &[node, name] : nodes)
-        out.add({d.deflection_at_node(node)}, "station",
-                d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name);
-    const auto &bearings = d.rotor().bearings;
-    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
-        const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
-        out.add({forced::stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
-    }
-    for (const model::Probe &probe : d.rotor().probes)
-        out.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
-                probe.z, probe.name);
-    return out;
-}
-
-/// Peaks of the stations, bearings and probes between two speeds of one sign, and the curves.
-void add_peaks_between(results::ResponseResult &result, const assembly::Discretization &d,
-                       const Watched &all, double from, double to, bool with_errors) {
-    const forced::CertifiedPeaks found = forced::response_peaks(
-        d, result.model.formulation.form, all.quantities, all.z, from, to, with_errors);
-    for (std::size_t i = 0; i < found.peaks.size(); ++i) {
-        const forced::Peak &peak = found.peaks[i];
-        results::ResponsePeak out = all.places[static_cast<std::size_t>(peak.quantity)];
-        out.speed = peak.speed;
-        out.value = peak.value;
-        out.phase = peak.phase;
-        out.lower = peak.lower;
-        out.upper = peak.upper;
-        if (peak.lower && peak.upper)
-            out.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
-        out.error = with_errors ? found.errors[i].value + found.reduction_error : none;
-        out.speed_error = with_errors ? found.errors[i].speed : none;
-        result.peaks.push_back(out);
-    }
-    for (const forced::PeakSearch::Sample &sample : found.curve) {
-        result.curves.speeds.push_back(sample.speed);
-        for (std::size_t i = 0; i < all.quantities.size(); ++i) {
-            result.curves.values[i].push_back(sample.value[i]);
-            result.curves.phases[i].push_back(sample.phase[i]);
-        }
-    }
-}
-
-void add_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-               const std::map<int, std::string> &nodes, const model::SpeedRange &range,
-               bool with_errors = true) {
-    if (range.count < 2 || !(range.to > range.from) || nodes.empty())
-        return;
-    const Watched all = watched(d, nodes);
-    result.curves.values.resize(all.quantities.size());
-    result.curves.phases.resize(all.quantities.size());
-    if (range.from < 0)
-        add_peaks_between(result, d, all, range.from, std::min(range.to, 0.0), with_errors);
-    if (range.to > 0)
-        add_peaks_between(result, d, all, std::max(range.from, 0.0), range.to, with_errors);
-}
 
 /// Empty lists with places and names.
 void prepare_lists(results::ResponseResult &result, const assembly::Discretization &d,
@@ -315,10 +211,8 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
 }
 
 void note_resonances(results::ResponseResult &result) {
-    std::string speeds;
-    for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        if (std::isinf(result.nodes.front().amplitude[i]))
-            speeds += fmt::format("{}{:.6g}", speeds.empty() ? "" : ", ", result.speeds[i]);
+    const std::string speeds =
+        forced::speeds_without_limit(result.speeds, result.nodes.front().amplitude);
     if (!speeds.empty())
         result.model.notes.push_back(
             fmt::format("no steady motion at {} rad/s: the rotor is at a resonance without "
@@ -345,6 +239,43 @@ void choose_model(const model::Case &scene, results::ModelSummary &model) {
     model.order = mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
 }
 
+/// Of stations, bearings and probes.
+void add_imbalance_peaks(results::ResponseResult &result, const assembly::Discretization &d,
+                         const model::SpeedRange &range, bool with_errors) {
+    forced::Watched all = forced::watched(d, forced::attached_nodes(d));
+    for (const model::Probe &probe : d.rotor().probes)
+        all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
+                probe.z, probe.name);
+    forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all, range, {},
+                      with_errors);
+}
+
+/// Lists over the speeds, peaks and curves.
+void add_imbalance_response(results::ResponseResult &result, const assembly::Discretization &d,
+                            const model::SpeedRange &range) {
+    const results::Form form = result.model.formulation.form;
+    const std::map<int, std::string> nodes = forced::attached_nodes(d);
+    Response response(d, form, nodes);
+    std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
+    double done = 0;
+    const std::vector<std::vector<double>> rows =
+        process::rows_at(result.speeds, [&](double speed) {
+            process::report_progress(done++ / static_cast<double>(result.speeds.size()));
+            return response.row(speed);
+        });
+    if (rows.empty())
+        return;
+    result.model.unknowns = response.unknowns();
+    prepare_lists(result, d, nodes);
+    const std::vector<std::vector<double> *> lists = lists_of(result);
+    for (const std::vector<double> &row : rows)
+        for (std::size_t i = 0; i < lists.size(); ++i)
+            lists[i]->push_back(row.at(i));
+    note_resonances(result);
+    stage.emplace("peaks", 0.6, 1.0);
+    add_imbalance_peaks(result, d, range, true);
+}
+
 } // namespace
 
 results::ResponseResult response_peaks(const model::Case &asked, bool with_errors) {
@@ -354,37 +285,29 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     const assembly::Discretization d(scene.rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     result.model.unknowns = forced::ForcedMotion(d, result.model.formulation.form).unknowns();
-    add_peaks(result, d, attached_nodes(d), model::required_speeds(scene), with_errors);
+    add_imbalance_peaks(result, d, model::required_speeds(scene), with_errors);
     return result;
 }
 
 results::ResponseResult unbalance_response(const model::Case &asked) {
     const model::Case scene = driven(asked);
-    const std::vector<double> speeds = model::required_speeds(scene).values();
     results::ResponseResult result;
+    result.speeds = model::required_speeds(scene).values();
     choose_model(scene, result.model);
     const assembly::Discretization d(scene.rotor, result.model.order);
-    const std::map<int, std::string> nodes = attached_nodes(d);
-    Response response(d, result.model.formulation.form, nodes);
-    std::optional<process::Stage> stage(std::in_place, "response at the speeds", 0.0, 0.6);
-    double done = 0;
-    const std::vector<std::vector<double>> rows = process::rows_at(speeds, [&](double speed) {
-        process::report_progress(done++ / static_cast<double>(speeds.size()));
-        return response.row(speed);
-    });
-    if (rows.empty())
-        return {};
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-    result.model.unknowns = response.unknowns();
-    result.speeds = speeds;
-    prepare_lists(result, d, nodes);
-    const std::vector<std::vector<double> *> lists = lists_of(result);
-    for (const std::vector<double> &row : rows)
-        for (std::size_t i = 0; i < lists.size(); ++i)
-            lists[i]->push_back(row.at(i));
-    note_resonances(result);
-    stage.emplace("peaks", 0.6, 1.0);
-    add_peaks(result, d, nodes, *scene.speeds);
+    const bool weight = scene.response.gravity != 0;
+    if (!scene.rotor.imbalances.empty()) {
+        const process::Stage stage("response to the imbalances", 0.0, weight ? 0.5 : 1.0);
+        add_imbalance_response(result, d, *scene.speeds);
+    }
+    if (weight) {
+        const process::Stage stage("motion under the weight",
+                                   scene.rotor.imbalances.empty() ? 0.0 : 0.5, 1.0);
+        forced::add_gravity_response(result, d, *scene.speeds, scene.response.gravity);
+    }
+    if (result.nodes.empty() && !result.gravity) // not process 0
+        return {};
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back(
             "the rotor is driven by its imbalances and by those that its balancers are to balance; "

@@ -6,7 +6,8 @@
 
 namespace whirl::analyses {
 
-/// Steady motion under the imbalances of the case over its speeds, forward synchronous:
+/// Steady motion under the imbalances of the case over its speeds, forward synchronous, and, with
+/// [response] gravity, under its weight (forced/response_gravity.h):
 ///
 ///     force at an imbalance: mr Omega^2 (cos(Omega t + phase), sin(Omega t + phase)).
 ///
@@ -16,7 +17,7 @@ namespace whirl::analyses {
 /// (response_error.h) and by rounding. Without limit (and a note) at an undamped resonance. Bearing
 /// tables are read at each speed. Collective over MPI processes: the result is complete on process
 /// 0, without lists elsewhere. Auto-balancers are left out (a note says so).
-/// @throws model::BadInput without [[imbalance]] or [speeds];
+/// @throws model::BadInput without [[imbalance]] and gravity, or without [speeds];
 ///         model::AnalysisFailure for an asymmetric rotor on bearings that differ between their
 ///         directions.
 [[nodiscard]] results::ResponseResult unbalance_response(const model::Case &scene);

@@ -1,5 +1,6 @@
 #include "forced/forced_motion.h"
 
+#include "assembly/assemble.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/unit_scales.h"
@@ -13,6 +14,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace whirl::forced {
@@ -29,6 +31,23 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
     return out;
 }
 
+Eigen::VectorXd weight_loads(const assembly::Discretization &discretization) {
+    const std::vector<double> translation = discretization.rigid_motion(false);
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(discretization.planar_size());
+    assembly::assemble_rotating_parts(
+        discretization,
+        [&](assembly::Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
+            if (term != assembly::Term::mass)
+                return;
+            Eigen::VectorXd moved(block.cols());
+            for (std::size_t j = 0; j < unknowns.size(); ++j)
+                moved(static_cast<Eigen::Index>(j)) =
+                    translation[static_cast<std::size_t>(unknowns[j])];
+            out(std::vector<int>(unknowns.begin(), unknowns.end())) += block * moved;
+        });
+    return out;
+}
+
 assembly::Combination stretch_of_bearing(const assembly::Discretization &discretization,
                                          int bearing) {
     const model::Bearing &b = discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
@@ -38,9 +57,11 @@ assembly::Combination stretch_of_bearing(const assembly::Discretization &discret
     return stretch;
 }
 
-ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form)
-    : _discretization(discretization),
-      _planar(form == results::Form::planar || form == results::Form::rotating),
+ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, results::Form form,
+                           Drive drive)
+    : _discretization(discretization), _drive(drive),
+      _planar(!drive.weight() &&
+              (form == results::Form::planar || form == results::Form::rotating)),
       _rotating(form == results::Form::rotating),
       _rows(synchronous::table_speeds(discretization.rotor())) {
     enter_piece(0);
@@ -62,7 +83,9 @@ struct Linear {
 } // namespace
 
 void ForcedMotion::assemble(double from, double to) {
-    if (_rotating)
+    if (_drive.weight())
+        assemble_under_weight(from, to);
+    else if (_rotating)
         assemble_rotating(from, to);
     else if (_planar)
         assemble_planar(from, to);
@@ -75,13 +98,16 @@ void ForcedMotion::assemble_rotating(double from, double to) {
         assembly::assemble_rotating(_discretization, from, {}));
     if (!(to > from))
         return;
-    // (K + s dK) + s (Ks + s dKs) + s^2 Kss
+    // (K + s dK) + s (Ks + s dKs) + s^2 Kss, C + s (Cs + dC)
     const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
     Linear K(from, _turning->K, to, end.K);
     Linear Ks(from, _turning->Ks, to, end.Ks);
+    Linear C(from, _turning->C, to, end.C);
     _turning->K = std::move(K.constant);
     _turning->Ks = linalg::Matrix::sum(1, Ks.constant, 1, K.slope);
     _turning->Kss = linalg::Matrix::sum(1, _turning->Kss, 1, Ks.slope);
+    _turning->C = std::move(C.constant);
+    _turning->Cs = linalg::Matrix::sum(1, _turning->Cs, 1, C.slope);
 }
 
 void ForcedMotion::assemble_planar(double from, double to) {
@@ -121,6 +147,26 @@ void ForcedMotion::assemble_general(double from, double to) {
         linalg::HarmonicTerms{&system.M, &C.constant, &G, &K.constant, &Kc});
 }
 
+void ForcedMotion::assemble_under_weight(double from, double to) {
+    if (_rotating) {
+        assemble_rotating(from, to);
+        const linalg::Matrix M = linalg::Matrix::sum(1, _turning->M, -1, _turning->Kss);
+        _solver = std::make_unique<linalg::HarmonicSolver>(
+            linalg::HarmonicTerms{&M, &_turning->C, &_turning->Cs, &_turning->K, &_turning->Ks});
+        return;
+    }
+    const assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
+    if (!(to > from)) {
+        _solver = std::make_unique<linalg::HarmonicSolver>(
+            linalg::HarmonicTerms{nullptr, nullptr, nullptr, &system.K, &system.Kc});
+        return;
+    }
+    const Linear K(from, system.K, to, assembly::assemble_fixed(_discretization, to).K);
+    const linalg::Matrix Kc = linalg::Matrix::sum(1, system.Kc, 1, K.slope);
+    _solver = std::make_unique<linalg::HarmonicSolver>(
+        linalg::HarmonicTerms{nullptr, nullptr, nullptr, &K.constant, &Kc});
+}
+
 void ForcedMotion::enter_piece(double speed) {
     const synchronous::TablePiece piece = synchronous::table_piece(_rows, speed);
     if (piece.index == _piece)
@@ -129,9 +175,7 @@ void ForcedMotion::enter_piece(double speed) {
     _piece = piece.index;
 }
 
-int ForcedMotion::size() const {
-    return _rotating ? _discretization.planar_size() : _solver->size();
-}
+int ForcedMotion::size() const { return _solver ? _solver->size() : _discretization.planar_size(); }
 
 int ForcedMotion::unknowns() const { return 2 * size(); }
 
@@ -142,6 +186,17 @@ Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
     Eigen::VectorXcd f(size());
     f(Eigen::seqN(0, planar.size(), 2)) = planar;
     f(Eigen::seqN(1, planar.size(), 2)) = -imaginary_unit * planar; // sin = Re(-i exp)
+    return f;
+}
+
+/// -i g on w, in rotating axes -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a
+/// quarter turn ahead.
+Eigen::VectorXcd ForcedMotion::weight_forces() const {
+    const Eigen::VectorXcd load = imaginary_unit * _drive.gravity *
+                                  weight_loads(_discretization).cast<std::complex<double>>();
+    Eigen::VectorXcd f(size());
+    f(Eigen::seqN(0, load.size(), 2)) = _rotating ? load : Eigen::VectorXcd(0 * load);
+    f(Eigen::seqN(1, load.size(), 2)) = imaginary_unit * load;
     return f;
 }
 
@@ -171,34 +226,54 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
 
 void ForcedMotion::solve(double speed) {
     _speed = speed;
-    if (speed == 0) { // no force; a free rotor's matrix would be singular
+    if (speed == 0 && !_drive.weight()) { // no force; a free rotor's matrix would be singular
         _displacements = Eigen::VectorXcd::Zero(size());
         _rounding = 0;
         return;
     }
     enter_piece(speed);
-    if (_rotating) {
+    if (_rotating && !_drive.weight()) {
         solve_in_rotating_axes(speed);
         return;
     }
-    const linalg::HarmonicSolution solution = _solver->solve(speed, imbalance_forces(speed));
+    const linalg::HarmonicSolution solution =
+        _solver->solve(speed, _drive.weight() ? weight_forces() : imbalance_forces(speed));
     _displacements = solution.displacements.col(0);
     _rounding = solution.rounding;
 }
 
-Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
+Phasor ForcedMotion::pair(const assembly::Combination &combination) const {
     Phasor out;
     for (const auto &[unknown, value] : combination) {
-        if (_planar) {
-            out.x += value * _displacements(unknown);
-        } else {
-            out.x += value * _displacements(2 * unknown);
-            out.y += value * _displacements(2 * unknown + 1);
-        }
+        out.x += value * _displacements(2 * unknown);
+        out.y += value * _displacements(2 * unknown + 1);
     }
-    if (_planar)
-        out.y = -imaginary_unit * out.x;
     return out;
+}
+
+Phasor ForcedMotion::motion(const assembly::Combination &combination) const {
+    if (!_planar && !_drive.weight())
+        return pair(combination);
+    std::complex<double> w;
+    if (_planar)
+        for (const auto &[unknown, value] : combination)
+            w += value * _displacements(unknown);
+    else if (_rotating)
+        w = WhirlParts(pair(combination)).a;
+    return {w, -imaginary_unit * w};
+}
+
+std::complex<double> ForcedMotion::at_rest(const assembly::Combination &combination) const {
+    const Phasor q = pair(combination);
+    return _rotating ? std::conj(WhirlParts(q).d) : q.x.real() + imaginary_unit * q.y.real();
+}
+
+std::complex<double> ForcedMotion::bearing_force_at_rest(int bearing) const {
+    const std::complex<double> u = at_rest(stretch_of_bearing(_discretization, bearing));
+    const Eigen::Vector2d force =
+        _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed).k *
+        Eigen::Vector2d(u.real(), u.imag());
+    return {force(0), force(1)};
 }
 
 Eigen::MatrixXcd ForcedMotion::planar_motion() const {
@@ -211,8 +286,9 @@ Phasor ForcedMotion::bearing_force(int bearing) const {
     const Phasor u = motion(stretch_of_bearing(_discretization, bearing));
     const model::BearingCoefficients at =
         _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed);
+    const double frequency = (_drive.weight() ? 2 : 1) * _speed;
     const Eigen::Vector2cd force =
-        (at.k + imaginary_unit * _speed * at.c) * Eigen::Vector2cd(u.x, u.y);
+        (at.k + imaginary_unit * frequency * at.c) * Eigen::Vector2cd(u.x, u.y);
     return {force(0), force(1)};
 }
 

@@ -32,35 +32,58 @@ struct WhirlParts {
 /// What a probe sees that looks along `angle`, from x towards y: x cos(angle) + y sin(angle).
 [[nodiscard]] std::complex<double> reading(const Phasor &motion, double angle);
 
+/// What drives the steady motion: the imbalances of the rotor, or its weight.
+struct Drive {
+    double gravity = 0; ///< m/s2 towards -y; 0: the imbalances
+
+    [[nodiscard]] bool weight() const { return gravity != 0; }
+};
+
 /// The imbalances of the rotor as forces on w = x + i y, over planar unknowns, by the spin speed
 /// squared: kg m.
 [[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization);
+
+/// Mass of what turns (shaft and discs) as loads on the planar unknowns under a uniform
+/// acceleration of one deflection: kg. Pedestals stand settled under their own weight.
+[[nodiscard]] Eigen::VectorXd weight_loads(const assembly::Discretization &discretization);
 
 /// What a bearing's force works on: the deflection of the shaft there, against that of a pedestal.
 [[nodiscard]] assembly::Combination
 stretch_of_bearing(const assembly::Discretization &discretization, int bearing);
 
-/// Synchronous steady motion of a discretised rotor.
+/// Steady motion of a discretised rotor under its imbalances, or under its weight.
 ///
 /// Planar (isotropic bearings), w = u exp(i Omega t): [K + i Omega C_e - Omega^2 (M - G)] u = f;
 /// internal damping drops out, since nothing flexes in rotating axes. General, (x, y):
 /// [K + Omega Kc + i Omega (C + Omega G) - Omega^2 M] q = f. Rotating (asymmetric rotor): the
 /// motion stands still in rotating axes, [K + Omega Ks + Omega^2 Kss] u = f. docs/theory.md, "The
 /// forms".
+///
+/// Weight: seen from an asymmetric rotor it turns backwards once a revolution,
+/// [K + Omega Ks + Omega^2 Kss + i Omega (C + Omega Cs) - Omega^2 M] q = f exp(i Omega t); in the
+/// fixed frame w = w0 + a exp(2 i Omega t), nothing else. A rotor on a shaft that is equally stiff
+/// in all directions (any other form) stands still in the fixed frame, [K + Omega Kc] q = f.
+/// docs/theory.md, "Weight".
 class ForcedMotion {
   public:
-    ForcedMotion(const assembly::Discretization &discretization, results::Form form);
+    ForcedMotion(const assembly::Discretization &discretization, results::Form form,
+                 Drive drive = {});
 
-    /// Solves under the forward synchronous imbalances of the rotor.
+    /// Solves under the forward synchronous imbalances of the rotor, or its weight.
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);
 
-    /// Deflection of a combination of planar unknowns in the last solution, m.
+    /// Deflection of a combination of planar unknowns in the last solution, m: at the spin speed,
+    /// under the weight at twice the spin speed.
     [[nodiscard]] Phasor motion(const assembly::Combination &combination) const;
     /// Force k u + c u' of a bearing on the shaft's support in the last solution, N.
     [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Under the weight: what stands still in the fixed frame, x + i y of a combination (m) and of
+    /// the force of a bearing (N).
+    [[nodiscard]] std::complex<double> at_rest(const assembly::Combination &combination) const;
+    [[nodiscard]] std::complex<double> bearing_force_at_rest(int bearing) const;
     /// Planar unknowns x and y of the last solution, a column each; one column where the orbits are
-    /// circles, y = -i x.
+    /// circles, y = -i x. Under the weight in the axes that they are solved in.
     [[nodiscard]] Eigen::MatrixXcd planar_motion() const;
     /// Relative error of the last solution by rounding.
     [[nodiscard]] double rounding() const { return _rounding; }
@@ -69,6 +92,7 @@ class ForcedMotion {
 
   private:
     const assembly::Discretization &_discretization;
+    Drive _drive;
     bool _planar;              ///< one complex deflection in each place
     bool _rotating;            ///< solved in rotating axes
     std::vector<double> _rows; ///< of bearing tables, rad/s
@@ -84,10 +108,14 @@ class ForcedMotion {
     void assemble_rotating(double from, double to);
     void assemble_planar(double from, double to);
     void assemble_general(double from, double to);
+    void assemble_under_weight(double from, double to);
     void enter_piece(double speed);
     void solve_in_rotating_axes(double speed);
     [[nodiscard]] int size() const; ///< of the displacements
     [[nodiscard]] Eigen::VectorXcd imbalance_forces(double speed) const;
+    [[nodiscard]] Eigen::VectorXcd weight_forces() const;
+    /// x and y of a combination of the unknowns in pairs.
+    [[nodiscard]] Phasor pair(const assembly::Combination &combination) const;
 };
 
 /// The form the response uses: planar with isotropic bearings, damped or not, else general.

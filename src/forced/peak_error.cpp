@@ -74,8 +74,9 @@ constexpr double reach = 2; ///< in widths, of a local curve
 } // namespace
 
 PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
-                     const std::vector<Quantity> &quantities, const std::vector<double> &places)
-    : _quantities(quantities), _places(places), _finer(coarse, form) {}
+                     const std::vector<Quantity> &quantities, const std::vector<double> &places,
+                     Drive drive)
+    : _quantities(quantities), _places(places), _finer(coarse, form, drive) {}
 
 Phasor PeakError::finer(int quantity) const {
     const auto i = static_cast<std::size_t>(quantity);

@@ -20,7 +20,8 @@ struct PeakErrors {
 class PeakError {
   public:
     PeakError(const assembly::Discretization &coarse, results::Form form,
-              const std::vector<Quantity> &quantities, const std::vector<double> &places);
+              const std::vector<Quantity> &quantities, const std::vector<double> &places,
+              Drive drive = {});
 
     /// Errors of peaks of the reduced rotor, which is that of the coarse one; NaN where the finer
     /// rotor's peak was not found.

@@ -70,11 +70,12 @@ void PeakSearch::enter(int piece) const {
 }
 
 PeakSearch::Sample PeakSearch::sample(int piece, double speed) const {
-    Sample out{speed, piece, {}, {}, {}};
+    Sample out{speed, piece, {}, {}, {}, {}};
     for (const Reading &reading : _motion.at(speed)) {
         out.value.push_back(reading.major());
         out.slope.push_back(reading.major_slope());
         out.phase.push_back(std::arg(reading.value.x));
+        out.cancelled.push_back(reading.cancelled);
     }
     return out;
 }
@@ -149,23 +150,29 @@ bool PeakSearch::stands_out(std::size_t left, std::size_t quantity) const {
     constexpr double allowance = 1000; // over the rounding of one solution
     const Sample &a = _samples[left];
     const Sample &b = _samples[left + 1];
+    enter(a.piece);
+    const double unsure = allowance * _motion.rounding(a.speed);
+    const double top = std::max(a.value[quantity], b.value[quantity]);
+    const double cancels = unsure * a.cancelled[quantity];
     if (a.speed == b.speed) // a kink at the row of a bearing table
-        return true;
+        return top > cancels;
     const Sample &before = _samples[left > 0 ? left - 1 : left];
     const Sample &after = _samples[std::min(left + 2, _samples.size() - 1)];
-    enter(a.piece);
-    const double rounding = std::max(shallow, allowance * _motion.rounding(a.speed));
-    const double top = std::max(a.value[quantity], b.value[quantity]);
-    return std::min(before.value[quantity], after.value[quantity]) < (1 - rounding) * top;
+    const double least = std::max(std::max(shallow, unsure) * top, cancels);
+    return std::min(before.value[quantity], after.value[quantity]) < top - least;
 }
 
 void PeakSearch::endless_peak(int quantity, std::size_t left) {
     const auto q = static_cast<std::size_t>(quantity);
     // What is driven grows like the inverse of the distance: by a third at least in two steps.
     constexpr double grown = 1.2;
-    const bool driven = left > 1 && left + 3 < _samples.size() &&
-                        _samples[left].value[q] > grown * _samples[left - 2].value[q] &&
-                        _samples[left + 1].value[q] > grown * _samples[left + 3].value[q];
+    // What rounding leaves of terms that cancel grows there as well.
+    constexpr double more_than_rounding = 1e-12;
+    const bool driven =
+        left > 1 && left + 3 < _samples.size() &&
+        _samples[left].value[q] * beside > more_than_rounding * _samples[left].cancelled[q] &&
+        _samples[left].value[q] > grown * _samples[left - 2].value[q] &&
+        _samples[left + 1].value[q] > grown * _samples[left + 3].value[q];
     if (!driven)
         return;
     Peak peak;
@@ -199,6 +206,7 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     peak.value = reading.major();
     peak.phase = std::arg(reading.value.x);
     peak.width = width_at(peak.speed);
+    peak.rounding = _motion.rounding(peak.speed) * reading.cancelled / reading.major();
     peak.lower = half_power(peak, left, -1);
     peak.upper = half_power(peak, left + 1, 1);
     _peaks.push_back(peak);

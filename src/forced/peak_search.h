@@ -17,6 +17,8 @@ struct Peak {
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
     double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
+    /// Relative error of the value where it is what is left of larger terms (Reading::cancelled).
+    double rounding = 0;
 };
 
 /// A pole of the response.
@@ -49,9 +51,10 @@ class PeakSearch {
     struct Sample {
         double speed = 0; ///< rad/s
         int piece = 0;
-        std::vector<double> value; ///< semi-major axis
-        std::vector<double> slope; ///< what it changes per rad/s
-        std::vector<double> phase; ///< of x, rad
+        std::vector<double> value;     ///< semi-major axis
+        std::vector<double> slope;     ///< what it changes per rad/s
+        std::vector<double> phase;     ///< of x, rad
+        std::vector<double> cancelled; ///< as in Reading
     };
     /// The speeds looked at, ascending: dense where resonances are sharp.
     [[nodiscard]] const std::vector<Sample> &samples() const { return _samples; }

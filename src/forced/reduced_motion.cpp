@@ -73,25 +73,37 @@ double Reading::major_slope() const {
 }
 
 ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, results::Form form,
-                             double top, std::vector<Quantity> quantities)
-    : _discretization(discretization), _form(form), _quantities(std::move(quantities)),
-      _rows(synchronous::table_speeds(discretization.rotor())) {
-    const int n = discretization.planar_size();
+                             double top, std::vector<Quantity> quantities, Drive drive)
+    : _discretization(discretization), _form(form), _drive(drive),
+      _quantities(std::move(quantities)), _rows(synchronous::table_speeds(discretization.rotor())) {
+    make_shapes(drive.weight() ? 2 * top : top);
+    take_in(Eigen::MatrixXcd(discretization.planar_size(), 0));
+}
+
+/// @param top  rad/s, of the fastest motion in the fixed frame
+void ReducedMotion::make_shapes(double top) {
+    const int n = _discretization.planar_size();
     _whole = n <= few_unknowns;
     if (!_whole)
         try {
-            _shapes = std::make_unique<reduction::PlanarShapes>(discretization, top);
+            _shapes = std::make_unique<reduction::PlanarShapes>(_discretization, top);
             std::vector<assembly::Combination> loaded;
-            for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
-                loaded.push_back(discretization.deflection_at(imbalance.z));
+            if (_drive.weight()) {
+                const Eigen::VectorXd load = weight_loads(_discretization);
+                loaded.emplace_back();
+                for (int i = 0; i < n; ++i)
+                    loaded.back().emplace_back(i, load(i));
+            } else {
+                for (const model::Imbalance &imbalance : _discretization.rotor().imbalances)
+                    loaded.push_back(_discretization.deflection_at(imbalance.z));
+            }
             _shapes->add_static(loaded);
         } catch (const linalg::SolverError &) { // bearings push away
             _whole = true;
         }
     if (_whole)
-        _shapes = std::make_unique<reduction::PlanarShapes>(discretization, top,
+        _shapes = std::make_unique<reduction::PlanarShapes>(_discretization, top,
                                                             Eigen::MatrixXd::Identity(n, n));
-    take_in(Eigen::MatrixXcd(n, 0));
 }
 
 void ReducedMotion::take_in(const Eigen::MatrixXcd &motions) {
@@ -108,7 +120,7 @@ void ReducedMotion::take_in(const Eigen::MatrixXcd &motions) {
     }
     _pieces.clear();
     _piece = nullptr;
-    _b = imbalances();
+    _b = _drive.weight() ? weight() : imbalances();
     const Eigen::MatrixXd &V = _shapes->matrix();
     _stretches.setZero(static_cast<Eigen::Index>(_quantities.size()), V.cols());
     for (std::size_t i = 0; i < _quantities.size(); ++i)
@@ -139,6 +151,9 @@ ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
     if (_form == results::Form::rotating) {
         const assembly::RotatingSystem s =
             assembly::assemble_rotating(_discretization, bearing_speed, {});
+        if (_drive.weight()) // lambda = i s in rotating axes
+            return {product(s.K), product(s.Ks) + imaginary_unit * product(s.C),
+                    product(s.Kss) + imaginary_unit * product(s.Cs) - product(s.M)};
         return {product(s.K), product(s.Ks), product(s.Kss)};
     }
     const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
@@ -158,6 +173,15 @@ Eigen::VectorXcd ReducedMotion::imbalances() const {
         pairs(Eigen::seqN(0, f.size(), 2)) = f;
         pairs(Eigen::seqN(1, f.size(), 2)) = -imaginary_unit * f;
     }
+    return pairs;
+}
+
+Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forces
+    const Eigen::VectorXd load = _shapes->matrix().transpose() * weight_loads(_discretization);
+    const Eigen::VectorXcd f = imaginary_unit * _drive.gravity * load.cast<Complex>();
+    Eigen::VectorXcd pairs(2 * f.size());
+    pairs(Eigen::seqN(0, f.size(), 2)) = f;
+    pairs(Eigen::seqN(1, f.size(), 2)) = imaginary_unit * f;
     return pairs;
 }
 
@@ -217,35 +241,43 @@ double ReducedMotion::rounding(double speed) const {
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
     const Eigen::PartialPivLU<Eigen::MatrixXcd> P = factors(speed);
-    const Eigen::VectorXcd u = P.solve((speed * speed) * _b);
+    const double force = _drive.weight() ? 1 : speed * speed;
+    const double force_slope = _drive.weight() ? 0 : 2 * speed;
+    const Eigen::VectorXcd u = P.solve(force * _b);
     const Eigen::VectorXcd slope =
-        P.solve((2 * speed) * _b - _piece->P1 * u - (2 * speed) * (_piece->P2 * u));
+        P.solve(force_slope * _b - _piece->P1 * u - (2 * speed) * (_piece->P2 * u));
     std::vector<Reading> out;
     for (int i = 0; i < static_cast<int>(_quantities.size()); ++i)
         out.push_back(reading(i, u, slope, speed));
     return out;
 }
 
+Phasor ReducedMotion::stretched(int quantity, const Eigen::VectorXcd &q) const {
+    const Eigen::RowVectorXd row = _stretches.row(quantity);
+    const auto circle = [](Complex w) { return Phasor{w, -imaginary_unit * w}; };
+    if (_form == results::Form::planar)
+        return circle(row * q);
+    const Complex x = row * q(Eigen::seqN(0, row.size(), 2));
+    const Complex y = row * q(Eigen::seqN(1, row.size(), 2));
+    if (_drive.weight())
+        return circle(WhirlParts({x, y}).a);
+    if (_form == results::Form::rotating)
+        return circle(x + imaginary_unit * y);
+    return {x, y};
+}
+
 Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
                                const Eigen::VectorXcd &slope, double speed) const {
-    const Eigen::RowVectorXd row = _stretches.row(quantity);
-    const auto phasor = [&](const Eigen::VectorXcd &q) -> Phasor {
-        if (_form == results::Form::planar) {
-            const Complex w = row * q;
-            return {w, -imaginary_unit * w};
-        }
-        const Complex x = row * q(Eigen::seqN(0, row.size(), 2));
-        const Complex y = row * q(Eigen::seqN(1, row.size(), 2));
-        if (_form == results::Form::rotating)
-            return {x + imaginary_unit * y, -imaginary_unit * (x + imaginary_unit * y)};
-        return {x, y};
-    };
-    const Phasor value = phasor(u);
-    const Phasor change = phasor(slope);
+    const Phasor value = stretched(quantity, u);
+    const Phasor change = stretched(quantity, slope);
     const Quantity &of = _quantities[static_cast<std::size_t>(quantity)];
     const int bearing = of.bearing;
+    double cancelled = 0;
+    if (_drive.weight())
+        cancelled = _stretches.row(quantity).cwiseAbs() *
+                    u(Eigen::seqN(0, _stretches.cols(), 2)).cwiseAbs();
     if (bearing == Quantity::deflection)
-        return {of.seen(value), of.seen(change)};
+        return {of.seen(value), of.seen(change), cancelled};
     const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
     const model::BearingCoefficients now = b.at(speed);
     const model::BearingCoefficients low = b.at(_piece->from);
@@ -253,12 +285,13 @@ Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
     const double width = _piece->to > _piece->from ? _piece->to - _piece->from : 1;
     const Eigen::Matrix2d k_slope = (high.k - low.k) / width;
     const Eigen::Matrix2d c_slope = (high.c - low.c) / width;
-    const Eigen::Matrix2cd z = now.k + imaginary_unit * speed * now.c;
-    const Eigen::Matrix2cd z_slope = k_slope + imaginary_unit * (now.c + speed * c_slope);
+    const Complex turns = (_drive.weight() ? 2.0 : 1.0) * imaginary_unit; // over the spin speed
+    const Eigen::Matrix2cd z = now.k + turns * speed * now.c;
+    const Eigen::Matrix2cd z_slope = k_slope + turns * (now.c + speed * c_slope);
     const Eigen::Vector2cd xy(value.x, value.y);
     const Eigen::Vector2cd force = z * xy;
     const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);
-    return {{force(0), force(1)}, {force_slope(0), force_slope(1)}};
+    return {{force(0), force(1)}, {force_slope(0), force_slope(1)}, z.norm() * cancelled};
 }
 
 } // namespace whirl::forced

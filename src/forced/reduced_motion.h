@@ -34,6 +34,8 @@ struct Quantity {
 struct Reading {
     Phasor value;
     Phasor slope;
+    /// Under the weight the size of the terms that the value is what is left of; else 0.
+    double cancelled = 0;
 
     /// Semi-major axis of the ellipse, and what it changes per rad/s.
     [[nodiscard]] double major() const;
@@ -46,13 +48,14 @@ struct Reading {
 ///
 /// Between two rows of bearing tables (a piece) the equations are P(s) u = s^2 b with
 /// P = P0 + s P1 + s^2 P2: the poles of the response are the roots of a small quadratic
-/// eigenproblem.
+/// eigenproblem. Under the weight P(s) u = b, and the quantities are the parts at twice the spin
+/// speed (rotating form).
 class ReducedMotion {
   public:
     /// @param discretization  must outlive this
     /// @param top             rad/s, the highest speed asked for
     ReducedMotion(const assembly::Discretization &discretization, results::Form form, double top,
-                  std::vector<Quantity> quantities);
+                  std::vector<Quantity> quantities, Drive drive = {});
 
     /// The shapes are all there are: nothing is left out.
     [[nodiscard]] bool whole() const { return _whole; }
@@ -86,6 +89,7 @@ class ReducedMotion {
     };
     const assembly::Discretization &_discretization;
     results::Form _form;
+    Drive _drive;
     std::vector<Quantity> _quantities;
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
@@ -99,7 +103,11 @@ class ReducedMotion {
     [[nodiscard]] Terms terms(double bearing_speed) const;
     [[nodiscard]] Eigen::PartialPivLU<Eigen::MatrixXcd> factors(std::complex<double> speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
+    void make_shapes(double top);
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
+    [[nodiscard]] Eigen::VectorXcd weight() const;
+    /// Deflection of a quantity's stretch that unknowns of the shapes mean.
+    [[nodiscard]] Phasor stretched(int quantity, const Eigen::VectorXcd &q) const;
     [[nodiscard]] Reading reading(int quantity, const Eigen::VectorXcd &u,
                                   const Eigen::VectorXcd &slope, double speed) const;
 };

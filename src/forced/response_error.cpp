@@ -26,36 +26,59 @@ double orbit_error(const Phasor &a, const Phasor &b) {
 
 } // namespace
 
-ResponseError::ResponseError(const assembly::Discretization &coarse, results::Form form) {
+ResponseError::ResponseError(const assembly::Discretization &coarse, results::Form form,
+                             Drive drive) {
     if (coarse.rigid())
         return;
     const int order = mesh_error::finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
-    _motion = std::make_unique<CondensedMotion>(*_fine, form);
+    if (drive.weight())
+        _weighed = std::make_unique<ForcedMotion>(*_fine, form, drive);
+    else
+        _motion = std::make_unique<CondensedMotion>(*_fine, form);
 }
 
 void ResponseError::solve(double speed) {
     if (_motion)
         _motion->solve(speed);
+    if (_weighed)
+        _weighed->solve(speed);
 }
 
 Phasor ResponseError::finer_at(double z) const {
-    return _motion->at_node(_fine->shaft_mesh().node_at(z));
+    return _weighed ? _weighed->motion(_fine->deflection_at(z))
+                    : _motion->at_node(_fine->shaft_mesh().node_at(z));
 }
 
-Phasor ResponseError::finer_force(int bearing) const { return _motion->bearing_force(bearing); }
+Phasor ResponseError::finer_force(int bearing) const {
+    return _weighed ? _weighed->bearing_force(bearing) : _motion->bearing_force(bearing);
+}
+
+double ResponseError::at_rest(double z, std::complex<double> coarse) const {
+    if (!_weighed)
+        return 0;
+    const std::complex<double> finer = _weighed->at_rest(_fine->deflection_at(z));
+    return share(std::abs(coarse - finer), std::max(std::abs(coarse), std::abs(finer)));
+}
+
+double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) const {
+    if (!_weighed)
+        return 0;
+    const std::complex<double> finer = _weighed->bearing_force_at_rest(bearing);
+    return share(std::abs(coarse - finer), std::max(std::abs(coarse), std::abs(finer)));
+}
 
 double ResponseError::at(double z, const Phasor &coarse) const {
-    return _motion ? orbit_error(coarse, finer_at(z)) : 0;
+    return _fine ? orbit_error(coarse, finer_at(z)) : 0;
 }
 
 double ResponseError::of_force(int bearing, const Phasor &coarse) const {
-    return _motion ? orbit_error(coarse, finer_force(bearing)) : 0;
+    return _fine ? orbit_error(coarse, finer_force(bearing)) : 0;
 }
 
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
-    if (!_motion)
+    if (!_fine)
         return 0;
     const std::complex<double> mine = reading(coarse, angle);
     const std::complex<double> finer = reading(finer_at(z), angle);

@@ -4,16 +4,17 @@
 #include "forced/forced_motion.h"
 #include "results/formulation.h"
 
+#include <complex>
 #include <memory>
 
 namespace whirl::forced {
 
-/// How far the synchronous motion of a discretised rotor is from that of a finer one, solved at
+/// How far the steady motion of a discretised rotor is from that of a finer one, solved at
 /// the same speed: elements of order p + 4 on the same mesh (order 5 for classical ones), above
 /// order 30, which is the highest, elements of half the length. A rigid shaft has no such error.
 class ResponseError {
   public:
-    ResponseError(const assembly::Discretization &coarse, results::Form form);
+    ResponseError(const assembly::Discretization &coarse, results::Form form, Drive drive = {});
 
     /// @throws linalg::SolverError where the finer rotor is at an undamped resonance.
     void solve(double speed);
@@ -28,14 +29,18 @@ class ResponseError {
     [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
 
     /// There is no finer rotor: the shaft is rigid.
-    [[nodiscard]] bool none() const { return _motion == nullptr; }
+    [[nodiscard]] bool none() const { return _fine == nullptr; }
     /// The finer rotor's own motion.
     [[nodiscard]] Phasor finer_at(double z) const;
     [[nodiscard]] Phasor finer_force(int bearing) const;
+    /// Under the weight, what stands still in the fixed frame: estimated relative error.
+    [[nodiscard]] double at_rest(double z, std::complex<double> coarse) const;
+    [[nodiscard]] double force_at_rest(int bearing, std::complex<double> coarse) const;
 
   private:
     std::unique_ptr<assembly::Discretization> _fine;
-    std::unique_ptr<CondensedMotion> _motion;
+    std::unique_ptr<CondensedMotion> _motion; ///< under the imbalances
+    std::unique_ptr<ForcedMotion> _weighed;   ///< under the weight, which loads elements inside
 };
 
 } // namespace whirl::forced

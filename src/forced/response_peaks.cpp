@@ -13,8 +13,8 @@ namespace {
 class Comparison {
   public:
     Comparison(const assembly::Discretization &discretization, results::Form form,
-               const std::vector<Quantity> &quantities)
-        : _quantities(quantities), _full(discretization, form) {}
+               const std::vector<Quantity> &quantities, Drive drive)
+        : _quantities(quantities), _full(discretization, form, drive) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
     bool solve(double speed) {
@@ -38,7 +38,7 @@ class Comparison {
             const Phasor whole = of(_quantities[i]);
             const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
             const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
-            if (apart > _full.rounding() * size)
+            if (apart > _full.rounding() * std::max(size, readings[i].cancelled))
                 worst = std::max(worst, apart / size);
         }
         return worst;
@@ -133,11 +133,12 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities,
                               const std::vector<double> &places, double from, double to,
-                              bool with_errors) {
+                              Drive drive, bool with_errors) {
     constexpr double agreed = 1e-9;
     constexpr int most_rounds = 6;
-    ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities);
-    Comparison whole(discretization, form, quantities);
+    ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
+                          drive);
+    Comparison whole(discretization, form, quantities, drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<double> speeds =
@@ -154,7 +155,8 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     out.curve = drawn(search, from, to);
     out.shapes = reduced.size();
     if (with_errors)
-        out.errors = PeakError(discretization, form, quantities, places).of(out.peaks, reduced);
+        out.errors =
+            PeakError(discretization, form, quantities, places, drive).of(out.peaks, reduced);
     return out;
 }
 

@@ -19,9 +19,10 @@ struct CertifiedPeaks {
     std::vector<PeakSearch::Sample> curve;
 };
 
-/// Peaks between two speeds of one sign (rad/s) under the imbalances of the rotor, by the reduced
-/// rotor: it takes in the motion of the whole rotor wherever the two differ, until they agree to
-/// 1e-9 at every resonance and half the width of the peak beside it.
+/// Peaks between two speeds of one sign (rad/s) under the imbalances of the rotor, or of its motion
+/// at twice the spin speed under its weight (rotating form), by the reduced rotor: it takes in the
+/// motion of the whole rotor wherever the two differ, until they agree to 1e-9 at every resonance
+/// and half the width of the peak beside it.
 ///
 /// @param quantities  what is looked at
 /// @param places      z of each, m
@@ -31,6 +32,6 @@ struct CertifiedPeaks {
                                             results::Form form,
                                             const std::vector<Quantity> &quantities,
                                             const std::vector<double> &places, double from,
-                                            double to, bool with_errors = true);
+                                            double to, Drive drive = {}, bool with_errors = true);
 
 } // namespace whirl::forced

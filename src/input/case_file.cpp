@@ -70,6 +70,7 @@ model::Case read_case(CheckedTable &root) {
     read_probes(root, scene.rotor);
     read_speeds(root, scene);
     read_campbell(root, scene);
+    read_response(root, scene);
     read_simulate(root, scene);
     read_balance(root, scene);
     read_map(root, scene);

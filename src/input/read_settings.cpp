@@ -193,6 +193,14 @@ void read_campbell(CheckedTable &root, model::Case &scene) {
     table->refuse_unknown();
 }
 
+void read_response(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("response");
+    if (!table)
+        return;
+    scene.response.gravity = table->number_or("gravity", 0, Quantity::acceleration);
+    table->refuse_unknown();
+}
+
 void read_simulate(CheckedTable &root, model::Case &scene) {
     auto table = root.table("simulate");
     if (!table)

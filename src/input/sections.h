@@ -35,10 +35,11 @@ void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Rotor &rotor);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Reads [speeds], [campbell], [simulate]; last [map] and [samples], which may name any numeric
-/// entry read before.
+/// Reads [speeds], [campbell], [response], [simulate]; last [map] and [samples], which may name any
+/// numeric entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
+void read_response(CheckedTable &root, model::Case &scene);
 void read_simulate(CheckedTable &root, model::Case &scene);
 void read_balance(CheckedTable &root, model::Case &scene);
 void read_map(CheckedTable &root, model::Case &scene);

@@ -36,6 +36,11 @@ struct CampbellSettings {
     std::vector<double> multiples{1.0}; ///< orders of the spin speed whose crossings are wanted
 };
 
+/// Entries of [response].
+struct ResponseSettings {
+    double gravity = 0; ///< m/s2 towards -y; 0: the motion under the weight is not asked for
+};
+
 /// Entries of [simulate].
 struct SimulateSettings {
     double time = 0;                               ///< s
@@ -90,6 +95,7 @@ struct Case {
     std::optional<SpeedRange> speeds;               ///< empty where the file has no [speeds]
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
     CampbellSettings campbell;
+    ResponseSettings response;
     SimulateSettings simulate;
     BalanceSettings balance;
     std::optional<MapSettings> map;

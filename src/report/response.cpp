@@ -2,11 +2,11 @@
 
 #include "results/response.h"
 
-#include "report/common/csv.h"
-#include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/response_gravity.h"
+#include "report/response_tables.h"
 
 #include <fmt/format.h>
 
@@ -22,28 +22,6 @@ using results::ResponseProbe;
 using results::ResponseResult;
 
 namespace {
-
-/// A station, a bearing or a probe at one speed.
-template <class Of> struct At {
-    double speed; ///< rad/s
-    const Of *of;
-    std::size_t index; ///< of the speed
-};
-
-template <class Of> Column<At<Of>> series(std::string key, std::string csv, auto Of::*list) {
-    return {std::move(key), std::move(csv), {}, {}, [list](const At<Of> &at) {
-                const auto &values = at.of->*list;
-                return at.index < values.size() ? Json(values[at.index]) : Json();
-            }};
-}
-
-/// What does not depend on the speed.
-template <class Of> Columns<At<Of>> place_columns(const char *kind) {
-    return {{"", "speed [rad/s]", {}, {}, &At<Of>::speed},
-            {"", "kind", {}, {}, [kind](const At<Of> &) { return kind; }},
-            {"z", "z [m]", {}, {}, [](const At<Of> &at) { return at.of->z; }},
-            {"name", "name", {}, {}, [](const At<Of> &at) { return at.of->name; }}};
-}
 
 const Columns<At<ResponseNode>> node_series{
     series("amplitude", "amplitude [m]", &ResponseNode::amplitude),
@@ -82,30 +60,6 @@ const std::vector<std::string> csv_headings{"speed [rad/s]", "kind",
                                             "y_phase [rad]", "inclination [rad]",
                                             "error",         "angle [rad]"};
 
-/// Everything of a kind in JSON: what stands once, and lists over the speeds.
-template <class Of>
-Json json_of_kind(const ResponseResult &result, const std::vector<Of> &all,
-                  const Columns<At<Of>> &once, const Columns<At<Of>> &over_speeds) {
-    return json_list(all, [&](const Of &of) {
-        std::vector<At<Of>> rows;
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            rows.push_back({result.speeds[i], &of, i});
-        Json json = json_row(once, At<Of>{0, &of, 0});
-        json.update(json_lists(over_speeds, rows));
-        return json;
-    });
-}
-
-template <class Of>
-std::string csv_of_kind(const ResponseResult &result, std::size_t index, const std::vector<Of> &all,
-                        Columns<At<Of>> columns, const Columns<At<Of>> &more) {
-    columns.insert(columns.end(), more.begin(), more.end());
-    std::vector<At<Of>> rows;
-    for (const Of &of : all)
-        rows.push_back({result.speeds[index], &of, index});
-    return csv_rows(csv_headings, columns, rows);
-}
-
 /// A half-power point, rpm.
 std::string half_power(const ResponsePeak &peak) {
     const auto end = [](const std::optional<double> &speed) {
@@ -114,7 +68,7 @@ std::string half_power(const ResponsePeak &peak) {
     return peak.lower || peak.upper ? end(peak.lower) + " … " + end(peak.upper) : "";
 }
 
-const Columns<ResponsePeak> curve_peaks{
+const Columns<ResponsePeak> peaks_found{
     {"of", "", {}, {}, &ResponsePeak::of},
     {"angle", "", {}, {}, &ResponsePeak::angle},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
@@ -137,7 +91,7 @@ const Columns<ResponsePeak> curve_peaks{
      [](const ResponsePeak &peak) { return peak.speed * rpm; }},
     {"value",
      "",
-     {"Peak", "{:.6g}", "no limit"},
+     {"LargestValue", "{:.6g}", "no limit"},
      {"value", "{:.6g}", "no limit"},
      &ResponsePeak::value},
     {"phase", "", {}, {}, &ResponsePeak::phase},
@@ -164,74 +118,40 @@ const Columns<ResponsePeak> curve_peaks{
     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
     {"speed_error", "", {}, {}, &ResponsePeak::speed_error}};
 
-template <class Of> bool is_of(const ResponsePeak &peak, const Of &of, const char *kind) {
-    if constexpr (std::is_same_v<Of, ResponseProbe>)
-        if (peak.angle != of.angle)
-            return false;
-    return peak.of == kind && peak.z == of.z;
-}
+} // namespace
 
-/// The largest value in the range: a peak, or at one of its ends.
-struct Peak {
-    std::string name;
-    double z = 0;                ///< m
-    double angle = 0;            ///< of a probe, rad
-    std::optional<double> value; ///< infinite: no limit
-    double speed = 0;            ///< rad/s
-    std::optional<double> error; ///< relative
-};
+const Columns<ResponsePeak> &curve_peaks() { return peaks_found; }
 
-template <class Of>
-std::vector<Peak> peaks_of(const ResponseResult &result, const std::vector<Of> &all,
-                           std::vector<double> Of::*list, const char *kind) {
-    std::vector<Peak> peaks;
-    for (const Of &of : all) {
-        Peak peak{of.name, of.z, 0, {}, 0, {}};
-        if constexpr (std::is_same_v<Of, ResponseProbe>)
-            peak.angle = of.angle;
-        const std::vector<double> &values = of.*list;
-        const auto end = values.begin() +
-                         static_cast<std::ptrdiff_t>(std::min(values.size(), result.speeds.size()));
-        const auto at =
-            static_cast<std::size_t>(std::max_element(values.begin(), end) - values.begin());
-        if (values.begin() != end) {
-            peak.value = values[at];
-            peak.speed = result.speeds[at];
-            if (at < of.error.size())
-                peak.error = of.error[at];
-        }
-        for (const ResponsePeak &found : result.peaks)
-            if (is_of(found, of, kind) && (!peak.value || found.value > *peak.value)) {
-                peak.value = found.value;
-                peak.speed = found.speed;
-                peak.error = found.error;
-            }
-        peaks.push_back(peak);
-    }
-    return peaks;
-}
-
-/// @param what  the quantity on the terminal; the page has amplitudes alone
-Columns<Peak> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
-    return {{"", "", {on_page}, {}, &Peak::name},
-            {"", "", {"z (m)", "{:.5g}"}, {}, &Peak::z},
-            {"", "", {}, {on_terminal}, [](const Peak &peak) { return place(peak.name, peak.z); }},
+Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
+    return {{"", "", {on_page}, {}, &LargestValue::name},
+            {"", "", {"z (m)", "{:.5g}"}, {}, &LargestValue::z},
+            {"",
+             "",
+             {},
+             {on_terminal},
+             [](const LargestValue &peak) { return place(peak.name, peak.z); }},
             {"",
              "",
              {"Amplitude (µm)", "{:.6g}", "no limit"},
              {},
-             [](const Peak &peak) {
+             [](const LargestValue &peak) {
                  return peak.value ? std::optional(*peak.value * 1e6) : std::nullopt;
              }},
-            {"", "", {}, {what, "{:.6g}", "no limit"}, &Peak::value},
-            {"", "", {"at (rpm)"}, {"at rpm"}, [](const Peak &peak) { return peak.speed * rpm; }},
-            {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, &Peak::error}};
+            {"", "", {}, {what, "{:.6g}", "no limit"}, &LargestValue::value},
+            {"",
+             "",
+             {"at (rpm)"},
+             {"at rpm"},
+             [](const LargestValue &peak) { return peak.speed * rpm; }},
+            {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, &LargestValue::error}};
 }
 
-Columns<Peak> probe_peak_columns() {
-    Columns<Peak> columns = peak_columns("Probe", "probe", "largest reading m");
+namespace {
+
+Columns<LargestValue> probe_peak_columns() {
+    Columns<LargestValue> columns = peak_columns("Probe", "probe", "largest reading m");
     columns.insert(columns.begin() + 3,
-                   {"", "", {"Direction (deg)"}, {"looks along deg"}, [](const Peak &peak) {
+                   {"", "", {"Direction (deg)"}, {"looks along deg"}, [](const LargestValue &peak) {
                         return peak.angle * degrees;
                     }});
     return columns;
@@ -254,66 +174,109 @@ Json curves_json(const ResponseResult &result) {
 }
 
 Json json_of(const ResponseResult &result) {
-    return {{"speeds", result.speeds},
-            {"peaks", json_rows(curve_peaks, result.peaks)},
-            {"nodes",
-             json_of_kind(result, result.nodes, place_columns<ResponseNode>("node"), node_series)},
-            {"bearings", json_of_kind(result, result.bearings,
-                                      place_columns<ResponseBearing>("bearing"), bearing_series)},
-            {"probes", json_of_kind(result, result.probes, probe_places(), probe_series)},
-            {"curves", curves_json(result)}};
+    Json json{{"speeds", result.speeds},
+              {"peaks", json_rows(curve_peaks(), result.peaks)},
+              {"nodes", json_of_kind(result.speeds, result.nodes,
+                                     place_columns<ResponseNode>("node"), node_series)},
+              {"bearings", json_of_kind(result.speeds, result.bearings,
+                                        place_columns<ResponseBearing>("bearing"), bearing_series)},
+              {"probes", json_of_kind(result.speeds, result.probes, probe_places(), probe_series)},
+              {"curves", curves_json(result)}};
+    if (result.gravity)
+        json["gravity"] = gravity_json(*result.gravity, result.speeds);
+    return json;
 }
 
+/// The weight is all that drives the rotor.
+bool weight_alone(const ResponseResult &result) { return result.gravity && result.nodes.empty(); }
+
 std::string csv_of(const ResponseResult &result) {
+    if (weight_alone(result))
+        return gravity_csv(*result.gravity, result.speeds);
     std::string csv = csv_line(csv_headings);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        csv +=
-            csv_of_kind(result, i, result.nodes, place_columns<ResponseNode>("node"), node_series) +
-            csv_of_kind(result, i, result.bearings, place_columns<ResponseBearing>("bearing"),
-                        bearing_series) +
-            csv_of_kind(result, i, result.probes, probe_places(), probe_series);
+        csv += csv_of_kind(csv_headings, result.speeds[i], i, result.nodes,
+                           place_columns<ResponseNode>("node"), node_series) +
+               csv_of_kind(csv_headings, result.speeds[i], i, result.bearings,
+                           place_columns<ResponseBearing>("bearing"), bearing_series) +
+               csv_of_kind(csv_headings, result.speeds[i], i, result.probes, probe_places(),
+                           probe_series);
     return csv;
 }
 
 std::vector<Section> sections_of(const ResponseResult &result) {
-    std::vector<Section> sections{
-        {"Peaks", result.peaks.empty() ? "<p>None inside the range.</p>"
-                                       : page_table(curve_peaks, result.peaks)},
-        {"Largest amplitudes in the range",
-         page_table(peak_columns("Place", "", ""),
-                    peaks_of(result, result.nodes, &ResponseNode::amplitude, "station"))}};
+    std::vector<Section> of_weight;
+    if (result.gravity)
+        of_weight = gravity_sections(*result.gravity, result.speeds);
+    if (weight_alone(result))
+        return of_weight;
+    std::vector<Section> sections{{"Peaks", result.peaks.empty()
+                                                ? "<p>None inside the range.</p>"
+                                                : page_table(curve_peaks(), result.peaks)},
+                                  {"Largest amplitudes in the range",
+                                   page_table(peak_columns("Place", "", ""),
+                                              peaks_of(result.speeds, result.peaks, result.nodes,
+                                                       &ResponseNode::amplitude, "station"))}};
     if (!result.probes.empty())
         sections.push_back(
             {"Largest readings of the probes",
-             page_table(probe_peak_columns(),
-                        peaks_of(result, result.probes, &ResponseProbe::amplitude, "probe"))});
+             page_table(probe_peak_columns(), peaks_of(result.speeds, result.peaks, result.probes,
+                                                       &ResponseProbe::amplitude, "probe"))});
+    sections.insert(sections.end(), of_weight.begin(), of_weight.end());
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const ResponseResult &result) {
-    std::string text =
-        heading(scene, "Unbalance response, " + range_text(result.speeds)) +
-        (result.peaks.empty() ? "No peak inside the range.\n"
-                              : text_table(curve_peaks, result.peaks)) +
-        "\n" +
-        text_table(peak_columns("", "station", "largest amplitude m"),
-                   peaks_of(result, result.nodes, &ResponseNode::amplitude, "station"));
+std::string imbalance_text(const ResponseResult &result) {
+    std::string text = (result.peaks.empty() ? "No peak inside the range.\n"
+                                             : text_table(curve_peaks(), result.peaks)) +
+                       "\n" +
+                       text_table(peak_columns("", "station", "largest amplitude m"),
+                                  peaks_of(result.speeds, result.peaks, result.nodes,
+                                           &ResponseNode::amplitude, "station"));
     if (!result.probes.empty())
-        text +=
-            "\n" + text_table(probe_peak_columns(),
-                              peaks_of(result, result.probes, &ResponseProbe::amplitude, "probe"));
+        text += "\n" + text_table(probe_peak_columns(),
+                                  peaks_of(result.speeds, result.peaks, result.probes,
+                                           &ResponseProbe::amplitude, "probe"));
     if (!result.bearings.empty())
-        text += "\n" +
-                text_table(peak_columns("", "bearing", "largest force N"),
-                           peaks_of(result, result.bearings, &ResponseBearing::force, "bearing"));
+        text += "\n" + text_table(peak_columns("", "bearing", "largest force N"),
+                                  peaks_of(result.speeds, result.peaks, result.bearings,
+                                           &ResponseBearing::force, "bearing"));
+    return text;
+}
+
+std::string text_of(const model::Case &scene, const ResponseResult &result) {
+    std::string text = heading(
+        scene, (weight_alone(result) ? "Response to the weight, " : "Unbalance response, ") +
+                   range_text(result.speeds));
+    if (!weight_alone(result))
+        text += imbalance_text(result) + (result.gravity ? "\n" : "");
+    if (result.gravity)
+        text += gravity_text(*result.gravity, result.speeds);
     return text + model_text(result.model);
+}
+
+/// The picture of the weight beside that of the imbalances.
+std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result) {
+    if (!result.gravity || weight_alone(result))
+        return {};
+    return {{"response_gravity", gravity_figure(scene, result),
+             gravity_csv(*result.gravity, result.speeds)}};
+}
+
+Figure main_figure(const model::Case &scene, const ResponseResult &result) {
+    return weight_alone(result) ? gravity_figure(scene, result) : response_figure(scene, result);
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const ResponseResult &result) {
-    return report_of<ResponseResult>("response", "Unbalance response", scene, result,
-                                     {json_of, csv_of, sections_of, text_of, response_figure});
+    Report report = report_of<ResponseResult>(
+        "response", weight_alone(result) ? "Response to the weight" : "Unbalance response", scene,
+        result, {json_of, csv_of, sections_of, text_of, main_figure});
+    report.pictures = [&scene, &result] { return pictures_of(scene, result); };
+    report.pictures_heading = "Motion under the weight";
+    report.pictures_after = weight_alone(result) ? 0 : 2;
+    return report;
 }
 
 } // namespace whirl::report

@@ -68,6 +68,34 @@ struct ResponseCurves {
     std::vector<std::vector<double>> phases; ///< of x, rad
 };
 
+/// Under the weight of a rotor: its deflection stands still in the fixed frame, sag_x + i sag_y,
+/// and, where the rotor is not axisymmetric, goes round a circle at twice the spin speed besides.
+/// One entry a speed; infinite or NaN at a resonance without damping.
+struct GravityStation {
+    double z = 0;
+    std::string name;
+    std::vector<double> sag, sag_x, sag_y; ///< m
+    std::vector<double> twice;             ///< radius of the circle, m
+    std::vector<double> phase;             ///< of x: twice cos(2 speed t + phase), rad
+    std::vector<double> error, sag_error;  ///< estimated, relative: of twice, of the sag
+};
+
+struct GravityBearing {
+    double z = 0;
+    std::string name;
+    std::vector<double> carried;              ///< what stands still of the force, N
+    std::vector<double> twice;                ///< radius of what turns at twice the spin speed, N
+    std::vector<double> error, carried_error; ///< estimated, relative: of twice, of the force
+};
+
+struct GravityResponse {
+    double gravity = 0; ///< m/s2 towards -y
+    std::vector<GravityStation> stations;
+    std::vector<GravityBearing> bearings;
+    std::vector<ResponsePeak> peaks; ///< of the part at twice the spin speed
+    ResponseCurves curves;           ///< the same, of stations and bearings
+};
+
 struct ResponseResult {
     ModelSummary model;
     std::vector<double> speeds; ///< rad/s
@@ -77,6 +105,8 @@ struct ResponseResult {
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
     ResponseCurves curves; ///< empty where the range is one speed
+    /// Where the case asks for it; the lists above are empty without an imbalance.
+    std::optional<GravityResponse> gravity;
 };
 
 } // namespace whirl::results

@@ -118,6 +118,14 @@ std::vector<double> peaks_at(const json &result, const char *key, double z) {
     return out;
 }
 
+/// Motion under the weight of the station at z at the first speed.
+std::vector<double> under_weight(const json &result, const std::string &path, double z) {
+    for (const json &station : result.at("gravity").at("stations"))
+        if (std::abs(station.at("z").get<double>() - z) < 1e-9)
+            return {station.at(path).at(0).get<double>()};
+    throw std::runtime_error("no station at z = " + std::to_string(z));
+}
+
 std::vector<double> critical_speeds(const json &result) {
     std::vector<double> speeds;
     for (const json &critical : result.at("critical_speeds"))
@@ -148,6 +156,11 @@ std::vector<double> found_values(const json &result, const json &entry) {
         return crossing_speeds(result, entry.at("multiple"));
     if (path == "peak_speeds" || path == "peak_values")
         return peaks_at(result, path == "peak_speeds" ? "speed" : "value", entry.at("node"));
+    if (path == "twice_peak_speeds" || path == "twice_peak_values")
+        return peaks_at(result.at("gravity"), path == "twice_peak_speeds" ? "speed" : "value",
+                        entry.at("node"));
+    if (path == "static" || path == "twice")
+        return under_weight(result, path, entry.at("node"));
     if (path == "amplitude" || path == "major" || path == "minor")
         return at_node(result, path, entry.at("node"));
     return of_modes(result, path);

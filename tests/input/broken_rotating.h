@@ -56,6 +56,9 @@ inline std::vector<BrokenCase> broken_rotating_parts() {
         {"designs without pendulums", 13, "balance.designs",
          "expected only with a balancer of kind",
          ball + "[balance]\ndesigns = [{arm = 0.1, pivot = 0.02}]\n"},
+        {"weight that is no acceleration", 9, "response.gravity",
+         "expected an acceleration in m/s2, got \"5 kg\"",
+         base + "[response]\ngravity = \"5 kg\"\n"},
         {"balancer beyond the shaft", 9, "balancer[0].z", "expected a place on the shaft",
          base + "[[balancer]]\nz = 1.2\nmass = 0.1\nradius = 0.1\n"},
     };

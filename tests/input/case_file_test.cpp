@@ -105,6 +105,9 @@ time = 20
 run_up = [[0, 0], ["1 min", "600 rpm"]]
 ball_angles = [[1.5, -1.5], [0, 1]]
 tolerance = 1e-7
+[response]
+gravity = "9810 mm/s2"
+
 [campbell]
 modes = 12
 multiples = [1, 0.5]
@@ -244,6 +247,7 @@ TEST_F(FullCase, Settings) {
     EXPECT_DOUBLE_EQ(scene().speeds->to, 400 * pi);
     EXPECT_EQ(scene().speeds->count, 101);
     EXPECT_EQ(scene().campbell.modes, 12);
+    EXPECT_EQ(scene().response.gravity, 9.81);
     EXPECT_EQ(scene().campbell.multiples, (std::vector<double>{1, 0.5}));
     EXPECT_EQ(scene().simulate.time, 20);
     EXPECT_EQ(scene().simulate.tolerance, 1e-7);
@@ -265,6 +269,7 @@ TEST(CaseDefaults, AreThoseOfTheReference) {
     EXPECT_FALSE(scene.map);
     EXPECT_EQ(scene.formulation, model::FormChoice::automatic);
     EXPECT_EQ(scene.campbell.modes, 8);
+    EXPECT_EQ(scene.response.gravity, 0);
     EXPECT_EQ(scene.campbell.multiples, std::vector<double>{1});
     const model::Shaft &shaft = scene.rotor.shaft;
     EXPECT_EQ(shaft.order, 4);

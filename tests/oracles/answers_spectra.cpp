@@ -5,6 +5,7 @@
 #include "oracles/dense_rotor.h"
 #include "oracles/influence.h"
 #include "oracles/rigid_rotor.h"
+#include "oracles/weight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -180,10 +181,30 @@ Answer response_peaks(const Request &request, bool speeds) {
     return out;
 }
 
+/// Motion of the disc under its weight.
+Answer under_weight(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    if (rotor.discs.size() != 1 || rotor.discs[0].z != request.node)
+        no_answer("response: the weight of one disc on a massless shaft only");
+    Answer out{"massless shaft by influence coefficients, harmonic balance", {}, {}, {}};
+    if (request.path.find("peak") == std::string::npos) {
+        const WeightMotion motion = disc_under_weight(rotor, rotor.gravity, rotor.speed_from);
+        out.values = {request.path == "static" ? motion.still : motion.twice};
+        return out;
+    }
+    out.values = weight_peaks(rotor, rotor.gravity);
+    if (request.path == "twice_peak_values")
+        for (Real &value : out.values)
+            value = disc_under_weight(rotor, rotor.gravity, value).twice;
+    return out;
+}
+
 } // namespace
 
 Answer answer_response(const Request &request) {
     const CaseRotor &rotor = request.rotor;
+    if (request.path == "static" || request.path.rfind("twice", 0) == 0)
+        return under_weight(request);
     if (request.path == "peak_speeds" || request.path == "peak_values") {
         if (!rotor.classical)
             no_answer("response: peaks of classical elements only");

@@ -213,6 +213,7 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
     rotor.speed_from = number(speeds, "from");
     rotor.speed_to = number(speeds, "to", rotor.speed_from);
     rotor.speed_count = static_cast<int>(number(speeds, "count", 1));
+    rotor.gravity = number(part(root, "response"), "gravity");
     const toml::table &balance = part(root, "balance");
     for (const toml::table *t : tables_of(balance, "designs"))
         rotor.designs.push_back({number(*t, "arm"), number(*t, "pivot")});

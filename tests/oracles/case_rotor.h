@@ -91,6 +91,7 @@ struct CaseRotor {
     int speed_count = 1;
     std::vector<PendulumDesign> designs;
     std::vector<double> external_dampings;        ///< H of [balance]
+    double gravity = 0;                           ///< m/s2, of [response]
     double time = 0;                              ///< s, of [simulate]
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;

@@ -104,6 +104,21 @@ TEST(Json, OtherResultsHaveTheirKeys) {
     EXPECT_EQ(answered.at("probes").at(0).at("angle"), 0.7);
     EXPECT_EQ(answered.at("probes").at(0).at("phase").at(0), 0.2);
 
+    EXPECT_FALSE(answered.contains("gravity")) << "not asked for";
+    response.gravity.emplace().gravity = 9.81;
+    response.gravity->stations.push_back(
+        {0.5, "disc", {3e-5}, {1e-6}, {-3e-5}, {1e-6}, {0.3}, {1e-9}, {1e-11}});
+    response.gravity->bearings.push_back({0, "left", {44}, {2.5}, {1e-8}, {1e-10}});
+    response.gravity->peaks.emplace_back().value = std::numeric_limits<double>::infinity();
+    const Json weight = Json::parse(to_json(sample_case(), response)).at("gravity");
+    EXPECT_EQ(weight.at("gravity"), 9.81);
+    EXPECT_EQ(weight.at("stations").at(0).at("static").at(0), 3e-5);
+    EXPECT_EQ(weight.at("stations").at(0).at("static_y").at(0), -3e-5);
+    EXPECT_EQ(weight.at("stations").at(0).at("twice").at(0), 1e-6);
+    EXPECT_EQ(weight.at("bearings").at(0).at("static").at(0), 44);
+    EXPECT_EQ(weight.at("bearings").at(0).at("twice").at(0), 2.5);
+    EXPECT_TRUE(weight.at("peaks").at(0).at("value").is_null());
+
     results::ShowResult show;
     show.mass = 84;
     const Json shown = Json::parse(to_json(sample_case(), show));

@@ -65,6 +65,28 @@ TEST_F(ReportTest, EmptyResultsStillMakeAReport) {
     expect_empty(results::AccuracyResult{}, "accuracy", "rows", 1);
 }
 
+/// Alone the motion under the weight is the response; beside imbalances it has files of its own.
+TEST_F(ReportTest, MotionUnderTheWeight) {
+    results::ResponseResult result;
+    result.speeds = {100};
+    result.gravity.emplace().gravity = 9.81;
+    result.gravity->stations.push_back(
+        {0.5, "disc", {3e-5}, {1e-6}, {-3e-5}, {1e-6}, {0.3}, {1e-9}, {1e-11}});
+    result.gravity->bearings.push_back({0, "left", {44}, {2.5}, {1e-8}, {1e-10}});
+    Files files = write_report(sample_case(), result, folder / "alone");
+    (void)expect_whole_report(files, folder / "alone", "response");
+    const auto alone = lines_of(content_of(folder / "alone" / "response.csv"));
+    ASSERT_EQ(alone.size(), 3U);
+    EXPECT_EQ(alone[1], "100,station,disc,0.5,3e-05,1e-06,-3e-05,1e-06,0.3,,,1e-09,1e-11");
+    EXPECT_EQ(alone[2], "100,bearing,left,0,,,,,,44,2.5,1e-08,1e-10");
+    result.nodes.emplace_back().amplitude = {1e-5};
+    files = write_report(sample_case(), result, folder / "beside");
+    (void)expect_whole_report(files, folder / "beside", "response");
+    EXPECT_EQ(lines_of(content_of(folder / "beside" / "response.csv")).size(), 2U);
+    EXPECT_EQ(content_of(folder / "beside" / "response_gravity.csv"),
+              content_of(folder / "alone" / "response.csv"));
+}
+
 TEST_F(ReportTest, SingleSpeedStillMakesAReport) {
     results::CampbellResult result = sample_campbell();
     result.speeds.resize(1);

@@ -41,6 +41,12 @@ namespace whirl::report {
 [[nodiscard]] Figure response_figure(const model::Case &scene,
                                      const results::ResponseResult &result);
 
+/// Motion under the weight over spin speed: radius of the circle at twice the spin speed
+/// (logarithmic), the deflection that stands still, bearing forces at twice the spin speed.
+/// @param result  with the response to gravity
+[[nodiscard]] Figure gravity_figure(const model::Case &scene,
+                                    const results::ResponseResult &result);
+
 /// Indices of the nodes that are drawn: all of them, or of many those with names first, filled up
 /// with others that are spread along the shaft.
 [[nodiscard]] std::vector<std::size_t> drawn_nodes(const results::ResponseResult &result);

@@ -113,18 +113,23 @@ std::vector<std::size_t> spread_over(const std::vector<std::size_t> &list, std::
     return chosen;
 }
 
-} // namespace
-
-std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
+/// Of all places, or of many those with names first, filled up with others.
+template <class Place> std::vector<std::size_t> drawn_of(const std::vector<Place> &places) {
     std::vector<std::size_t> named;
     std::vector<std::size_t> others;
-    for (std::size_t i = 0; i < result.nodes.size(); ++i)
-        (result.nodes[i].name.empty() ? others : named).push_back(i);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        (places[i].name.empty() ? others : named).push_back(i);
     std::vector<std::size_t> chosen = spread_over(named, most_curves);
     const auto more = spread_over(others, most_curves - chosen.size());
     chosen.insert(chosen.end(), more.begin(), more.end());
     std::sort(chosen.begin(), chosen.end());
     return chosen;
+}
+
+} // namespace
+
+std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
+    return drawn_of(result.nodes);
 }
 
 namespace {
@@ -197,6 +202,47 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
             logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
             panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
     figure.script += "unset multiplot\n";
+    return figure;
+}
+
+Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
+    const results::GravityResponse &of = *result.gravity;
+    const bool fine = !of.curves.speeds.empty();
+    const std::vector<double> &speeds = fine ? of.curves.speeds : result.speeds;
+    std::vector<Curve> circle;
+    std::vector<Curve> still;
+    std::vector<Curve> force;
+    for (const std::size_t i : drawn_of(of.stations)) {
+        const auto &station = of.stations[i];
+        circle.push_back({place_name(station.name, station.z),
+                          over_speed(speeds, fine ? of.curves.values[i] : station.twice, 1e6)});
+        still.push_back({"", over_speed(result.speeds, station.sag, 1e6)});
+    }
+    for (std::size_t i = 0; i < of.bearings.size() && i < most_curves; ++i) {
+        const auto &bearing = of.bearings[i];
+        force.push_back(
+            {place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+             over_speed(speeds, fine ? of.curves.values[of.stations.size() + i] : bearing.twice,
+                        1)});
+    }
+    Figure figure;
+    figure.width = 1080;
+    figure.height = 1040;
+    const double pixel = 1.0 / figure.height;
+    figure.script =
+        figure_head("Motion under the weight: " + title_of(scene),
+                    fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
+                                readable(of.gravity, 5), circle.size(), of.stations.size()),
+                    figure.height) +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(circle) +
+        panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        panel_axes(result, "Circle at twice the spin speed (µm)", false) + draw("a", circle, true) +
+        "unset label\nunset logscale y\nset format y '%g'\nset autoscale y\nset ytics auto\n" +
+        panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
+        panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +
+        logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
+        panel_axes(result, "Bearing force at 2x (N)", true) + draw("f", force, true) +
+        "unset multiplot\n";
     return figure;
 }
 

@@ -1,0 +1,122 @@
+#include "forced/response_places.h"
+
+#include "forced/response_peaks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::forced {
+
+std::string speeds_without_limit(const std::vector<double> &speeds,
+                                 const std::vector<double> &amplitudes) {
+    std::string out;
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        if (std::isinf(amplitudes[i]))
+            out += fmt::format("{}{:.6g}", out.empty() ? "" : ", ", speeds[i]);
+    return out;
+}
+
+std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
+    std::map<int, std::string> nodes;
+    const auto &mesh = d.shaft_mesh();
+    nodes[0];
+    nodes[static_cast<int>(mesh.nodes.size()) - 1];
+    const auto collect = [&](const auto &items) {
+        for (const auto &item : items) {
+            std::string &name = nodes[mesh.node_at(item.z)];
+            if (!item.name.empty())
+                name += name.empty() ? item.name : ", " + item.name;
+        }
+    };
+    const model::Rotor &rotor = d.rotor();
+    collect(rotor.discs);
+    collect(rotor.bearings);
+    collect(rotor.anisotropies);
+    collect(rotor.imbalances);
+    collect(rotor.balancers);
+    collect(rotor.planes);
+    collect(rotor.probes);
+    return nodes;
+}
+
+void Watched::add(Quantity quantity, const char *of, double place, const std::string &name) {
+    const int before = places.empty() || places.back().of != of ? 0 : places.back().place + 1;
+    places.emplace_back().of = of;
+    places.back().place = before;
+    places.back().z = place;
+    places.back().name = name;
+    places.back().angle = quantity.angle;
+    z.push_back(place);
+    quantities.push_back(std::move(quantity));
+}
+
+Watched watched(const assembly::Discretization &d, const std::map<int, std::string> &nodes) {
+    Watched out;
+    for (const auto &[node, name] : nodes)
+        out.add({d.deflection_at_node(node)}, "station",
+                d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name);
+    const auto &bearings = d.rotor().bearings;
+    for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
+        const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
+        out.add({stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);
+    }
+    return out;
+}
+
+namespace {
+
+results::ResponsePeak described(const Peak &peak, results::ResponsePeak place) {
+    place.speed = peak.speed;
+    place.value = peak.value;
+    place.phase = peak.phase;
+    place.lower = peak.lower;
+    place.upper = peak.upper;
+    if (peak.lower && peak.upper)
+        place.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
+    place.error = no_value;
+    place.speed_error = no_value;
+    return place;
+}
+
+void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double others) {
+    peak.error = of_mesh.value + others;
+    peak.speed_error = of_mesh.speed;
+}
+
+} // namespace
+
+void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
+               const assembly::Discretization &d, results::Form form, const Watched &all,
+               const model::SpeedRange &range, Drive drive, bool with_errors) {
+    if (range.count < 2 || !(range.to > range.from) || all.quantities.empty())
+        return;
+    curves.values.resize(all.quantities.size());
+    curves.phases.resize(all.quantities.size());
+    const auto add_between = [&](double from, double to) { // of one sign
+        const CertifiedPeaks found =
+            response_peaks(d, form, all.quantities, all.z, from, to, drive, with_errors);
+        for (std::size_t i = 0; i < found.peaks.size(); ++i) {
+            const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
+            peaks.push_back(described(found.peaks[i], all.places[quantity]));
+            if (with_errors)
+                set_errors(peaks.back(), found.errors[i],
+                           found.peaks[i].rounding + found.reduction_error);
+        }
+        for (const PeakSearch::Sample &sample : found.curve) {
+            curves.speeds.push_back(sample.speed);
+            for (std::size_t i = 0; i < all.quantities.size(); ++i) {
+                curves.values[i].push_back(sample.value[i]);
+                curves.phases[i].push_back(sample.phase[i]);
+            }
+        }
+    };
+    if (range.from < 0)
+        add_between(range.from, std::min(range.to, 0.0));
+    if (range.to > 0)
+        add_between(std::max(range.from, 0.0), range.to);
+}
+
+} // namespace whirl::forced

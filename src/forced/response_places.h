@@ -1,0 +1,47 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "forced/forced_motion.h"
+#include "forced/peak_search.h"
+#include "model/case.h"
+#include "results/formulation.h"
+#include "results/response.h"
+
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace whirl::forced {
+
+/// From this relative error by rounding on, an amplitude is one at an undamped resonance: without
+/// limit, or not determined where nothing drives that mode.
+inline constexpr double resonance_rounding = 1e-3;
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// "120, 240": those at which an amplitude is infinite; empty: none.
+[[nodiscard]] std::string speeds_without_limit(const std::vector<double> &speeds,
+                                               const std::vector<double> &amplitudes);
+
+/// Nodes of the mesh with the names of what is attached there; the ends are always among them.
+[[nodiscard]] std::map<int, std::string> attached_nodes(const assembly::Discretization &d);
+
+/// What peaks are looked for of, and where it is.
+struct Watched {
+    std::vector<Quantity> quantities;
+    std::vector<results::ResponsePeak> places;
+    std::vector<double> z; ///< m
+
+    void add(Quantity quantity, const char *of, double place, const std::string &name);
+};
+/// Nodes, then bearings.
+[[nodiscard]] Watched watched(const assembly::Discretization &d,
+                              const std::map<int, std::string> &nodes);
+
+/// Adds every peak strictly inside the range, and the curves: one for each quantity.
+void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
+               const assembly::Discretization &d, results::Form form, const Watched &all,
+               const model::SpeedRange &range, Drive drive = {}, bool with_errors = true);
+
+} // namespace whirl::forced

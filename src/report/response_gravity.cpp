@@ -1,0 +1,141 @@
+#include "report/response_gravity.h"
+
+#include "report/common/words.h"
+#include "report/response_tables.h"
+
+#include <fmt/format.h>
+
+namespace whirl::report {
+
+using results::GravityBearing;
+using results::GravityResponse;
+using results::GravityStation;
+
+namespace {
+
+const Columns<At<GravityStation>> station_series{
+    series("static", "static [m]", &GravityStation::sag),
+    series("static_x", "static_x [m]", &GravityStation::sag_x),
+    series("static_y", "static_y [m]", &GravityStation::sag_y),
+    series("twice", "twice [m]", &GravityStation::twice),
+    series("phase", "phase [rad]", &GravityStation::phase),
+    series("error", "error", &GravityStation::error),
+    series("static_error", "static_error", &GravityStation::sag_error)};
+
+const Columns<At<GravityBearing>> bearing_series{
+    series("static", "static force [N]", &GravityBearing::carried),
+    series("twice", "twice force [N]", &GravityBearing::twice),
+    series("error", "error", &GravityBearing::error),
+    series("static_error", "static_error", &GravityBearing::carried_error)};
+
+const std::vector<std::string> csv_headings{
+    "speed [rad/s]",   "kind",         "name",        "z [m]",       "static [m]",
+    "static_x [m]",    "static_y [m]", "twice [m]",   "phase [rad]", "static force [N]",
+    "twice force [N]", "error",        "static_error"};
+
+Json curves_json(const GravityResponse &response) {
+    const auto list = [&](std::size_t from, std::size_t count) {
+        Json out = Json::array();
+        for (std::size_t i = from; i < from + count && i < response.curves.values.size(); ++i)
+            out.push_back(
+                {{"twice", response.curves.values[i]}, {"phase", response.curves.phases[i]}});
+        return out;
+    };
+    return {{"speeds", response.curves.speeds},
+            {"stations", list(0, response.stations.size())},
+            {"bearings", list(response.stations.size(), response.bearings.size())}};
+}
+
+/// Largest circle of a place beside what stands still there at the first speed.
+struct Summary {
+    LargestValue circle;
+    double still = 0; ///< m or N
+};
+
+template <class Of>
+std::vector<Summary> summaries(const GravityResponse &response, const std::vector<double> &speeds,
+                               const std::vector<Of> &all, std::vector<double> Of::*still,
+                               const char *kind) {
+    std::vector<Summary> out;
+    for (const LargestValue &largest : peaks_of(speeds, response.peaks, all, &Of::twice, kind))
+        out.push_back({largest, (all[out.size()].*still).front()});
+    return out;
+}
+
+/// @param unit  of the value, "m" or "N"
+Columns<Summary> summary_columns(const char *of, const char *unit) {
+    const std::string still = fmt::format("static {}", unit);
+    const std::string circle = fmt::format("largest at twice the spin speed {}", unit);
+    return {
+        {"", "", {of}, {of}, [](const Summary &s) { return place(s.circle.name, s.circle.z); }},
+        {"", "", {still}, {still, "{:.6g}", "no limit"}, &Summary::still},
+        {"",
+         "",
+         {circle, "{:.6g}", "no limit"},
+         {circle, "{:.6g}", "no limit"},
+         [](const Summary &s) { return s.circle.value; }},
+        {"", "", {"at (rpm)"}, {"at rpm"}, [](const Summary &s) { return s.circle.speed * rpm; }},
+        {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, [](const Summary &s) {
+             return s.circle.error;
+         }}};
+}
+
+std::vector<Summary> of_stations(const GravityResponse &response,
+                                 const std::vector<double> &speeds) {
+    return summaries(response, speeds, response.stations, &GravityStation::sag, "station");
+}
+std::vector<Summary> of_bearings(const GravityResponse &response,
+                                 const std::vector<double> &speeds) {
+    return summaries(response, speeds, response.bearings, &GravityBearing::carried, "bearing");
+}
+
+} // namespace
+
+Json gravity_json(const GravityResponse &response, const std::vector<double> &speeds) {
+    return {{"gravity", response.gravity},
+            {"stations", json_of_kind(speeds, response.stations,
+                                      place_columns<GravityStation>("station"), station_series)},
+            {"bearings", json_of_kind(speeds, response.bearings,
+                                      place_columns<GravityBearing>("bearing"), bearing_series)},
+            {"peaks", json_rows(curve_peaks(), response.peaks)},
+            {"curves", curves_json(response)}};
+}
+
+std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds) {
+    std::string csv = csv_line(csv_headings);
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        csv += csv_of_kind(csv_headings, speeds[i], i, response.stations,
+                           place_columns<GravityStation>("station"), station_series) +
+               csv_of_kind(csv_headings, speeds[i], i, response.bearings,
+                           place_columns<GravityBearing>("bearing"), bearing_series);
+    return csv;
+}
+
+std::vector<Section> gravity_sections(const GravityResponse &response,
+                                      const std::vector<double> &speeds) {
+    std::vector<Section> out{
+        {"Weight: peaks of the motion at twice the spin speed",
+         response.peaks.empty() ? "<p>None inside the range.</p>"
+                                : page_table(curve_peaks(), response.peaks)},
+        {"Weight: static deflection at the first speed, largest circle in the range",
+         page_table(summary_columns("Place", "m"), of_stations(response, speeds))}};
+    if (!response.bearings.empty())
+        out.push_back({"Weight: forces in the bearings",
+                       page_table(summary_columns("Bearing", "N"), of_bearings(response, speeds))});
+    return out;
+}
+
+std::string gravity_text(const GravityResponse &response, const std::vector<double> &speeds) {
+    std::string text =
+        fmt::format("Under the weight, {:.6g} m/s2 towards -y: peaks of the motion at twice the "
+                    "spin speed\n",
+                    response.gravity) +
+        (response.peaks.empty() ? "\n  none inside the range\n"
+                                : text_table(curve_peaks(), response.peaks)) +
+        "\n" + text_table(summary_columns("station", "m"), of_stations(response, speeds));
+    if (!response.bearings.empty())
+        text += "\n" + text_table(summary_columns("bearing", "N"), of_bearings(response, speeds));
+    return text;
+}
+
+} // namespace whirl::report
