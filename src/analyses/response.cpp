@@ -241,18 +241,18 @@ void choose_model(const model::Case &scene, results::ModelSummary &model) {
 
 /// Of stations, bearings and probes.
 void add_imbalance_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-                         const model::SpeedRange &range, bool with_errors) {
+                         const model::Case &scene, bool with_errors) {
     forced::Watched all = forced::watched(d, forced::attached_nodes(d));
     for (const model::Probe &probe : d.rotor().probes)
         all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
                 probe.z, probe.name);
-    forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all, range, {},
-                      with_errors);
+    forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all,
+                      model::required_speeds(scene), {{}, with_errors, scene.reduction});
 }
 
 /// Lists over the speeds, peaks and curves.
 void add_imbalance_response(results::ResponseResult &result, const assembly::Discretization &d,
-                            const model::SpeedRange &range) {
+                            const model::Case &scene) {
     const results::Form form = result.model.formulation.form;
     const std::map<int, std::string> nodes = forced::attached_nodes(d);
     Response response(d, form, nodes);
@@ -273,7 +273,7 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
             lists[i]->push_back(row.at(i));
     note_resonances(result);
     stage.emplace("peaks", 0.6, 1.0);
-    add_imbalance_peaks(result, d, range, true);
+    add_imbalance_peaks(result, d, scene, true);
 }
 
 } // namespace
@@ -285,7 +285,7 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     const assembly::Discretization d(scene.rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     result.model.unknowns = forced::ForcedMotion(d, result.model.formulation.form).unknowns();
-    add_imbalance_peaks(result, d, model::required_speeds(scene), with_errors);
+    add_imbalance_peaks(result, d, scene, with_errors);
     return result;
 }
 
@@ -299,12 +299,12 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     const bool weight = scene.response.gravity != 0;
     if (!scene.rotor.imbalances.empty()) {
         const process::Stage stage("response to the imbalances", 0.0, weight ? 0.5 : 1.0);
-        add_imbalance_response(result, d, *scene.speeds);
+        add_imbalance_response(result, d, scene);
     }
     if (weight) {
         const process::Stage stage("motion under the weight",
                                    scene.rotor.imbalances.empty() ? 0.0 : 0.5, 1.0);
-        forced::add_gravity_response(result, d, *scene.speeds, scene.response.gravity);
+        forced::add_gravity_response(result, d, scene);
     }
     if (result.nodes.empty() && !result.gravity) // not process 0
         return {};

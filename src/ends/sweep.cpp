@@ -11,7 +11,7 @@ namespace {
 /// motions grow at both ends; a change in one shorter than the second is known well enough.
 constexpr double minute = 1e-7;
 constexpr double least = 2e-11;
-constexpr int most_looks = 20000;
+constexpr int most_looks = 4000;
 
 /// Where the real part of a strand passes zero.
 double zero_of(const Strand &strand) {

@@ -73,17 +73,18 @@ double Reading::major_slope() const {
 }
 
 ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, results::Form form,
-                             double top, std::vector<Quantity> quantities, Drive drive)
+                             double top, std::vector<Quantity> quantities, Drive drive,
+                             bool reduction)
     : _discretization(discretization), _form(form), _drive(drive),
       _quantities(std::move(quantities)), _rows(synchronous::table_speeds(discretization.rotor())) {
-    make_shapes(drive.weight() ? 2 * top : top);
+    make_shapes(drive.weight() ? 2 * top : top, reduction);
     take_in(Eigen::MatrixXcd(discretization.planar_size(), 0));
 }
 
 /// @param top  rad/s, of the fastest motion in the fixed frame
-void ReducedMotion::make_shapes(double top) {
+void ReducedMotion::make_shapes(double top, bool reduction) {
     const int n = _discretization.planar_size();
-    _whole = n <= few_unknowns;
+    _whole = !reduction || n <= few_unknowns;
     if (!_whole)
         try {
             _shapes = std::make_unique<reduction::PlanarShapes>(_discretization, top);

@@ -54,8 +54,9 @@ class ReducedMotion {
   public:
     /// @param discretization  must outlive this
     /// @param top             rad/s, the highest speed asked for
+    /// @param reduction       false: all there are, from the beginning
     ReducedMotion(const assembly::Discretization &discretization, results::Form form, double top,
-                  std::vector<Quantity> quantities, Drive drive = {});
+                  std::vector<Quantity> quantities, Drive drive = {}, bool reduction = true);
 
     /// The shapes are all there are: nothing is left out.
     [[nodiscard]] bool whole() const { return _whole; }
@@ -103,7 +104,7 @@ class ReducedMotion {
     [[nodiscard]] Terms terms(double bearing_speed) const;
     [[nodiscard]] Eigen::PartialPivLU<Eigen::MatrixXcd> factors(std::complex<double> speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
-    void make_shapes(double top);
+    void make_shapes(double top, bool reduction);
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
     [[nodiscard]] Eigen::VectorXcd weight() const;
     /// Deflection of a quantity's stretch that unknowns of the shapes mean.

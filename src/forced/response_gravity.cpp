@@ -168,7 +168,9 @@ void refuse_what_falls(const assembly::Discretization &d, double speed) {
 } // namespace
 
 void add_gravity_response(results::ResponseResult &result, const assembly::Discretization &d,
-                          const model::SpeedRange &range, double gravity) {
+                          const model::Case &scene) {
+    const model::SpeedRange &range = model::required_speeds(scene);
+    const double gravity = scene.response.gravity;
     refuse_what_falls(d, range.from);
     const Drive drive{gravity};
     const std::map<int, std::string> nodes = attached_nodes(d);
@@ -201,7 +203,7 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
     const process::Stage stage("peaks at twice the spin speed", 0.6, 1.0);
     if (form_under_weight(d.rotor()) == results::Form::rotating)
         add_peaks(out.peaks, out.curves, d, results::Form::rotating, watched(d, nodes), range,
-                  drive);
+                  {drive, true, scene.reduction});
     else
         result.model.notes.emplace_back(
             "the shaft is equally stiff in all directions: under its weight the rotor turns about "

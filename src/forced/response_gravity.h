@@ -10,9 +10,8 @@ namespace whirl::forced {
 /// where the shaft has two stiffnesses, else in the fixed frame, where it stands still. With
 /// notes on resonances without damping. Collective over MPI processes: complete on process 0,
 /// nothing is added elsewhere.
-/// @param gravity  m/s2 towards -y
 /// @throws model::BadInput where the bearings leave a rigid motion free: nothing holds the weight
 void add_gravity_response(results::ResponseResult &result, const assembly::Discretization &d,
-                          const model::SpeedRange &range, double gravity);
+                          const model::Case &scene);
 
 } // namespace whirl::forced

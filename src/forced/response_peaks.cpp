@@ -133,12 +133,12 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
 CertifiedPeaks response_peaks(const assembly::Discretization &discretization, results::Form form,
                               const std::vector<Quantity> &quantities,
                               const std::vector<double> &places, double from, double to,
-                              Drive drive, bool with_errors) {
+                              const PeakOptions &options) {
     constexpr double agreed = 1e-9;
     constexpr int most_rounds = 6;
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
-                          drive);
-    Comparison whole(discretization, form, quantities, drive);
+                          options.drive, options.reduction);
+    Comparison whole(discretization, form, quantities, options.drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<double> speeds =
@@ -154,9 +154,9 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     out.peaks = search.peaks();
     out.curve = drawn(search, from, to);
     out.shapes = reduced.size();
-    if (with_errors)
-        out.errors =
-            PeakError(discretization, form, quantities, places, drive).of(out.peaks, reduced);
+    if (options.with_errors)
+        out.errors = PeakError(discretization, form, quantities, places, options.drive)
+                         .of(out.peaks, reduced);
     return out;
 }
 

@@ -7,6 +7,13 @@
 
 namespace whirl::forced {
 
+/// How peaks are looked for.
+struct PeakOptions {
+    Drive drive;
+    bool with_errors = true; ///< those by the elements
+    bool reduction = true;   ///< false: on all unknowns from the beginning
+};
+
 /// Peaks as of the whole rotor.
 struct CertifiedPeaks {
     std::vector<Peak> peaks;        ///< ascending by quantity, then by speed
@@ -26,12 +33,11 @@ struct CertifiedPeaks {
 ///
 /// @param quantities  what is looked at
 /// @param places      z of each, m
-/// @param with_errors  whether the errors by the elements are wanted
 /// @throws linalg::SolverError where the poles of the response are not found
 [[nodiscard]] CertifiedPeaks response_peaks(const assembly::Discretization &discretization,
                                             results::Form form,
                                             const std::vector<Quantity> &quantities,
                                             const std::vector<double> &places, double from,
-                                            double to, Drive drive = {}, bool with_errors = true);
+                                            double to, const PeakOptions &options = {});
 
 } // namespace whirl::forced

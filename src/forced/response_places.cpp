@@ -1,7 +1,5 @@
 #include "forced/response_places.h"
 
-#include "forced/response_peaks.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,18 +88,18 @@ void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double o
 
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, Drive drive, bool with_errors) {
+               const model::SpeedRange &range, const PeakOptions &options) {
     if (range.count < 2 || !(range.to > range.from) || all.quantities.empty())
         return;
     curves.values.resize(all.quantities.size());
     curves.phases.resize(all.quantities.size());
     const auto add_between = [&](double from, double to) { // of one sign
         const CertifiedPeaks found =
-            response_peaks(d, form, all.quantities, all.z, from, to, drive, with_errors);
+            response_peaks(d, form, all.quantities, all.z, from, to, options);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {
             const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
             peaks.push_back(described(found.peaks[i], all.places[quantity]));
-            if (with_errors)
+            if (options.with_errors)
                 set_errors(peaks.back(), found.errors[i],
                            found.peaks[i].rounding + found.reduction_error);
         }

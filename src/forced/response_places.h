@@ -2,7 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
-#include "forced/peak_search.h"
+#include "forced/response_peaks.h"
 #include "model/case.h"
 #include "results/formulation.h"
 #include "results/response.h"
@@ -42,6 +42,6 @@ struct Watched {
 /// Adds every peak strictly inside the range, and the curves: one for each quantity.
 void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurves &curves,
                const assembly::Discretization &d, results::Form form, const Watched &all,
-               const model::SpeedRange &range, Drive drive = {}, bool with_errors = true);
+               const model::SpeedRange &range, const PeakOptions &options = {});
 
 } // namespace whirl::forced

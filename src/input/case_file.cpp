@@ -59,6 +59,7 @@ model::Case read_case(CheckedTable &root) {
                                model::FormChoice::rotating,   model::FormChoice::hill};
     scene.formulation = forms[root.choice(
         "formulation", {"auto", "planar", "hyperbolic", "general", "rotating", "hill"}, 0)];
+    scene.reduction = root.choice("reduction", {"auto", "off"}, 0) == 0;
     const Materials materials = read_materials(root);
     scene.rotor.shaft = read_shaft(root, materials);
     read_discs(root, materials, scene.rotor);

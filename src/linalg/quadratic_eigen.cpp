@@ -126,6 +126,21 @@ double blur_of_zeros(const std::vector<ComplexPair> &pairs, int zeros) {
     return count > 0 ? sizes[count - 1] : -1;
 }
 
+/// How near to the shift each eigenvalue of the dense route can be, resolved or not: by the error
+/// that its residual tells, or by that of its inverse distance. This is a multiple of rounding for
+/// simple eigenvalues and of its root for the double ones at infinity of parts without mass.
+std::vector<double> nearest_places(const std::vector<ComplexPair> &pairs, double shift) {
+    constexpr double of_inverse = 1e-6;
+    std::vector<double> out;
+    for (const ComplexPair &pair : pairs) { // ascending by distance
+        const double distance = std::abs(pair.value - shift);
+        const double first = std::abs(pairs.front().value - shift);
+        out.push_back(std::max(distance - 2 * pair.residual * std::abs(pair.value),
+                               1 / (1 / distance + of_inverse / first)));
+    }
+    return out;
+}
+
 /// Drops everything from the first pair, by distance from the shift, that does not solve the
 /// problem or lies beyond it. @returns whether enough pairs are left.
 bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &options,
@@ -180,6 +195,7 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
     result.method = QuadraticMethod::dense;
     result.pairs = problem.dense();
     sort_by_distance(result.pairs, options.shift);
+    const std::vector<double> nearest = nearest_places(result.pairs, options.shift);
     const std::size_t all = result.pairs.size();
     const int fewest = options.fewest > 0 ? options.fewest : options.wanted;
     (void)keep_resolved(result.pairs, options, acceptable_residual);
@@ -189,7 +205,9 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
     } else {
         if (!enough)
             throw SolverError("the eigenvalues differ by too many orders of magnitude");
-        result.complete_radius = std::abs(result.pairs.back().value - options.shift);
+        result.complete_radius =
+            std::max(std::abs(result.pairs.back().value - options.shift),
+                     *std::min_element(nearest.begin() + std::ssize(result.pairs), nearest.end()));
     }
     return result;
 }

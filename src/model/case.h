@@ -94,6 +94,7 @@ struct Case {
     Rotor rotor;
     std::optional<SpeedRange> speeds;               ///< empty where the file has no [speeds]
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
+    bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;
     ResponseSettings response;
     SimulateSettings simulate;

@@ -296,7 +296,7 @@ MotionScene motion_scene(const model::Case &scene) {
     reduction::ReductionGoal goal;
     goal.speed = motion.fastest;
     goal.tolerance = scene.simulate.reduction_tolerance;
-    goal.modes = scene.simulate.modes;
+    goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
     for (const model::Balancer &b : scene.rotor.balancers)
         goal.places.push_back(b.z);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances)

@@ -7,6 +7,7 @@
 #include "stability/hill_motions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -21,8 +22,9 @@ constexpr int small = 16;
 constexpr double large_part = 0.7;
 /// Eigenvalues of the reduced rotor as far as the search needs them, over the spin speed.
 constexpr double agreeing = 1e-7;
-/// Part of a shape that the others must lack for it to be taken in.
-constexpr double newness = 1e-3;
+/// Part of a shape that the others must lack for it to be taken in: at first, and where more is
+/// needed. The errors of eigenvalues are the squares of it.
+constexpr std::array newness{1e-3, 1e-5};
 
 /// Those of `some` that none of the others is.
 std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,
@@ -170,12 +172,12 @@ std::unique_ptr<MotionSolver> BandFinder::reduced() const {
 std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> &speeds) {
     const assembly::Discretization &d = _whole.discretization();
     _good = false;
-    if (d.rigid() || d.planar_size() <= small)
+    if (!_model.reduction || d.rigid() || d.planar_size() <= small)
         return nullptr;
     const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     reduction::PlanarShapes planar(d, top);
     if (_shapes)
-        planar.add(*_shapes, newness);
+        planar.add(*_shapes, newness.back());
     std::unique_ptr<MotionSolver> out;
     const auto take = [&] {
         _shapes = std::make_shared<Eigen::MatrixXd>(planar.matrix());
@@ -190,12 +192,15 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
         const double repeats = _model.form == results::Form::hill ? 2 * std::abs(speed) : 0;
         const Pairs whole = _whole.pairs(speed);
         const Eigen::Index term = _whole.term_unknowns();
-        for (const auto *pair : missing(whole, out->pairs(speed), speed, repeats))
-            planar.add(planar_parts(pair->vector, d.planar_size(), term), newness);
-        if (planar.matrix().cols() > _shapes->cols())
-            take();
+        const auto lacking = [&] { return missing(whole, out->pairs(speed), speed, repeats); };
+        for (const double part : newness) {
+            for (const auto *pair : lacking())
+                planar.add(planar_parts(pair->vector, d.planar_size(), term), part);
+            if (planar.matrix().cols() > _shapes->cols())
+                take();
+        }
         if (static_cast<double>(planar.matrix().cols()) > large_part * d.planar_size() ||
-            !missing(whole, out->pairs(speed), speed, repeats).empty())
+            !lacking().empty())
             return nullptr;
     }
     _good = true;

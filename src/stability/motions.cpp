@@ -209,6 +209,7 @@ struct MotionSolver::Data {
         const int zeros = modes::zero_modes(d, results::Form::general, speed, speed).eigenvalues;
         linalg::QuadraticOptions options;
         options.zeros = zeros;
+        options.fewest = 1; // enough where they are all up to the reach
         if (shapes)
             options.method = linalg::QuadraticMethod::dense;
         options.shift = zeros > 0 ? 0.3 * modes::elastic_scale(d) : 0;
@@ -216,8 +217,11 @@ struct MotionSolver::Data {
         for (int wanted = fewest + zeros;; wanted += wanted / 2) {
             options.wanted = std::min(wanted, s.M.size());
             const linalg::QuadraticResult found = linalg::solve_quadratic(s.M, D, K, options);
-            if (found.complete_radius < reach && options.wanted < s.M.size())
+            const bool all = found.method == linalg::QuadraticMethod::dense;
+            if (found.complete_radius < reach && !all && options.wanted < s.M.size())
                 continue;
+            if (found.complete_radius < reach)
+                throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
             std::vector<ComplexPair> pairs = found.pairs;
             std::sort(pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
                 return std::abs(a.value) < std::abs(b.value);

@@ -77,6 +77,7 @@ std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pa
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
     StabilityModel out;
+    out.reduction = scene.reduction;
     out.formulation = modes::choose_formulation(scene, false);
     out.order = mesh_error::resolve_order(scene, out.formulation);
     const results::Form form = out.formulation.form;

@@ -14,6 +14,7 @@ struct StabilityModel {
     results::Formulation formulation;
     results::Form form = results::Form::general; ///< general, rotating or hill
     bool conservative = false;                   ///< undamped, fixed frame, K > 0: nothing can grow
+    bool reduction = true; ///< searches may look at a rotor of few shapes first
     int order = 1;
     int harmonics = 0; ///< of the Hill series
     double from = 0;   ///< rad/s, least |speed| that the series describes

@@ -192,7 +192,7 @@ TEST(WeightPeaks, RoundingHasNoPeaks) {
             places.push_back(disc.z);
         }
         const auto found =
-            forced::response_peaks(d, Form::rotating, quantities, places, 0, scene.speeds->to, {g});
+            forced::response_peaks(d, Form::rotating, quantities, places, 0, scene.speeds->to, {{g}});
         EXPECT_TRUE(found.peaks.empty()) << rotor;
     }
 }
