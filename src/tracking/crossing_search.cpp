@@ -62,8 +62,7 @@ void CrossingSearch::take_lock_end(const LockEnd &end, const Node &a, const Node
     for (const Node *node : {&a, &b}) // it may not have been followed to there
         if (line == no_line)
             line = slowest_line(*node, true);
-    if (line != no_line)
-        take_lock_end(end, line);
+    take_lock_end(end, line);
 }
 
 /// A line that is there at one node and real at the other.
@@ -106,7 +105,8 @@ int CrossingSearch::slowest_line(const Node &node, bool or_stands) {
 
 void CrossingSearch::take_lock_end(const LockEnd &end, int line) {
     _ends.push_back({end.speed, end.outside < end.speed, line});
-    take(line, end.speed, end.real);
+    if (line != no_line)
+        take(line, end.speed, end.real);
 }
 
 StepEnd CrossingSearch::end(const Node &node, std::size_t place, bool towards_higher) const {

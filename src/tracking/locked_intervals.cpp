@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -26,30 +27,26 @@ std::vector<int> standing_lines(const Node &node) {
 }
 
 /// Intervals of one sense of the spin, opened and closed by the ends of bands in ascending order.
+/// Motions that stand still are not told apart: the band that opened last is closed first, so that
+/// nothing depends on the grid of the lines.
 class OpenIntervals {
   public:
-    /// @param already  motions that stand still from the beginning, their lines not known yet
+    /// @param already  motions that stand still from the beginning
     OpenIntervals(double low, std::ptrdiff_t already)
-        : _low(low), _open(static_cast<std::size_t>(already), {1, no_line, low, low}) {}
+        : _open(static_cast<std::size_t>(already), {1, no_line, low, low}) {}
 
     void pass(const BandEnd &end) {
         if (end.enters) {
             _open.push_back({1, end.line, end.speed, end.speed});
             return;
         }
-        auto leaves = std::find_if(_open.rbegin(), _open.rend(),
-                                   [&](const Locked &open) { return open.mode == end.line; });
-        if (leaves == _open.rend())
-            leaves = _open.rbegin();
-        if (leaves == _open.rend()) { // from the beginning, where rounding hid that it stands
-            _closed.push_back({1, end.line, _low, end.speed});
+        if (_open.empty())
             return;
-        }
-        leaves->to = end.speed;
-        if (leaves->mode == no_line)
-            leaves->mode = end.line;
-        _closed.push_back(*leaves);
-        _open.erase(std::next(leaves).base());
+        _open.back().to = end.speed;
+        if (_open.back().mode == no_line)
+            _open.back().mode = end.line;
+        _closed.push_back(_open.back());
+        _open.pop_back();
     }
 
     [[nodiscard]] std::vector<Locked> closed_at(double high) {
@@ -61,7 +58,6 @@ class OpenIntervals {
     }
 
   private:
-    double _low;
     std::vector<Locked> _open, _closed;
 };
 
@@ -76,9 +72,12 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
             if (sweep.speed(k) >= interval.from && sweep.speed(k) <= interval.to)
                 for (const int line : standing_lines(sweep.bare(k)))
                     ++votes[line];
+        std::map<int, int> free = votes;
         for (const Locked &other : intervals)
             if (overlap(interval, other))
-                votes.erase(other.mode);
+                free.erase(other.mode);
+        if (!free.empty())
+            votes = free;
         const auto most = std::max_element(votes.begin(), votes.end(),
                                            [](auto &a, auto &b) { return a.second < b.second; });
         if (most != votes.end())
@@ -87,18 +86,43 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
     std::erase_if(intervals, [](const Locked &interval) { return interval.mode == no_line; });
 }
 
+/// Motions that stand still from the beginning of a range on: from how many do in the middle of the
+/// widest stretch between two ends. (Close to rest rounding decides whether balls stand.)
+std::ptrdiff_t standing_from(const modes::SpectrumSolver &solver, int wanted,
+                             const std::vector<BandEnd> &ends, double low, double high) {
+    std::ptrdiff_t entered = 0; // up to the widest stretch
+    std::ptrdiff_t net = 0;
+    double middle = low;
+    double widest = 0;
+    double before = low;
+    const auto stretch_to = [&](double speed) {
+        if (speed - before > widest) {
+            widest = speed - before;
+            middle = (speed + before) / 2;
+            entered = net;
+        }
+        before = speed;
+    };
+    for (const BandEnd &end : ends) {
+        stretch_to(end.speed);
+        net += end.enters ? 1 : -1;
+    }
+    stretch_to(high);
+    const modes::Spectrum there = solver.at(middle, wanted);
+    const auto standing =
+        std::count_if(there.modes.begin(), there.modes.end(),
+                      [middle](const modes::WhirlMode &mode) { return locked(mode, middle); });
+    return std::max<std::ptrdiff_t>(0, standing - entered);
+}
+
 std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<BandEnd> &ends,
                                  int wanted, double low, double high) {
-    // Close to the beginning, as at rest nothing is said to stand still.
-    const double inside = low + 1e-5 * (high - low);
-    const modes::Spectrum first = sweep.solver().at(inside, wanted);
-    const auto already =
-        std::count_if(first.modes.begin(), first.modes.end(),
-                      [inside](const modes::WhirlMode &mode) { return locked(mode, inside); });
-    OpenIntervals intervals(low, already);
-    for (const BandEnd &end : ends)
-        if (end.speed > inside && end.speed <= high)
-            intervals.pass(end);
+    std::vector<BandEnd> inside;
+    std::copy_if(ends.begin(), ends.end(), std::back_inserter(inside),
+                 [&](const BandEnd &end) { return end.speed > low && end.speed < high; });
+    OpenIntervals intervals(low, standing_from(sweep.solver(), wanted, inside, low, high));
+    for (const BandEnd &end : inside)
+        intervals.pass(end);
     return intervals.closed_at(high);
 }
 

@@ -60,7 +60,9 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
                                           mode.rotating_vector.real(), high - low);
             if (root && root->speed > low && root->speed < high && whirls(*root) &&
                 std::none_of(out.begin(), out.end(), [&](const DoubleRoot &other) {
-                    return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed);
+                    // Without damping motions that grow and die out alike meet at one speed.
+                    return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed) &&
+                           std::abs(other.value - root->value) < 1e-7 * std::abs(other.speed);
                 }))
                 out.push_back(*root);
         }
@@ -82,6 +84,7 @@ LockEnd end_of(const DoubleRoot &root) {
 /// The roots account for the numbers at both borders and half way between each two neighbours.
 bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
                const std::vector<DoubleRoot> &roots) {
+    constexpr double together = 1e-8; // as where motions meet that grow and die out alike
     const Count &low = a.speed < b.speed ? a : b;
     const Count &high = a.speed < b.speed ? b : a;
     std::ptrdiff_t expected = low.motions;
@@ -93,7 +96,8 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
     for (std::size_t i = 0; i <= roots.size(); ++i) {
         const double from = i == 0 ? low.speed : roots[i - 1].speed;
         const double to = i == roots.size() ? high.speed : roots[i].speed;
-        if (count_at(solver, (from + to) / 2, wanted).motions != expected)
+        const bool at_one_speed = to - from < together * std::abs(to);
+        if (!at_one_speed && count_at(solver, (from + to) / 2, wanted).motions != expected)
             return false;
         if (i < roots.size())
             expected += roots[i].opens ? 1 : -1;
@@ -172,6 +176,7 @@ std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from,
 std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from, double to,
                                     int wanted) {
     constexpr int parts = 200;
+    constexpr double closely = 1e-7;
     const double low = std::min(from, to);
     const double high = std::max(from, to);
     const double margin = 1e-3 * (high - low) / parts;
@@ -185,10 +190,12 @@ std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double 
         std::set<double> speeds{b};
         for (int part = 0; part < share; ++part)
             speeds.insert(a + (b - a) * part / share);
+        // On both sides: without damping it is an end itself.
         for (const double s : standing)
-            if (const double signed_speed = std::copysign(s, b <= 0 ? -1 : 1);
-                signed_speed > a && signed_speed < b)
-                speeds.insert(signed_speed);
+            for (const double side : {-1.0, 1.0})
+                if (const double speed = std::copysign(s * (1 + side * closely), b <= 0 ? -1 : 1);
+                    speed > a && speed < b)
+                    speeds.insert(speed);
         const std::vector<LockEnd> ends =
             ends_among(solver, {speeds.begin(), speeds.end()}, wanted);
         all.insert(all.end(), ends.begin(), ends.end());
