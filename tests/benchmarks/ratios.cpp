@@ -95,11 +95,12 @@ std::string text_of(const std::vector<Row> &rows) {
 }
 
 std::string csv_of(const std::vector<Row> &rows) {
-    std::string text = "workload,seconds,units,dense_ratio\n";
+    std::string text = "workload,seconds,units,dense_ratio,what\n";
     for (const Row &row : rows) {
         const std::optional<double> ratio = row.ratio();
-        text += fmt::format("{},{:.4g},{:.4g},{}\n", row.workload.name, row.seconds(), row.units(),
-                            ratio ? fmt::format("{:.4g}", *ratio) : "");
+        text +=
+            fmt::format("{},{:.4g},{:.4g},{},{}\n", row.workload.name, row.seconds(), row.units(),
+                        ratio ? fmt::format("{:.4g}", *ratio) : "", row.workload.what);
     }
     return text;
 }
@@ -109,6 +110,7 @@ std::string json_of(const std::vector<Row> &rows) {
     for (const Row &row : rows) {
         const std::optional<double> ratio = row.ratio();
         list.push_back({{"workload", row.workload.name},
+                        {"what", row.workload.what},
                         {"seconds", row.seconds()},
                         {"unit_seconds", row.unit},
                         {"units", row.units()},

@@ -96,16 +96,23 @@ void check_same_motion(const model::Case &scene, const DenseHarmonic &problem, d
 
 void add_campbells(std::vector<Workload> &list, const std::string &folder) {
     const Scene discs = three_discs(folder, {"speeds.count=101", "campbell.modes=12"});
-    list.push_back({"campbell_three_discs", on(discs, analyses::campbell), 1,
-                    DenseRoute{unit_of_time(folder), 101}});
     const Scene friswell(folder + "/friswell_5_9_1", {"speeds.count=101", "campbell.modes=12"});
-    list.push_back({"campbell_two_discs", on(friswell, analyses::campbell), 1,
-                    DenseRoute{dense_eigenvectors(friswell.scene, 16), 101}});
-    list.push_back({"campbell_keyway", on(Scene(folder + "/keyway_shaft", {}), analyses::campbell),
-                    1, DenseRoute{}});
-    list.push_back({"campbell_extractor",
-                    on(Scene(folder + "/extractor_two_plane", {}), analyses::campbell), 1,
-                    DenseRoute{}});
+    const Scene keyway(folder + "/keyway_shaft", {});
+    const Scene extractor(folder + "/extractor_two_plane", {});
+    list.push_back({.name = "campbell_three_discs",
+                    .what = "campbell of lalanne_three_discs: 101 speeds; 12 modes",
+                    .run = on(discs, analyses::campbell),
+                    .dense = {unit_of_time(folder), 101}});
+    list.push_back({.name = "campbell_two_discs",
+                    .what = "campbell of friswell_5_9_1 (undamped): 101 speeds; 12 modes",
+                    .run = on(friswell, analyses::campbell),
+                    .dense = {dense_eigenvectors(friswell.scene, 16), 101}});
+    list.push_back({.name = "campbell_keyway",
+                    .what = "campbell of keyway_shaft",
+                    .run = on(keyway, analyses::campbell)});
+    list.push_back({.name = "campbell_extractor",
+                    .what = "campbell of extractor_two_plane",
+                    .run = on(extractor, analyses::campbell)});
 }
 
 void add_responses(std::vector<Workload> &list, const std::string &folder) {
@@ -116,29 +123,39 @@ void add_responses(std::vector<Workload> &list, const std::string &folder) {
         dense_harmonic(discs.scene.rotor, discs.scene.rotor.shaft.order, speed));
     check_same_motion(discs.scene, *problem, speed);
     const DenseRoute dense{[problem] { (void)dense_motion(*problem); }, 500};
-    list.push_back({"response_motion", on(discs, solve_at_all_speeds), 1, dense});
-    list.push_back({"response_with_peaks", on(discs, analyses::unbalance_response), 1, dense});
+    list.push_back({.name = "response_motion",
+                    .what = "motion of lalanne_three_discs on 192 classical elements: 500 speeds",
+                    .run = on(discs, solve_at_all_speeds),
+                    .dense = dense});
+    list.push_back({.name = "response_with_peaks",
+                    .what = "response of the same with orbits and errors and peaks",
+                    .run = on(discs, analyses::unbalance_response),
+                    .dense = dense});
 }
 
 void add_stability(std::vector<Workload> &list, const std::string &folder) {
     for (const auto &[name, scene] : {std::pair{"stability_five_balls", "centrifuge_five_balls"},
                                       std::pair{"stability_extractor", "extractor_two_plane"},
                                       std::pair{"stability_hill", "hill_rotor"}})
-        list.push_back(
-            {name, on(Scene(folder + "/" + scene, {}), analyses::stability), 1, DenseRoute{}});
+        list.push_back({.name = name,
+                        .what = fmt::format("stability of {}", scene),
+                        .run = on(Scene(folder + "/" + scene, {}), analyses::stability)});
 }
 
 void add_others(std::vector<Workload> &list, const std::string &folder) {
-    list.push_back({"critical_damped", on(three_discs(folder, {}), analyses::critical_speeds), 1,
-                    DenseRoute{}});
+    list.push_back({.name = "critical_damped",
+                    .what = "critical of lalanne_three_discs",
+                    .run = on(three_discs(folder, {}), analyses::critical_speeds)});
     constexpr int count = 20;
     const std::string samples = fmt::format(
         R"(samples={{count = {}, of = ["critical", "peaks"], vary = [)"
         R"({{path = "bearing[0].kxx", distribution = "normal", relative = true, deviation = 0.1}}, )"
         R"({{path = "disc[1].mass", distribution = "uniform", from = 44, to = 48}}]}})",
         count);
-    list.push_back({"samples_three_discs", on(three_discs(folder, {samples}), analyses::samples),
-                    count, DenseRoute{}});
+    list.push_back({.name = "samples_three_discs",
+                    .what = "samples of lalanne_three_discs (critical speeds and peaks): one of 20",
+                    .run = on(three_discs(folder, {samples}), analyses::samples),
+                    .parts = count});
 }
 
 } // namespace
@@ -155,7 +172,11 @@ std::vector<Workload> all_workloads(const std::string &folder) {
 std::function<void()> unit_of_time(const std::string &folder) {
     // One element between two neighbours of discs and ends: four spans.
     const Scene discs = three_discs(folder, {three_discs_shaft(1)});
-    return dense_eigenvectors(discs.scene, 12);
+    constexpr int refinement = 12;
+    const assembly::Discretization discretization(discs.scene.rotor, 1, refinement);
+    if (4 * discretization.planar_size() != 392)
+        throw std::runtime_error("the unit of time is not one of a 392 x 392 matrix");
+    return dense_eigenvectors(discs.scene, refinement);
 }
 
 } // namespace whirl::benchmarks

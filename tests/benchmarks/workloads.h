@@ -8,16 +8,17 @@ namespace whirl::benchmarks {
 
 /// A straightforward dense route to the same numbers: so many equal solves.
 struct DenseRoute {
-    std::function<void()> solve; ///< one of them, without assembly
+    std::function<void()> solve{}; ///< one of them, without assembly
     int solves = 0;
 };
 
 /// An analysis of the program whose time is measured: a call of the library, no pictures.
 struct Workload {
     std::string name;
+    std::string what; ///< in words, without a comma
     std::function<void()> run;
-    int parts = 1;    ///< equal parts of the run, of which the time of one is wanted
-    DenseRoute dense; ///< without solves: there is none
+    int parts = 1;      ///< equal parts of the run, of which the time of one is wanted
+    DenseRoute dense{}; ///< without solves: there is none
 };
 
 /// All of them, in the order of the table.
