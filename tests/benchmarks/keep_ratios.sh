@@ -31,18 +31,18 @@ What the commands take, in units that a slower machine stretches as well. Made b
 - **Units**: the same divided by one dense eigendecomposition (LAPACK's dgeev with right eigenvectors) of a
   full 392 × 392 matrix, the state matrix of the rotor with three discs on 48 classical elements.
 - **Dense route**: how many times as long the straightforward way to the same numbers takes, solves alone. Campbell
-  diagrams: dgeev of the 392 × 392 state matrix at every speed (48 classical elements, five digits). Response:
+  diagrams: dgeev of the 392 × 392 state matrix at every speed (48 classical elements, four to five digits). Response:
   a full complex system (zgesv, 772 unknowns) at every speed, orbits, errors and peaks not included.
 
 The rotor with three discs has 100 N s/m in both bearings. Unit and dense route are measured before and after each
-run; the least times of up to three runs count, what takes more than 5 s runs once. Cases as they are in `cases/`
-where nothing else is said.
+run; the least times of up to three runs count, what takes more than 5 s runs once. Samples: the run divided by their
+number, with what the case as it is takes. Cases as they are in `cases/` where nothing else is said.
 
 END
   printf '%s\n\n' "$where"
   echo "| workload | what | ms | units | dense route |"
   echo "|---|---|--:|--:|--:|"
-  awk -F, 'NR > 1 { printf "| %s | %s | %.4g | %.3g | %s |\n", $1, $5, 1000 * $2, $3,
+  awk -F, 'NR > 1 { printf "| %s | %s | %.0f | %.3g | %s |\n", $1, $5, 1000 * $2, $3,
                     $4 == "" ? "–" : sprintf("%.3g", $4) " ×" }' "$scratch/ratios.csv"
   cat << 'END'
 
@@ -53,8 +53,7 @@ END
 }
 
 {
-  sed '/^## Times as ratios/,$d' "$page" | sed -e ':a' -e '/^\n*$/{$d;N;ba' -e '}'
-  echo
+  printf '%s\n\n' "$(sed '/^## Times as ratios/,$d' "$page")"
   section
 } > "$scratch/page.md"
 {

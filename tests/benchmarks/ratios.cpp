@@ -134,7 +134,8 @@ void write(const std::string &path, const std::string &text) {
 int main_of(int argc, char **argv) {
     Options options;
     CLI::App app("Times of analyses as ratios");
-    app.add_option("--rounds", options.rounds, "runs of each workload that takes less than 5 s");
+    app.add_option("--rounds", options.rounds, "runs of each workload that takes less than 5 s")
+        ->check(CLI::PositiveNumber);
     app.add_option("--limit", options.limit, "seconds after which no further round is begun");
     app.add_option("--csv", options.csv, "table for tests/benchmarks/check_ratios.sh");
     app.add_option("--json", options.json, "the same as JSON");

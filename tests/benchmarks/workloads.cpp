@@ -146,14 +146,14 @@ void add_others(std::vector<Workload> &list, const std::string &folder) {
     list.push_back({.name = "critical_damped",
                     .what = "critical of lalanne_three_discs",
                     .run = on(three_discs(folder, {}), analyses::critical_speeds)});
-    constexpr int count = 20;
+    constexpr int count = 6;
     const std::string samples = fmt::format(
         R"(samples={{count = {}, of = ["critical", "peaks"], vary = [)"
         R"({{path = "bearing[0].kxx", distribution = "normal", relative = true, deviation = 0.1}}, )"
         R"({{path = "disc[1].mass", distribution = "uniform", from = 44, to = 48}}]}})",
         count);
     list.push_back({.name = "samples_three_discs",
-                    .what = "samples of lalanne_three_discs (critical speeds and peaks): one of 20",
+                    .what = "samples of lalanne_three_discs (critical speeds and peaks): one of 6",
                     .run = on(three_discs(folder, {samples}), analyses::samples),
                     .parts = count});
 }
