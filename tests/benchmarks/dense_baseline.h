@@ -2,6 +2,8 @@
 
 #include "model/rotor.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace whirl::benchmarks {
@@ -22,5 +24,22 @@ struct DenseSolve {
 /// @param vectors  with the right eigenvectors, which whirl directions need
 [[nodiscard]] DenseSolve dense_solve(const model::Rotor &rotor, int order, int refinement,
                                      double speed, bool vectors, int repeats);
+
+/// The matrix of dense_solve().
+[[nodiscard]] Eigen::MatrixXd state_matrix(const model::Rotor &rotor, int order, int refinement,
+                                           double speed);
+
+/// Imaginary parts of the eigenvalues by dgeev, with the right eigenvectors or without.
+Eigen::VectorXd dense_frequencies(Eigen::MatrixXd matrix, bool vectors);
+
+/// Steady motion under the imbalances at one speed as one full complex system A q = f.
+struct DenseHarmonic {
+    Eigen::MatrixXcd A;
+    Eigen::VectorXcd f;
+};
+[[nodiscard]] DenseHarmonic dense_harmonic(const model::Rotor &rotor, int order, double speed);
+
+/// q by LAPACK's zgesv: x and y of each planar unknown in pairs.
+Eigen::VectorXcd dense_motion(DenseHarmonic problem);
 
 } // namespace whirl::benchmarks

@@ -48,6 +48,9 @@ END
     printf '![Error over unknowns and wall time](images/accuracy_%s.png)\n\n' "$name"
     table "$scratch/$name/accuracy.csv"
   done
+  # The last section is made by keep_ratios.sh.
+  echo
+  sed -n '/^## Times as ratios/,$p' "$root/docs/speed_and_error.md"
 } > "$scratch/page.md"
 
 # Only now, with every part made, the pages change.
