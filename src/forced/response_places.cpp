@@ -81,7 +81,7 @@ results::ResponsePeak described(const Peak &peak, results::ResponsePeak place) {
 
 void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double others) {
     peak.error = of_mesh.value + others;
-    peak.speed_error = of_mesh.speed;
+    peak.speed_error = std::max(of_mesh.speed, 4 * std::numeric_limits<double>::epsilon());
 }
 
 } // namespace
@@ -115,6 +115,15 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         add_between(range.from, std::min(range.to, 0.0));
     if (range.to > 0)
         add_between(std::max(range.from, 0.0), range.to);
+    const auto place = [&all](const results::ResponsePeak &peak) {
+        return std::find_if(all.places.begin(), all.places.end(),
+                            [&peak](const results::ResponsePeak &other) {
+                                return other.of == peak.of && other.place == peak.place;
+                            }) -
+               all.places.begin();
+    };
+    std::stable_sort(peaks.begin(), peaks.end(),
+                     [&place](const auto &a, const auto &b) { return place(a) < place(b); });
 }
 
 } // namespace whirl::forced

@@ -119,7 +119,7 @@ std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &disc
     options.negligible = at_rest * top;
     constexpr int small = 150;
     const auto all = static_cast<int>(system.K.rows());
-    const int most = all <= small ? 0 : 32; // small: all finite roots, of which there may be few
+    const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
     options.method = linalg::QuadraticMethod::toar;
     options.shift = 0.41 * top;
     for (options.wanted = 8; options.wanted <= most; options.wanted *= 2)

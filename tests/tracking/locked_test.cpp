@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 namespace {
@@ -137,25 +139,116 @@ TEST(Locked, EndsWithTheRange) {
     }
 }
 
+constexpr const char *material = R"(
+format = 1
+[material.s]
+E = 2.1e11
+nu = 0.3
+rho = 7800
+)";
+
+/// Without damping: motions that grow and that die out part at one speed, -71.79 and 71.79 rad/s.
+constexpr const char *undamped_balls = R"(
+[shaft]
+order = 4
+segments = [{length = 0.5, outer = 0.05, material = "s"}]
+[[disc]]
+z = 0.269
+mass = 6.384
+Id = 0.4096
+Ip = 0.24342
+[[bearing]]
+z = 0
+k = 1.7091e6
+[[bearing]]
+z = 0.5
+k = 5.7058e6
+[[anisotropy]]
+z = 0.269
+dI = 0.10912
+[[balancer]]
+z = 0.371
+kind = "ball"
+n = 3
+mass = 0.05855
+radius = 0.1817
+imbalance = 0.02182
+[speeds]
+from = -300
+to = 300
+count = 5
+)";
+
+/// Bands whose ends are the speeds themselves at which something stands still.
+constexpr const char *two_stiffnesses = R"(
+[shaft]
+order = 3
+segments = [{length = 1.0, outer = 0.05, asymmetry = 0.3, material = "s"}]
+[[disc]]
+z = 0.747
+mass = 18.3
+Id = 0.49147
+Ip = 0.24978
+[[disc]]
+z = 0.474
+mass = 12.22
+Id = 0.17151
+Ip = 0.10547
+[[bearing]]
+z = 0
+k = 2.5849e6
+[[bearing]]
+z = 1
+k = 9.1073e6
+[[anisotropy]]
+z = 0.747
+dI = 0.057623
+[speeds]
+from = -3000
+to = 0
+count = 5
+)";
+
+model::Case written(const char *text) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "locked.toml";
+    std::ofstream(file) << material << text;
+    return input::load_case(file);
+}
+
 /// As many intervals cover a speed as motions stand still there, counted at that speed alone.
+void expect_covered(const model::Case &scene, int order, const std::string &name) {
+    const std::vector<results::Locked> locked = analyses::campbell(scene).locked;
+    const modes::SpectrumSolver solver(scene.rotor, results::Form::rotating, order);
+    for (int k = 0; k < 30; ++k) { // off every grid that the search may use
+        const double from = scene.speeds->from;
+        const double speed = from + (scene.speeds->to - from) * (k + 0.37) / 30.2;
+        if (std::abs(speed) < 8)
+            continue; // rounding decides whether balls stand
+        const modes::Spectrum all = solver.at(speed, 40);
+        const auto standing = std::count_if(
+            all.modes.begin(), all.modes.end(),
+            [speed](const modes::WhirlMode &mode) { return tracking::locked(mode, speed); });
+        const auto covering =
+            std::count_if(locked.begin(), locked.end(), [speed](const results::Locked &interval) {
+                return interval.multiple == 1 && interval.from <= speed && speed <= interval.to;
+            });
+        EXPECT_EQ(covering, standing) << name << " " << speed << " count " << scene.speeds->count;
+    }
+}
+
 TEST(Locked, CoversEverySpeedAsOftenAsMotionsStandStillThere) {
     for (const char *name : {"disc_type_short", "extractor_two_plane"}) {
         model::Case scene = input::load_case(std::string(WHIRL_ROOT "/cases/") + name);
         scene.speeds->count = 24;
-        const std::vector<results::Locked> locked = analyses::campbell(scene).locked;
-        const modes::SpectrumSolver solver(scene.rotor, results::Form::rotating, 5);
-        for (int k = 0; k < 30; ++k) { // off every grid that the search may use
-            const double speed = 8 + (scene.speeds->to - 8) * (k + 0.37) / 30.2;
-            const modes::Spectrum all = solver.at(speed, 60);
-            const auto standing = std::count_if(
-                all.modes.begin(), all.modes.end(),
-                [speed](const modes::WhirlMode &mode) { return tracking::locked(mode, speed); });
-            const auto covering = std::count_if(
-                locked.begin(), locked.end(), [speed](const results::Locked &interval) {
-                    return interval.from <= speed && speed <= interval.to;
-                });
-            EXPECT_EQ(covering, standing) << name << " " << speed;
-        }
+        expect_covered(scene, 5, name);
+    }
+    for (const int count : {5, 50}) {
+        model::Case balls = written(undamped_balls);
+        balls.speeds->count = count;
+        expect_covered(balls, 4, "undamped balls");
+        model::Case uneven = written(two_stiffnesses);
+        uneven.speeds->count = count;
+        expect_covered(uneven, 3, "two stiffnesses");
     }
 }
 
