@@ -157,6 +157,29 @@ bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &opti
     return static_cast<int>(pairs.size()) >= options.wanted;
 }
 
+/// All eigenvalues that double precision resolves.
+QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
+    QuadraticResult result;
+    result.method = QuadraticMethod::dense;
+    result.pairs = problem.dense();
+    sort_by_distance(result.pairs, options.shift);
+    const std::vector<double> nearest = nearest_places(result.pairs, options.shift);
+    const std::size_t all = result.pairs.size();
+    const int fewest = options.fewest > 0 ? options.fewest : options.wanted;
+    (void)keep_resolved(result.pairs, options, acceptable_residual);
+    const bool enough = static_cast<int>(result.pairs.size()) >= fewest;
+    if (result.pairs.size() == all) {
+        result.complete_radius = std::numeric_limits<double>::infinity();
+    } else {
+        if (!enough)
+            throw SolverError("the eigenvalues differ by too many orders of magnitude");
+        result.complete_radius =
+            std::max(std::abs(result.pairs.back().value - options.shift),
+                     *std::min_element(nearest.begin() + std::ssize(result.pairs), nearest.end()));
+    }
+    return result;
+}
+
 QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
                              const QuadraticOptions &options) {
     const QuadraticProblem problem(M, D, K, options.shift);
@@ -192,24 +215,7 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
     }
     if (try_toar && (options.method == QuadraticMethod::toar || problem.size() > 600))
         throw SolverError("the quadratic eigensolver did not converge");
-    result.method = QuadraticMethod::dense;
-    result.pairs = problem.dense();
-    sort_by_distance(result.pairs, options.shift);
-    const std::vector<double> nearest = nearest_places(result.pairs, options.shift);
-    const std::size_t all = result.pairs.size();
-    const int fewest = options.fewest > 0 ? options.fewest : options.wanted;
-    (void)keep_resolved(result.pairs, options, acceptable_residual);
-    const bool enough = static_cast<int>(result.pairs.size()) >= fewest;
-    if (result.pairs.size() == all) {
-        result.complete_radius = std::numeric_limits<double>::infinity();
-    } else {
-        if (!enough)
-            throw SolverError("the eigenvalues differ by too many orders of magnitude");
-        result.complete_radius =
-            std::max(std::abs(result.pairs.back().value - options.shift),
-                     *std::min_element(nearest.begin() + std::ssize(result.pairs), nearest.end()));
-    }
-    return result;
+    return solve_dense(problem, options);
 }
 
 } // namespace

@@ -191,8 +191,8 @@ TEST(WeightPeaks, RoundingHasNoPeaks) {
             quantities.push_back({d.deflection_at(disc.z)});
             places.push_back(disc.z);
         }
-        const auto found =
-            forced::response_peaks(d, Form::rotating, quantities, places, 0, scene.speeds->to, {{g}});
+        const auto found = forced::response_peaks(d, Form::rotating, quantities, places, 0,
+                                                  scene.speeds->to, {{g}});
         EXPECT_TRUE(found.peaks.empty()) << rotor;
     }
 }
