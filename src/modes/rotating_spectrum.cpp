@@ -26,6 +26,10 @@ const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalue
     return found;
 }
 
+/// Eigenvalues below this part of the shift may be zeros that rounding blurs: of a double one the
+/// root of it is left.
+constexpr double blurred = 1e-5;
+
 template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
     return shapes != nullptr ? reduction::Projection(*shapes).of(system) : std::move(system);
 }
@@ -134,8 +138,12 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     if (_harmonics == 0) // known to be zero, they come blurred
         for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
-            if (std::abs(out.pairs[i].value) < 1e-5 * shift)
+            if (std::abs(out.pairs[i].value) < blurred * shift)
                 out.pairs[i].value = 0;
+    // Beside the shift nothing is known of the others that are as small.
+    for (linalg::ComplexPair &pair : out.pairs)
+        if (std::abs(pair.value) < blurred * shift)
+            pair.rounding = std::max(pair.rounding, 1.0);
     return out;
 }
 

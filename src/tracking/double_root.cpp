@@ -118,6 +118,7 @@ std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(dou
     double s = speed;
     double l = value;
     double last = std::numeric_limits<double>::infinity();
+    double last_turned = last;
     for (int k = 0; k < most; ++k) {
         const std::optional<Fold> fold = search.at(s, l, scale);
         if (!fold)
@@ -131,12 +132,16 @@ std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(dou
         if (std::abs(s - speed) > 2 * reach || s * speed <= 0)
             return std::nullopt;
         const double moved = std::abs(step(1));
-        // At the rounding of the root itself steps no longer shrink.
-        if (moved <= converged * scale || (moved < 1e-10 * scale && moved >= last)) {
+        const double turned = std::abs(step(0));
+        // At the rounding of the root itself steps no longer shrink. Where motions hardly feel each
+        // other the value settles after the speed.
+        const bool there = moved <= converged * scale || (moved < 1e-10 * scale && moved >= last);
+        if (there && (turned <= 1e-12 * scale || turned >= last_turned)) {
             const Eigen::Matrix2d &J = fold->jacobian;
             return DoubleRoot{s, l, J(0, 1) * J(1, 0) < 0}; // g = g_s ds + g_ll dl^2 / 2
         }
         last = moved;
+        last_turned = turned;
     }
     return std::nullopt;
 }
