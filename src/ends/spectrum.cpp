@@ -21,12 +21,6 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double of_entries = 30;
 constexpr double of_solver = 3;
 
-/// Scales of the unknowns that make the diagonal of the matrix at the shift 1 (deflections, slopes
-/// and balls have different units).
-Eigen::VectorXd scales(const DenseProblem &p, double shift) {
-    return linalg::scales_at(shift, p.M.diagonal(), p.K.diagonal());
-}
-
 /// The companion matrix in mu = 1/(s (l - shift)), its eigenvectors and their inverse.
 struct Companion {
     double s = 1;
@@ -139,7 +133,9 @@ const Root &Spectrum::nearest(std::complex<double> value) const {
 }
 
 Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int zeros) {
-    const Eigen::VectorXd d = scales(unscaled, shift);
+    // Deflections, slopes and balls have different units.
+    const Eigen::VectorXd d =
+        linalg::scales_at(shift, unscaled.M.diagonal(), unscaled.K.diagonal());
     const DenseProblem p = scaled(unscaled, d);
     const Eigen::Index n = p.M.rows();
     const Companion c = decomposed(p, shift);

@@ -31,6 +31,13 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
     return out;
 }
 
+Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
+    Eigen::VectorXcd out(2 * x.size());
+    out(Eigen::seqN(0, x.size(), 2)) = x;
+    out(Eigen::seqN(1, y.size(), 2)) = y;
+    return out;
+}
+
 Eigen::VectorXd weight_loads(const assembly::Discretization &discretization) {
     const std::vector<double> translation = discretization.rigid_motion(false);
     Eigen::VectorXd out = Eigen::VectorXd::Zero(discretization.planar_size());
@@ -64,6 +71,8 @@ ForcedMotion::ForcedMotion(const assembly::Discretization &discretization, resul
               (form == results::Form::planar || form == results::Form::rotating)),
       _rotating(form == results::Form::rotating),
       _rows(synchronous::table_speeds(discretization.rotor())) {
+    if (drive.weight())
+        _weight = weight_loads(discretization);
     enter_piece(0);
 }
 
@@ -183,21 +192,14 @@ Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
     const Eigen::VectorXcd planar = (speed * speed) * imbalance_loads(_discretization);
     if (_planar)
         return planar;
-    Eigen::VectorXcd f(size());
-    f(Eigen::seqN(0, planar.size(), 2)) = planar;
-    f(Eigen::seqN(1, planar.size(), 2)) = -imaginary_unit * planar; // sin = Re(-i exp)
-    return f;
+    return in_pairs(planar, -imaginary_unit * planar); // sin = Re(-i exp)
 }
 
 /// -i g on w, in rotating axes -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a
 /// quarter turn ahead.
 Eigen::VectorXcd ForcedMotion::weight_forces() const {
-    const Eigen::VectorXcd load = imaginary_unit * _drive.gravity *
-                                  weight_loads(_discretization).cast<std::complex<double>>();
-    Eigen::VectorXcd f(size());
-    f(Eigen::seqN(0, load.size(), 2)) = _rotating ? load : Eigen::VectorXcd(0 * load);
-    f(Eigen::seqN(1, load.size(), 2)) = imaginary_unit * load;
-    return f;
+    const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;
+    return in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
 }
 
 void ForcedMotion::solve_in_rotating_axes(double speed) {

@@ -43,6 +43,9 @@ struct Drive {
 /// squared: kg m.
 [[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization);
 
+/// Components in two directions as unknowns in pairs.
+[[nodiscard]] Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y);
+
 /// Mass of what turns (shaft and discs) as loads on the planar unknowns under a uniform
 /// acceleration of one deflection: kg. Pedestals stand settled under their own weight.
 [[nodiscard]] Eigen::VectorXd weight_loads(const assembly::Discretization &discretization);
@@ -93,6 +96,7 @@ class ForcedMotion {
   private:
     const assembly::Discretization &_discretization;
     Drive _drive;
+    Eigen::VectorXd _weight;   ///< under the weight: kg on the planar unknowns
     bool _planar;              ///< one complex deflection in each place
     bool _rotating;            ///< solved in rotating axes
     std::vector<double> _rows; ///< of bearing tables, rad/s

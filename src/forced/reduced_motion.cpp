@@ -166,24 +166,15 @@ Eigen::VectorXcd ReducedMotion::imbalances() const {
     Eigen::VectorXcd f = _shapes->matrix().transpose() * imbalance_loads(_discretization);
     if (_form == results::Form::planar)
         return f;
-    Eigen::VectorXcd pairs(2 * f.size());
-    if (_form == results::Form::rotating) { // x + i y stands still
-        pairs(Eigen::seqN(0, f.size(), 2)) = f.real().cast<Complex>();
-        pairs(Eigen::seqN(1, f.size(), 2)) = f.imag().cast<Complex>();
-    } else {
-        pairs(Eigen::seqN(0, f.size(), 2)) = f;
-        pairs(Eigen::seqN(1, f.size(), 2)) = -imaginary_unit * f;
-    }
-    return pairs;
+    if (_form == results::Form::rotating) // x + i y stands still
+        return in_pairs(f.real().cast<Complex>(), f.imag().cast<Complex>());
+    return in_pairs(f, -imaginary_unit * f);
 }
 
 Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forces
     const Eigen::VectorXd load = _shapes->matrix().transpose() * weight_loads(_discretization);
     const Eigen::VectorXcd f = imaginary_unit * _drive.gravity * load.cast<Complex>();
-    Eigen::VectorXcd pairs(2 * f.size());
-    pairs(Eigen::seqN(0, f.size(), 2)) = f;
-    pairs(Eigen::seqN(1, f.size(), 2)) = imaginary_unit * f;
-    return pairs;
+    return in_pairs(f, imaginary_unit * f);
 }
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {

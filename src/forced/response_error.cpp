@@ -18,6 +18,10 @@ double share(double difference, double size) {
     return difference == 0 ? 0 : mesh_error::estimate_safety * difference / size;
 }
 
+double share(std::complex<double> a, std::complex<double> b) {
+    return share(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
+}
+
 double orbit_error(const Phasor &a, const Phasor &b) {
     const double size =
         std::max(modes::ellipse_of(a.x, a.y).major, modes::ellipse_of(b.x, b.y).major);
@@ -58,15 +62,13 @@ Phasor ResponseError::finer_force(int bearing) const {
 double ResponseError::at_rest(double z, std::complex<double> coarse) const {
     if (!_weighed)
         return 0;
-    const std::complex<double> finer = _weighed->at_rest(_fine->deflection_at(z));
-    return share(std::abs(coarse - finer), std::max(std::abs(coarse), std::abs(finer)));
+    return share(coarse, _weighed->at_rest(_fine->deflection_at(z)));
 }
 
 double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) const {
     if (!_weighed)
         return 0;
-    const std::complex<double> finer = _weighed->bearing_force_at_rest(bearing);
-    return share(std::abs(coarse - finer), std::max(std::abs(coarse), std::abs(finer)));
+    return share(coarse, _weighed->bearing_force_at_rest(bearing));
 }
 
 double ResponseError::at(double z, const Phasor &coarse) const {
@@ -80,9 +82,7 @@ double ResponseError::of_force(int bearing, const Phasor &coarse) const {
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {
     if (!_fine)
         return 0;
-    const std::complex<double> mine = reading(coarse, angle);
-    const std::complex<double> finer = reading(finer_at(z), angle);
-    return share(std::abs(mine - finer), std::max(std::abs(mine), std::abs(finer)));
+    return share(reading(coarse, angle), reading(finer_at(z), angle));
 }
 
 } // namespace whirl::forced

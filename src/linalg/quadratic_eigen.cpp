@@ -132,9 +132,9 @@ double blur_of_zeros(const std::vector<ComplexPair> &pairs, int zeros) {
 std::vector<double> nearest_places(const std::vector<ComplexPair> &pairs, double shift) {
     constexpr double of_inverse = 1e-6;
     std::vector<double> out;
+    const double first = pairs.empty() ? 0 : std::abs(pairs.front().value - shift);
     for (const ComplexPair &pair : pairs) { // ascending by distance
         const double distance = std::abs(pair.value - shift);
-        const double first = std::abs(pairs.front().value - shift);
         out.push_back(std::max(distance - 2 * pair.residual * std::abs(pair.value),
                                1 / (1 / distance + of_inverse / first)));
     }

@@ -107,6 +107,19 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     return found;
 }
 
+/// Those known to be zero come blurred; nothing is known of others that are not much larger.
+void RotatingSpectrum::set_zeros(std::vector<linalg::ComplexPair> &pairs, double largest) const {
+    double blur = 0;
+    for (std::size_t i = 0; i < pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
+        if (const double size = std::abs(pairs[i].value); size < largest) {
+            blur = std::max(blur, size);
+            pairs[i].value = 0;
+        }
+    for (linalg::ComplexPair &pair : pairs)
+        if (std::abs(pair.value) < 100 * blur)
+            pair.rounding = std::max(pair.rounding, 1.0);
+}
+
 RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
                                                       Keep keep) const {
     linalg::QuadraticOptions options;
@@ -136,14 +149,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    if (_harmonics == 0) // known to be zero, they come blurred
-        for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
-            if (std::abs(out.pairs[i].value) < blurred * shift)
-                out.pairs[i].value = 0;
-    // Beside the shift nothing is known of the others that are as small.
-    for (linalg::ComplexPair &pair : out.pairs)
-        if (std::abs(pair.value) < blurred * shift)
-            pair.rounding = std::max(pair.rounding, 1.0);
+    if (_harmonics == 0)
+        set_zeros(out.pairs, blurred * shift);
     return out;
 }
 
@@ -167,8 +174,9 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
                                                       Keep keep, double shift) const {
-    if (!_exhausted.empty() && _exhausted.front().speed != speed)
+    if (_exhausted_speed != speed)
         _exhausted.clear();
+    _exhausted_speed = speed;
     const int terms = keep == Keep::best ? 1 : 2 * _harmonics + 1;
     const int all = _system.M.size() * terms;
     const int first = std::min(all, std::max(least, _usual));
@@ -180,7 +188,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
     for (int wanted = first;; wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
         Eigenvalues out = solve(speed, wanted, shift, keep);
         if (out.exhausted) {
-            _exhausted.push_back({speed, shift, keep, out});
+            _exhausted.push_back({shift, keep, out});
             return reaching(out, needed);
         }
         // No more can be resolved beside those found: enough where they reach as far as asked.

@@ -79,17 +79,19 @@ class RotatingSpectrum {
         best,    ///< the one whose constant part is largest
         accurate ///< those whose largest term has neighbours on both sides in the series
     };
-    /// What a shift gives at a speed from which no more can be had, however much is asked for.
+    /// What a shift gives from which no more can be had, however much is asked for.
     struct Exhausted {
-        double speed = 0, shift = 0;
+        double shift = 0;
         Keep keep = Keep::best;
         Eigenvalues found;
     };
-    mutable std::vector<Exhausted> _exhausted; ///< of the last speed
+    mutable double _exhausted_speed = 0;
+    mutable std::vector<Exhausted> _exhausted; ///< at that speed
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
+    void set_zeros(std::vector<linalg::ComplexPair> &pairs, double largest) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;

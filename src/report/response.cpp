@@ -91,7 +91,7 @@ const Columns<ResponsePeak> peaks_found{
      [](const ResponsePeak &peak) { return peak.speed * rpm; }},
     {"value",
      "",
-     {"LargestValue", "{:.6g}", "no limit"},
+     {"Peak", "{:.6g}", "no limit"},
      {"value", "{:.6g}", "no limit"},
      &ResponsePeak::value},
     {"phase", "", {}, {}, &ResponsePeak::phase},

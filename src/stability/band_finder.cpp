@@ -192,15 +192,17 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
         const double repeats = _model.form == results::Form::hill ? 2 * std::abs(speed) : 0;
         const Pairs whole = _whole.pairs(speed);
         const Eigen::Index term = _whole.term_unknowns();
-        const auto lacking = [&] { return missing(whole, out->pairs(speed), speed, repeats); };
+        auto lacking = missing(whole, out->pairs(speed), speed, repeats);
         for (const double part : newness) {
-            for (const auto *pair : lacking())
+            for (const auto *pair : lacking)
                 planar.add(planar_parts(pair->vector, d.planar_size(), term), part);
-            if (planar.matrix().cols() > _shapes->cols())
-                take();
+            if (planar.matrix().cols() == _shapes->cols())
+                continue; // nothing lacks, or nothing that is new enough
+            take();
+            lacking = missing(whole, out->pairs(speed), speed, repeats);
         }
         if (static_cast<double>(planar.matrix().cols()) > large_part * d.planar_size() ||
-            !lacking().empty())
+            !lacking.empty())
             return nullptr;
     }
     _good = true;

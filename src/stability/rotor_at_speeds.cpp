@@ -25,14 +25,6 @@ struct ZeroRootSystem {
     Eigen::SparseMatrix<double> K, Ks, Kss;
 };
 
-/// Calls visit(row) for each entry that is not zero.
-template <class Visit> void for_each_entry(const Eigen::SparseMatrix<double> &A, Visit visit) {
-    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(A, column); entry; ++entry)
-            if (entry.value() != 0)
-                visit(entry.row());
-}
-
 /// Rows of balancers have speed^2 as a factor, but for those with a drift: without it they have no
 /// root at zero.
 ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
@@ -43,7 +35,10 @@ ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
     ZeroRootSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
     Eigen::VectorXd alone = Eigen::VectorXd::Zero(out.K.rows()); // rows with Kss alone
     alone.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
-    for_each_entry(out.K, [&](Eigen::Index row) { alone(row) = 0; });
+    for (Eigen::Index column = 0; column < out.K.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(out.K, column); entry; ++entry)
+            if (entry.value() != 0)
+                alone(entry.row()) = 0;
     out.K += Eigen::SparseMatrix<double>(alone.asDiagonal() * out.Kss);
     out.Kss = (Eigen::VectorXd::Ones(out.K.rows()) - alone).asDiagonal() * out.Kss;
     return out;

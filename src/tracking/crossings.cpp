@@ -41,10 +41,11 @@ class Sweep {
     void run(double multiple, Crossings &out) const {
         CrossingSearch search(_nodes.solver(), multiple, out);
         const std::vector<Locked> rides = riding_intervals(_nodes, multiple);
-        const bool turning = results::in_rotating_axes(_nodes.solver().form());
-        if (multiple == 1 && _nodes.solver().form() == results::Form::rotating &&
-            _nodes.count() > 1)
-            find_bands(search);
+        const bool bands = multiple == 1 && _nodes.count() > 1 &&
+                           results::in_rotating_axes(_nodes.solver().form());
+        const int wanted = bands ? wanted_for_bands() : 0;
+        if (bands && _nodes.solver().form() == results::Form::rotating)
+            find_bands(search, wanted);
         for (std::size_t k = 0; k < _nodes.count(); ++k) {
             search.visit(_nodes.bare(k));
             if (k + 1 < _nodes.count())
@@ -52,9 +53,9 @@ class Sweep {
         }
         drop_on_rides(rides, multiple, out.found);
         out.locked.insert(out.locked.end(), rides.begin(), rides.end());
-        if (multiple == 1 && turning && _nodes.count() > 1) {
+        if (bands) {
             const std::vector<Locked> standing =
-                standing_intervals(_nodes, search.band_ends(), wanted_for_bands());
+                standing_intervals(_nodes, search.band_ends(), wanted);
             out.locked.insert(out.locked.end(), standing.begin(), standing.end());
         }
     }
@@ -106,9 +107,9 @@ class Sweep {
     }
 
     /// Ends of bands of locked motion over the whole range, the same whatever its grid.
-    void find_bands(CrossingSearch &search) const {
+    void find_bands(CrossingSearch &search, int wanted) const {
         const std::vector<LockEnd> ends = lock_ends_over(
-            _nodes.solver(), _nodes.speed(0), _nodes.speed(_nodes.count() - 1), wanted_for_bands());
+            _nodes.solver(), _nodes.speed(0), _nodes.speed(_nodes.count() - 1), wanted);
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k)
             for (const LockEnd &end : ends)
                 if ((_nodes.speed(k) <= end.speed) != (_nodes.speed(k + 1) <= end.speed))

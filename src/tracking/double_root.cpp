@@ -39,10 +39,9 @@ class Bordered {
         rhs << f, last;
         return _factors.solve(rhs);
     }
-    [[nodiscard]] Eigen::VectorXd solve_transposed(double last) {
-        Eigen::VectorXd rhs = Eigen::VectorXd::Zero(_n + 1);
-        rhs(_n) = last;
-        return _factors.transpose().solve(rhs);
+    /// The same of the transpose, for [0; 1].
+    [[nodiscard]] Eigen::VectorXd transposed() {
+        return _factors.transpose().solve(Eigen::VectorXd::Unit(_n + 1, _n));
     }
 
   private:
@@ -83,7 +82,7 @@ class FoldSearch {
         const Eigen::Index n = Q.Q.rows();
         const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
         const Eigen::VectorXd x = system.solve(zero, 1);
-        const Eigen::VectorXd w = system.solve_transposed(1).head(n);
+        const Eigen::VectorXd w = system.transposed().head(n);
         const auto v = x.head(n);
         const Eigen::VectorXd Ql = Q.l * v;
         const Eigen::VectorXd Qs = Q.s * v;

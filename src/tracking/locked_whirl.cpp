@@ -87,12 +87,11 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
     constexpr double together = 1e-8; // as where motions meet that grow and die out alike
     const Count &low = a.speed < b.speed ? a : b;
     const Count &high = a.speed < b.speed ? b : a;
-    std::ptrdiff_t expected = low.motions;
-    for (const DoubleRoot &root : roots)
-        expected += root.opens ? 1 : -1;
-    if (roots.empty() || expected != high.motions)
+    const auto opened = std::count_if(roots.begin(), roots.end(),
+                                      [](const DoubleRoot &root) { return root.opens; });
+    if (roots.empty() || low.motions + 2 * opened - std::ssize(roots) != high.motions)
         return false;
-    expected = low.motions;
+    std::ptrdiff_t expected = low.motions;
     for (std::size_t i = 0; i <= roots.size(); ++i) {
         const double from = i == 0 ? low.speed : roots[i - 1].speed;
         const double to = i == roots.size() ? high.speed : roots[i].speed;

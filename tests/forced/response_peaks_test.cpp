@@ -8,6 +8,7 @@
 #include "modes/orbits.h"
 #include "results/critical.h"
 #include "results/response.h"
+#include "support/peaks.h"
 #include "support/random.h"
 #include "support/scenes.h"
 
@@ -151,16 +152,7 @@ model::Case random_rotor(Random &random) {
             row.k(0, 1) = random(-0.1, 0.1) * row.k(0, 0);
             row.c(1, 1) *= random(0.4, 2.5);
         }
-        if (random(0, 1) < 0.2) {
-            model::BearingCoefficients faster = row;
-            faster.k *= random(1, 3);
-            faster.c *= random(0.3, 1);
-            bearing.rows.push_back(faster);
-            bearing.speeds = {random(100, 400), random(600, 1500)};
-        }
-        if (random.coin())
-            bearing.pedestal = model::Pedestal{random(2, 20), std::pow(10, random(7, 8.5)),
-                                               std::pow(10, random(2, 4))};
+        tests::attach_at_random(bearing, random, 0.2, 2);
         rotor.bearings.push_back(bearing);
     }
     rotor.imbalances = {tests::imbalance_at(rotor.discs[0].z, 1e-4),
@@ -169,38 +161,22 @@ model::Case random_rotor(Random &random) {
     return scene;
 }
 
-/// Local maxima of the whole rotor's semi-major axis at a place: by looking at very many speeds,
-/// then by parabolas about the largest.
-std::vector<std::pair<double, double>> looked_for(const assembly::Discretization &d, Form form,
-                                                  double z, double from, double to, int count) {
-    forced::ForcedMotion motion(d, form);
-    const auto major = [&](double speed) {
-        motion.solve(speed);
-        const forced::Phasor u = motion.motion(d.deflection_at(z));
+/// Semi-major axis of the whole rotor at a place.
+class Orbit {
+  public:
+    Orbit(const assembly::Discretization &d, Form form, double z)
+        : _motion(d, form), _w(d.deflection_at(z)) {}
+
+    double operator()(double speed) {
+        _motion.solve(speed);
+        const forced::Phasor u = _motion.motion(_w);
         return modes::ellipse_of(u.x, u.y).major;
-    };
-    std::vector<double> values;
-    const double step = (to - from) / count;
-    for (int i = 0; i <= count; ++i)
-        values.push_back(major(from + i * step));
-    std::vector<std::pair<double, double>> out;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-        if (values[i] < values[i - 1] || values[i] <= values[i + 1])
-            continue;
-        double a = from + static_cast<double>(i - 1) * step;
-        double b = from + static_cast<double>(i + 1) * step;
-        while (b - a > 1e-7 * b) { // thirds
-            const double left = a + (b - a) / 3;
-            const double right = b - (b - a) / 3;
-            if (major(left) < major(right))
-                a = left;
-            else
-                b = right;
-        }
-        out.emplace_back((a + b) / 2, major((a + b) / 2));
     }
-    return out;
-}
+
+  private:
+    forced::ForcedMotion _motion;
+    assembly::Combination _w;
+};
 
 TEST(ResponsePeaks, NoneMissingNoneFalseInRandomRotors) {
     Random random(11);
@@ -212,8 +188,8 @@ TEST(ResponsePeaks, NoneMissingNoneFalseInRandomRotors) {
         const assembly::Discretization d(scene.rotor, result.model.order);
         for (const model::Disc &disc : scene.rotor.discs) {
             const auto peaks = at_place(result, "station", disc.z);
-            const auto expected =
-                looked_for(d, result.model.formulation.form, disc.z, 0.3, scene.speeds->to, 6000);
+            Orbit orbit(d, result.model.formulation.form, disc.z);
+            const auto expected = tests::looked_for(orbit, 0.3, scene.speeds->to, 6000);
             ASSERT_EQ(peaks.size(), expected.size()) << "rotor " << rotor;
             for (std::size_t i = 0; i < peaks.size(); ++i) {
                 // A search by values finds the place to the root of rounding.
@@ -256,11 +232,7 @@ TEST(ResponsePeaks, TheGridDoesNotMatter) {
         const auto coarse = analyses::unbalance_response(scene).peaks;
         scene.speeds->count = 1001;
         const auto fine = analyses::unbalance_response(scene).peaks;
-        ASSERT_EQ(coarse.size(), fine.size());
-        for (std::size_t i = 0; i < fine.size(); ++i) {
-            EXPECT_NEAR(coarse[i].speed / fine[i].speed, 1, 1e-8);
-            EXPECT_NEAR(coarse[i].value / fine[i].value, 1, 1e-8);
-        }
+        tests::expect_same_peaks(coarse, fine);
     }
 }
 
@@ -273,19 +245,8 @@ TEST(ResponsePeaks, ErrorsHold) {
         const auto coarse = analyses::unbalance_response(scene).peaks;
         scene.rotor.shaft.order = 10;
         const auto fine = analyses::unbalance_response(scene).peaks;
-        if (coarse.size() != fine.size())
-            continue; // so coarse that a peak is on the other side of an end
-        for (std::size_t i = 0; i < fine.size(); ++i) {
-            if (std::isnan(coarse[i].error))
-                continue;
-            const double value = std::abs(coarse[i].value / fine[i].value - 1);
-            const double speed = std::abs(coarse[i].speed / fine[i].speed - 1);
-            EXPECT_LE(value, 2 * coarse[i].error + 3e-9) << "rotor " << rotor << " peak " << i;
-            if (std::isnan(coarse[i].speed_error))
-                continue; // a shallow maximum, or the row of a bearing table
-            EXPECT_LE(speed, 2 * coarse[i].speed_error + 1e-9) << "rotor " << rotor;
-            ++compared;
-        }
+        SCOPED_TRACE(testing::Message() << "rotor " << rotor);
+        compared += tests::expect_within_errors(coarse, fine);
     }
     EXPECT_GT(compared, 60);
 }

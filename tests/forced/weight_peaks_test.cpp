@@ -86,35 +86,6 @@ TEST(WeightPeaks, CriticalAtHalfTheSpeedWithoutDamping) {
     }
 }
 
-/// Local maxima of the whole rotor's circle, by looking at very many speeds.
-std::vector<std::pair<double, double>> looked_for(const assembly::Discretization &d, double z,
-                                                  double from, double to, int count) {
-    forced::ForcedMotion motion(d, Form::rotating, {g});
-    const assembly::Combination w = d.deflection_at(z);
-    const auto circle = [&](double speed) {
-        motion.solve(speed);
-        return std::abs(motion.motion(w).x);
-    };
-    std::vector<double> values;
-    const double step = (to - from) / count;
-    for (int i = 0; i <= count; ++i)
-        values.push_back(circle(from + i * step));
-    std::vector<std::pair<double, double>> out;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) {
-        if (values[i] < values[i - 1] || values[i] <= values[i + 1])
-            continue;
-        double a = from + static_cast<double>(i - 1) * step;
-        double b = from + static_cast<double>(i + 1) * step;
-        while (b - a > 1e-7 * b) { // thirds
-            const double left = a + (b - a) / 3;
-            const double right = b - (b - a) / 3;
-            (circle(left) < circle(right) ? a : b) = circle(left) < circle(right) ? left : right;
-        }
-        out.emplace_back((a + b) / 2, circle((a + b) / 2));
-    }
-    return out;
-}
-
 TEST(WeightPeaks, NoPeakIsMissingAndNoneFalseInRandomRotors) {
     Random random(34);
     int found = 0;
@@ -122,9 +93,15 @@ TEST(WeightPeaks, NoPeakIsMissingAndNoneFalseInRandomRotors) {
         const model::Case scene = weighed_rotor(random);
         const auto result = analyses::unbalance_response(scene);
         const assembly::Discretization d(scene.rotor, 2);
+        forced::ForcedMotion motion(d, Form::rotating, {g});
         for (const model::Disc &disc : scene.rotor.discs) {
             const auto peaks = peaks_at(result, disc.z);
-            const auto expected = looked_for(d, disc.z, 0.3, scene.speeds->to, 4000);
+            const assembly::Combination w = d.deflection_at(disc.z);
+            const auto circle = [&](double speed) {
+                motion.solve(speed);
+                return std::abs(motion.motion(w).x);
+            };
+            const auto expected = tests::looked_for(circle, 0.3, scene.speeds->to, 4000);
             ASSERT_EQ(peaks.size(), expected.size()) << "rotor " << rotor;
             for (std::size_t i = 0; i < peaks.size(); ++i, ++found) {
                 // A search by values finds the place of a shallow one to the root of rounding.
@@ -143,11 +120,7 @@ TEST(WeightPeaks, TheGridOfItsPeaksDoesNotMatter) {
         const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
         scene.speeds->count = 1001;
         const auto fine = analyses::unbalance_response(scene).gravity->peaks;
-        ASSERT_EQ(coarse.size(), fine.size());
-        for (std::size_t i = 0; i < fine.size(); ++i) {
-            EXPECT_NEAR(coarse[i].speed / fine[i].speed, 1, 1e-8);
-            EXPECT_NEAR(coarse[i].value / fine[i].value, 1, 1e-8);
-        }
+        tests::expect_same_peaks(coarse, fine);
     }
 }
 
@@ -160,13 +133,8 @@ TEST(WeightPeaks, ErrorsOfItsPeaksHold) {
         const auto coarse = analyses::unbalance_response(scene).gravity->peaks;
         scene.rotor.shaft.order = 10;
         const auto fine = analyses::unbalance_response(scene).gravity->peaks;
-        if (coarse.size() != fine.size())
-            continue; // so coarse that a peak is on the other side of an end
-        for (std::size_t i = 0; i < fine.size(); ++i, ++compared)
-            if (!std::isnan(coarse[i].error)) {
-                EXPECT_LE(std::abs(coarse[i].value / fine[i].value - 1), 2 * coarse[i].error + 3e-9)
-                    << "rotor " << rotor << " peak " << i;
-            }
+        SCOPED_TRACE(testing::Message() << "rotor " << rotor);
+        compared += tests::expect_within_errors(coarse, fine);
     }
     EXPECT_GT(compared, 10);
 }

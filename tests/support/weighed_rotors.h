@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/response.h"
+#include "support/peaks.h"
 #include "support/random.h"
 #include "support/scenes.h"
 
@@ -105,16 +106,7 @@ inline model::Case weighed_rotor(Random &random, bool shaft = true) {
             row.k(0, 1) = random(-0.02, 0.02) * row.k(0, 0);
             row.k(1, 0) = -row.k(0, 1);
         }
-        if (random(0, 1) < 0.3) {
-            model::BearingCoefficients faster = row;
-            faster.k *= random(1, 3);
-            faster.c *= random(0.3, 1);
-            bearing.rows.push_back(faster);
-            bearing.speeds = {random(100, 400), random(600, 1500)};
-        }
-        if (random.coin())
-            bearing.pedestal = model::Pedestal{random(2, 20), std::pow(10, random(7, 8.5)),
-                                               std::pow(10, random(3, 4))};
+        attach_at_random(bearing, random, 0.3, 3);
         rotor.bearings.push_back(bearing);
     }
     scene.speeds = model::SpeedRange{0, random(500, 1200), 11};
