@@ -94,7 +94,7 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
     curves.values.resize(all.quantities.size());
     curves.phases.resize(all.quantities.size());
     std::vector<std::pair<int, results::ResponsePeak>> found_at; // quantity, peak
-    const auto add_between = [&](double from, double to) { // of one sign
+    const auto add_between = [&](double from, double to) {       // of one sign
         const CertifiedPeaks found =
             response_peaks(d, form, all.quantities, all.z, from, to, options);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {

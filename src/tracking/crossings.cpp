@@ -108,8 +108,8 @@ class Sweep {
 
     /// Ends of bands of locked motion over the whole range, the same whatever its grid.
     void find_bands(CrossingSearch &search, int wanted) const {
-        const std::vector<LockEnd> ends = lock_ends_over(
-            _nodes.solver(), _nodes.speed(0), _nodes.speed(_nodes.count() - 1), wanted);
+        const std::vector<LockEnd> ends = lock_ends_over(_nodes.solver(), _nodes.speed(0),
+                                                         _nodes.speed(_nodes.count() - 1), wanted);
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k)
             for (const LockEnd &end : ends)
                 if ((_nodes.speed(k) <= end.speed) != (_nodes.speed(k + 1) <= end.speed))
