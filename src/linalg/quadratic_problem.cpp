@@ -23,6 +23,9 @@ double QuadraticProblem::preconditioned_norm(const Eigen::MatrixX2d &v) const {
 }
 
 void QuadraticProblem::assess(ComplexPair &pair) const {
+    constexpr double blurred = 1e-5; // of the shift; a double zero blurs to the root of rounding
+    const bool beside_zero = std::abs(pair.value) < blurred * std::abs(_shift);
+    const double of_left = beside_zero ? polish_beside_zero(pair) : 0;
     const std::complex<double> l = pair.value;
     Eigen::Index largest = 0;
     pair.vector.cwiseAbs2().maxCoeff(&largest);
@@ -49,9 +52,45 @@ void QuadraticProblem::assess(ComplexPair &pair) const {
     const std::complex<double> derivative(x.col(0).dot(slope.col(0)) + x.col(1).dot(slope.col(1)),
                                           x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
     const double size_of_derivative = std::abs(derivative);
-    pair.rounding = size_of_derivative > 0
-                        ? std::numeric_limits<double>::epsilon() * entries / size_of_derivative
-                        : 0;
+    const double of_right = size_of_derivative > 0 ? std::numeric_limits<double>::epsilon() *
+                                                         entries / size_of_derivative
+                                                   : 0;
+    pair.rounding = std::max(of_right, of_left);
+}
+
+double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
+    using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
+    constexpr double unknown = 1;
+    const auto at = [this](std::complex<double> l) {
+        return SparseComplex(l * l * _M + l * _D + _K.cast<std::complex<double>>());
+    };
+    const std::complex<double> l = pair.value;
+    Eigen::SparseLU<SparseComplex> lu(at(l));
+    if (lu.info() != Eigen::Success)
+        return unknown;
+    Eigen::VectorXcd right = pair.vector;
+    Eigen::VectorXcd left = right.conjugate();
+    for (int k = 0; k < 3; ++k) { // inverse iteration
+        right = lu.solve(right).eval().normalized();
+        left = lu.transpose().solve(left).eval().normalized();
+    }
+    if (!right.allFinite() || !left.allFinite())
+        return unknown;
+    const Eigen::VectorXcd slope = 2.0 * l * (_M * right) + _D * right;
+    const std::complex<double> y_slope = (left.transpose() * slope).value();
+    const Eigen::VectorXd a = left.cwiseAbs();
+    const Eigen::VectorXd b = right.cwiseAbs();
+    const double size = std::abs(l);
+    const double entries =
+        a.dot(_absK * b) + size * a.dot(_absD * b) + size * size * a.dot(_absM * b);
+    const double noise = std::numeric_limits<double>::epsilon() * entries;
+    const std::complex<double> step = (left.transpose() * (at(l) * right)).value() / y_slope;
+    if (!(std::abs(y_slope) * size > noise) || !(std::abs(step) < 0.5 * size))
+        return unknown;
+    pair = {l - step, right, 0, 0};
+    if (l.imag() == 0) // so are the equations
+        pair.value.imag(0);
+    return noise / (std::abs(y_slope) * size);
 }
 
 std::vector<ComplexPair> QuadraticProblem::dense() const {

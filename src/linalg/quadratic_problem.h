@@ -30,6 +30,10 @@ class QuadraticProblem {
     double _shift;
     Eigen::SparseLU<Sparse> _lu;
 
+    /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
+    /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is
+    ///          blurred, a double one above all, and looks like a small eigenvalue of its own
+    [[nodiscard]] double polish_beside_zero(ComplexPair &pair) const;
     /// Length of Q(shift)^-1 v.
     [[nodiscard]] double preconditioned_norm(const Eigen::MatrixX2d &v) const;
 };

@@ -26,8 +26,7 @@ const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalue
     return found;
 }
 
-/// Eigenvalues below this part of the shift may be zeros that rounding blurs: of a double one the
-/// root of it is left.
+/// Zeros below this part of the shift are blurred by rounding: of a double one the root is left.
 constexpr double blurred = 1e-5;
 
 template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
@@ -107,19 +106,6 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     return found;
 }
 
-/// Those known to be zero come blurred; nothing is known of others that are not much larger.
-void RotatingSpectrum::set_zeros(std::vector<linalg::ComplexPair> &pairs, double largest) const {
-    double blur = 0;
-    for (std::size_t i = 0; i < pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
-        if (const double size = std::abs(pairs[i].value); size < largest) {
-            blur = std::max(blur, size);
-            pairs[i].value = 0;
-        }
-    for (linalg::ComplexPair &pair : pairs)
-        if (std::abs(pair.value) < 100 * blur)
-            pair.rounding = std::max(pair.rounding, 1.0);
-}
-
 RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
                                                       Keep keep) const {
     linalg::QuadraticOptions options;
@@ -149,8 +135,10 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    if (_harmonics == 0)
-        set_zeros(out.pairs, blurred * shift);
+    if (_harmonics == 0) // known to be zero, they come blurred
+        for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
+            if (std::abs(out.pairs[i].value) < blurred * shift)
+                out.pairs[i].value = 0;
     return out;
 }
 

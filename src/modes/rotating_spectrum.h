@@ -91,7 +91,6 @@ class RotatingSpectrum {
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
-    void set_zeros(std::vector<linalg::ComplexPair> &pairs, double largest) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
