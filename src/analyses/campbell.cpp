@@ -194,7 +194,10 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
 tracking::Tracking followed_lines(const modes::SpectrumSolver &solver,
                                   const std::vector<double> &speeds, int modes,
                                   std::vector<modes::Spectrum> &spectra) {
-    int computed = modes + 2;
+    // With balancers some of the slowest modes are the balls': lines leave and come back.
+    const int more_modes = std::max(4, modes / 2);
+    const bool balanced = !solver.discretization().rotor().balancers.empty();
+    int computed = modes + (balanced ? more_modes : 2);
     tracking::Tracking tracking;
     for (int attempt = 0;; ++attempt) {
         spectra = tracking::spectra_at(solver, speeds, computed);
@@ -208,7 +211,7 @@ tracking::Tracking followed_lines(const modes::SpectrumSolver &solver,
         process::broadcast(more);
         if (more[0] == 0)
             return tracking;
-        computed += std::max(4, modes / 2);
+        computed += more_modes;
     }
 }
 

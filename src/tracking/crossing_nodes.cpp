@@ -49,7 +49,14 @@ Node SweepNodes::bare(std::size_t k) const {
 }
 
 Node SweepNodes::full(std::size_t k) const {
-    return {{_spectra[k], _solver.basis(_spectra[k])}, lines_at(k)};
+    constexpr std::size_t most = 8; // the ends of a step are asked for again and again
+    auto known = _bases.find(k);
+    if (known == _bases.end()) {
+        if (_bases.size() >= most)
+            _bases.clear();
+        known = _bases.emplace(k, _solver.basis(_spectra[k])).first;
+    }
+    return {{_spectra[k], known->second}, lines_at(k)};
 }
 
 std::vector<Link> SweepNodes::links(std::size_t k) const {

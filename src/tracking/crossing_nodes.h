@@ -3,6 +3,7 @@
 #include "tracking/mode_matching.h"
 #include "tracking/tracking.h"
 
+#include <map>
 #include <vector>
 
 namespace whirl::tracking {
@@ -60,6 +61,7 @@ class SweepNodes {
     const modes::SpectrumSolver &_solver;
     const Tracking &_tracking;
     const std::vector<modes::Spectrum> &_spectra;
+    mutable std::map<std::size_t, modes::ModeBasis> _bases; ///< of speeds asked for last
 
     [[nodiscard]] std::vector<int> lines_at(std::size_t k) const;
 };
