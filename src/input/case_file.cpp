@@ -1,6 +1,7 @@
 #include "input/case_file.h"
 
 #include "input/overrides.h"
+#include "input/plausibility.h"
 #include "input/sections.h"
 #include "input/toml_text.h"
 #include "input/validate.h"
@@ -94,6 +95,8 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     scene.name = case_name(file);
     validate(scene, tree, context.problems);
     context.problems.throw_if_any();
+    scene.remarks = std::move(context.remarks);
+    add_remarks(scene, tree);
     return scene;
 }
 

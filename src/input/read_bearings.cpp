@@ -63,6 +63,11 @@ void read_bearing_table(const std::string &path, model::Bearing &bearing, ReadCo
                              "missing, expected a column of angular speeds");
         return;
     }
+    if (!table.has_unit("speed"))
+        context.remarks.push_back(
+            fmt::format("the speeds of {} have no unit and are taken in rad/s; a header such as "
+                        "\"speed [rpm]\" says which",
+                        path));
     if (const char *key = mixed_key([&](const char *name) { return table.has(name); }))
         context.problems.add(table.header_origin(), key, mixed_message(key));
     for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -73,7 +78,8 @@ void read_bearing_table(const std::string &path, model::Bearing &bearing, ReadCo
                                              speed, bearing.speeds.back()));
         bearing.speeds.push_back(speed);
         bearing.rows.push_back(read_coefficients([&](const char *name, Quantity, Range range) {
-            return table.optional_number(i, name, range);
+            // An empty cell is a coefficient that was forgotten, not one that is 0.
+            return table.has(name) ? std::optional(table.number(i, name, range)) : std::nullopt;
         }));
     }
 }

@@ -101,6 +101,7 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
+    std::vector<std::string> remarks; ///< what of it is no mistake and looks like one
 };
 
 /// The spin speeds of a case.
