@@ -96,6 +96,10 @@ void check_segment(const model::Segment &segment, const Origin &origin, const st
                    Problems &problems) {
     const bool start = segment.inner_start >= segment.outer_start;
     const bool end = segment.inner_end >= segment.outer_end;
+    if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
+        problems.add(origin, key,
+                     fmt::format("expected mass_inner below mass_outer, {} m, got {} m",
+                                 segment.mass_outer, segment.mass_inner));
     if (start || end)
         problems.add(origin, key,
                      fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",
