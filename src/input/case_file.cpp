@@ -68,9 +68,9 @@ model::Case read_case(CheckedTable &root) {
     read_anisotropies(root, scene.rotor);
     read_balancers(root, scene.rotor);
     read_planes(root, scene.rotor);
-    read_imbalances(root, scene.rotor);
     read_probes(root, scene.rotor);
     read_speeds(root, scene);
+    read_imbalances(root, scene);
     read_campbell(root, scene);
     read_response(root, scene);
     read_simulate(root, scene);

@@ -32,7 +32,8 @@ void read_bearings(CheckedTable &root, model::Rotor &rotor);
 void read_anisotropies(CheckedTable &root, model::Rotor &rotor);
 void read_balancers(CheckedTable &root, model::Rotor &rotor);
 void read_planes(CheckedTable &root, model::Rotor &rotor);
-void read_imbalances(CheckedTable &root, model::Rotor &rotor);
+/// Rules for imbalances want the mass of the rotor and [speeds]: both must be there.
+void read_imbalances(CheckedTable &root, model::Case &scene);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
 /// Reads [speeds], [campbell], [response], [simulate]; last [map] and [samples], which may name any

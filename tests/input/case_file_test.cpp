@@ -354,28 +354,5 @@ TEST(CaseName, OfAFileIsItsStem) {
     EXPECT_EQ(input::load_case(renamed).name, "other");
 }
 
-TEST(CaseFile, SectionsOfOtherMake) {
-    const std::string shaft =
-        "shaft.segments=[{length = 1, outer = 0.05, shear = 0.8, mass_outer = "
-        "0.07, mass_inner = 0.01, layers = [{outer = 0.06}, {outer = 0.08, "
-        "inner = 0.07}]}]";
-    const model::Case scene = load_text(sound_case, {shaft, "shaft.rotary_inertia=false"});
-    EXPECT_FALSE(scene.rotor.shaft.rotary_inertia);
-    const model::Segment &segment = scene.rotor.shaft.segments.at(0);
-    EXPECT_EQ(segment.shear_coefficient, 0.8);
-    EXPECT_EQ(segment.mass_outer, 0.07);
-    EXPECT_EQ(segment.mass_inner, 0.01);
-    ASSERT_EQ(segment.layers.size(), 2U);
-    EXPECT_EQ(segment.layers[0].inner, 0.05); // it sits on the segment
-    EXPECT_EQ(segment.layers[1].inner, 0.07);
-    const std::string wrong =
-        refusal(sound_case, {"shaft.segments=[{length = 1, outer = 0.05, mass_outer = 0.01, "
-                             "mass_inner = 0.02, layers = [{outer = 0.04}]}]"});
-    EXPECT_NE(wrong.find("layers[0].outer: expected a diameter above the inner one, 0.05 m"),
-              std::string::npos)
-        << wrong;
-    EXPECT_NE(wrong.find("expected mass_inner below mass_outer"), std::string::npos) << wrong;
-}
-
 } // namespace
 } // namespace whirl::tests

@@ -62,11 +62,8 @@ double disc_radius(const model::Disc &disc) {
 
 double largest_radius(const model::Rotor &rotor) {
     double radius = 0;
-    for (const auto &segment : rotor.shaft.segments) {
+    for (const auto &segment : rotor.shaft.segments)
         radius = std::max({radius, segment.outer_start / 2, segment.outer_end / 2});
-        for (const model::Layer &layer : segment.layers)
-            radius = std::max(radius, layer.outer / 2);
-    }
     for (const auto &disc : rotor.discs)
         radius = std::max(radius, disc_radius(disc));
     for (const auto &balancer : rotor.balancers)
@@ -100,9 +97,6 @@ void draw_shaft(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft)
             return std::vector<DrawPoint>{
                 {a, sheet.axis - r}, {b, sheet.axis - s}, {b, sheet.axis + s}, {a, sheet.axis + r}};
         };
-        for (auto layer = segment.layers.rbegin(); layer != segment.layers.rend(); ++layer)
-            drawing.shapes.push_back(
-                area(section(layer->outer, layer->outer), "#E4EAEF", "#33404C"));
         drawing.shapes.push_back(
             area(section(segment.outer_start, segment.outer_end), "#C9D3DC", "#33404C"));
         if (segment.inner_start > 0 || segment.inner_end > 0) {
