@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/samples.h"
 
@@ -91,7 +92,7 @@ std::string marks_of(const SampledAnswer &answer) {
     return text;
 }
 
-std::string panel_of(const SampledAnswer &answer, std::size_t index) {
+std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std::size_t index) {
     const std::vector<double> values = shown_values(answer);
     const Histogram histogram = histogram_of(values);
     const auto [low, high] = histogram.range;
@@ -102,7 +103,9 @@ std::string panel_of(const SampledAnswer &answer, std::size_t index) {
     const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
     const double margin = 0.06 * (high - low);
     const std::string name = fmt::format("samples{}", index);
-    return data_block(name, {bars}) + marks_of(answer) +
+    const std::string operation =
+        answer.unit == "rad/s" ? operation_band(scene, {low - margin, high + margin}) : "";
+    return data_block(name, {bars}) + marks_of(answer) + operation +
            fmt::format(
                "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',10' offset 0,0.4\n"
                "set ylabel 'samples' font ',10' offset 1.5,0\n"
@@ -156,7 +159,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
         const double upper = top - static_cast<double>(row) * down;
         figure.script += panel_margins(left + 0.2 * across, left + 0.94 * across,
                                        upper - 0.8 * down, upper - 0.2 * down) +
-                         panel_of(*drawn[i], i);
+                         panel_of(scene, *drawn[i], i);
     }
     if (drawn.empty())
         figure.script += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
