@@ -379,6 +379,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     }
     if (scene.level1)
         try {
+            const process::Stage stage("added cross coupling", 0.95, 1.0);
             result.level1 = operation::level1(scene, result.model.notes);
         } catch (const model::AnalysisFailure &failure) {
             result.model.notes.emplace_back(failure.what());

@@ -109,6 +109,11 @@ class CoupledRotor {
         : _scene(scene), _form(form), _order(order) {}
 
     [[nodiscard]] std::vector<modes::WhirlMode> modes(double q) const {
+        constexpr int most_solved = 5000; // some hundred do
+        if (++_solved > most_solved)
+            throw model::AnalysisFailure(
+                "level1: the first forward mode could not be followed over "
+                "the added cross coupling");
         const modes::SpectrumSolver solver(coupled(_scene.rotor, _scene.level1->z, q), _form,
                                            _order);
         const int wanted = std::max(fewest_modes, _scene.campbell.modes);
@@ -143,11 +148,13 @@ class CoupledRotor {
     const model::Case &_scene;
     results::Form _form;
     int _order;
+    mutable int _solved = 0;
 };
 
 /// The first forward mode, with the slower ones before it: where bearings differ between their
 /// directions cross coupling makes the forward mode of a pair out of both. Heavily damped ones are
-/// no modes in this sense; where all are, the least damped one counts.
+/// no modes in this sense; where all are, the least damped one counts. The other one of a pair may
+/// follow the forward one.
 std::vector<modes::WhirlMode> first_modes(std::vector<modes::WhirlMode> all) {
     std::vector<modes::WhirlMode> light;
     for (const modes::WhirlMode &mode : all)
@@ -164,7 +171,11 @@ std::vector<modes::WhirlMode> first_modes(std::vector<modes::WhirlMode> all) {
         return mode.whirl == results::Whirl::forward;
     });
     const auto pair = static_cast<std::ptrdiff_t>(std::min<std::size_t>(light.size(), 2));
-    light.erase(forward == light.end() ? light.begin() + pair : forward + 1, light.end());
+    constexpr double close = 1.2; // ratio of two frequencies of a pair
+    auto end = forward == light.end() ? light.begin() + pair : forward + 1;
+    if (end != light.end() && end->eigenvalue.imag() < close * (end - 1)->eigenvalue.imag())
+        ++end;
+    light.erase(end, light.end());
     return light;
 }
 

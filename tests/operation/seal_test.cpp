@@ -87,6 +87,45 @@ TEST(Seal, WithMassAloneIsAPointMass) {
         EXPECT_NEAR(other.peaks[i].speed / one.peaks[i].speed, 1, 1e-8);
 }
 
+/// Forms and routes that take the mass of supports in their own ways agree.
+TEST(Seal, IsTheSameInEveryForm) {
+    model::BearingCoefficients at;
+    at.k << 4e5, 2e5, -2e5, 4e5;
+    at.c << 300, 50, -50, 300;
+    model::Rotor rotor = tests::two_disc_rotor(1e7, 1e7, 0, 500);
+    rotor.bearings.push_back(seal(0.75, 8, at));
+    const auto spectrum = [&rotor](results::Form form) {
+        return modes::SpectrumSolver(rotor, form, 4).at(250, 6).modes;
+    };
+    const std::vector<modes::WhirlMode> general = spectrum(results::Form::general);
+    for (const results::Form form : {results::Form::planar_damped, results::Form::rotating}) {
+        const std::vector<modes::WhirlMode> other = spectrum(form);
+        ASSERT_EQ(other.size(), general.size());
+        for (std::size_t i = 0; i < general.size(); ++i)
+            // Rounding of some fifty unknowns.
+            EXPECT_LT(std::abs(other[i].eigenvalue - general[i].eigenvalue),
+                      1e-8 * std::abs(general[i].eigenvalue));
+    }
+}
+
+TEST(Seal, HasItsMassOnFewShapesToo) {
+    model::Case scene;
+    scene.rotor = tests::two_disc_rotor(1e7, 2e7, 0, 500);
+    scene.rotor.imbalances = {{"", 0.5, 1e-4, 0}};
+    scene.rotor.bearings.push_back(seal(0.75, 8));
+    scene.speeds = model::SpeedRange{20, 400, 5};
+    const auto few = analyses::response_peaks(scene, false).peaks;
+    scene.reduction = false;
+    const auto all = analyses::response_peaks(scene, false).peaks;
+    ASSERT_EQ(few.size(), all.size());
+    ASSERT_FALSE(all.empty());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        // What peaks on few shapes are confirmed to.
+        EXPECT_NEAR(few[i].speed / all[i].speed, 1, 1e-8);
+        EXPECT_NEAR(few[i].value / all[i].value, 1, 1e-7);
+    }
+}
+
 TEST(Seal, IsNoBearingInTheLists) {
     model::Case scene;
     scene.rotor = tests::two_disc_rotor(1e7, 2e7, 0, 500);

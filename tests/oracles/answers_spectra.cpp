@@ -97,6 +97,8 @@ Answer answer_campbell(const Request &request) {
 
 Answer answer_critical(const Request &request) {
     const CaseRotor &rotor = request.rotor;
+    if (request.path.rfind("/margins", 0) == 0)
+        return answer_operation(request);
     if (request.path != "critical_speeds")
         no_answer("critical: no oracle for " + request.path);
     if (rotor.rigid && !rotor.balancers.empty())

@@ -18,11 +18,11 @@ std::string at(double speed, SpeedAxis axis, int end) {
 }
 
 /// Arrows are not cut at the border: nothing beyond the axis.
-std::string line_at(double speed, Range range, SpeedAxis axis, const char *depth) {
+std::string line_at(double speed, Range range, SpeedAxis axis, const char *look) {
     if (speed < range.low || speed > range.high)
         return "";
-    return fmt::format("set arrow from {} to {} nohead {} lc rgb '{}' lw 1.4\n", at(speed, axis, 0),
-                       at(speed, axis, 1), depth, trip_colour);
+    return fmt::format("set arrow from {} to {} nohead {} lw 1.4\n", at(speed, axis, 0),
+                       at(speed, axis, 1), look);
 }
 
 /// The part of the band that the axis shows.
@@ -48,7 +48,8 @@ std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis
             fmt::format("set object rectangle from {} to {} behind fs solid noborder fc rgb '{}'\n",
                         at(band->low, axis, 0), at(band->high, axis, 1), band_colour);
     if (trip_shown(scene, range))
-        out += line_at(*scene.operation->trip * rpm, range, axis, "back");
+        out += line_at(*scene.operation->trip * rpm, range, axis,
+                       fmt::format("back lc rgb '{}'", trip_colour).c_str());
     return out;
 }
 
@@ -58,7 +59,11 @@ std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axi
     const model::Operation &running = *scene.operation;
     std::string out;
     for (const double speed : {running.from, running.to, running.trip.value_or(running.to)})
-        out += line_at(speed * rpm, range, axis, "front");
+        out += line_at(speed * rpm, range, axis, "front lc rgb '#FFC83D' dt (9,5)");
+    if (shown_band(scene, range) && axis == SpeedAxis::y)
+        out += fmt::format("set label 'operating speeds' at graph 0.015,first {:.9g} left offset "
+                           "0,-0.6 font ',9' front textcolor '#FFC83D'\n",
+                           shown_band(scene, range)->high);
     return out;
 }
 

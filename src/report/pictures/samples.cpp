@@ -119,11 +119,14 @@ std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std:
            "unset object\nunset arrow\nunset label\nunset title\n";
 }
 
-std::string subtitle_of(const SamplesResult &result, std::size_t drawn, std::size_t all) {
+std::string subtitle_of(const model::Case &scene, const SamplesResult &result, std::size_t drawn,
+                        std::size_t all) {
     std::string text = fmt::format(
         "{} samples{}; lines: quantiles, shaded: their intervals of 95 %; dashed: the "
         "case as it is",
         result.count, result.failed > 0 ? fmt::format(", {} of them failed", result.failed) : "");
+    if (scene.operation)
+        text += "; green: operating speeds";
     if (drawn < all)
         text += fmt::format("; the first {} of {} answers", drawn, all);
     return text;
@@ -148,7 +151,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
     const int row_height = 290;
     figure.height = head + static_cast<int>(rows) * row_height;
     figure.script = figure_head("Uncertain entries: " + title_of(scene),
-                                subtitle_of(result, drawn.size(), all), figure.height) +
+                                subtitle_of(scene, result, drawn.size(), all), figure.height) +
                     "set grid y lc rgb '#E4E4E4' lt 1 lw 0.6\nunset key\nset format x '%g'\n";
     const double across = 1.0 / static_cast<double>(columns);
     const double down = static_cast<double>(row_height) / figure.height;

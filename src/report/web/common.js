@@ -17,7 +17,7 @@ function operating(layout) {
     x0: from * rpm, x1: to * rpm, y0: 0, y1: 1, line: {width: 0}}, more);
   if (!at || !layout.xaxis || !layout.xaxis.title.text.startsWith("Spin speed")) return {};
   const name = (speed, text, anchor) => ({x: speed * rpm, xref: "x", y: 0, yref: "paper", xanchor: anchor, yanchor: "bottom", text,
-    showarrow: false, font: {size: 11, color: "#7A5200"}});
+    showarrow: false, textangle: -90, font: {size: 11, color: "#7A5200"}});
   const shapes = [across(at.from, at.to, {fillcolor: "#E3EFDA"})], names = [name(at.from, "operating speeds", "left")];
   if (at.trip !== null) {
     shapes.push(across(at.trip, at.trip, {type: "line", line: {width: 1.5, color: "#7A5200"}}));
