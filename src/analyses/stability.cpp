@@ -9,6 +9,7 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "operation/level1.h"
 #include "process/parallel.h"
 #include "process/processes.h"
 #include "process/progress.h"
@@ -360,6 +361,13 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     } else {
         search(scene, model, result);
     }
+    if (scene.level1)
+        try {
+            const process::Stage stage("added cross coupling", 0.95, 1.0);
+            result.level1 = operation::level1(scene, result.model.notes);
+        } catch (const model::AnalysisFailure &failure) {
+            result.model.notes.emplace_back(failure.what());
+        }
     if (scene.map)
         result.map = stability_map(*scene.map, with);
     if (result.map && !result.map->why.empty())

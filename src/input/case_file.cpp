@@ -65,11 +65,13 @@ model::Case read_case(CheckedTable &root) {
     scene.rotor.shaft = read_shaft(root, materials);
     read_discs(root, materials, scene.rotor);
     read_bearings(root, scene.rotor);
+    read_seals(root, scene.rotor);
     read_anisotropies(root, scene.rotor);
     read_balancers(root, scene.rotor);
     read_planes(root, scene.rotor);
     read_probes(root, scene.rotor);
     read_speeds(root, scene);
+    read_operation(root, scene);
     read_imbalances(root, scene);
     read_campbell(root, scene);
     read_response(root, scene);

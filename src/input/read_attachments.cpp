@@ -122,10 +122,10 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
     const auto own = table.optional_number("speed", Quantity::angular_speed, Range::positive());
     const double share = table.number_or("share", 1, Quantity::dimensionless, Range::positive());
     const double fastest = scene.speeds ? std::max(scene.speeds->from, scene.speeds->to) : 0;
-    const double speed = own.value_or(fastest);
+    const double speed = own.value_or(scene.operation ? scene.operation->to : fastest);
     if (!(speed > 0)) {
         table.fail("speed", "missing, expected the angular speed in rad/s at which the rule holds, "
-                            "or [speeds]");
+                            "or [operation] or [speeds]");
         return 0;
     }
     constexpr double millimetre = 1e-3; // m

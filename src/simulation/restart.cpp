@@ -37,6 +37,8 @@ void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
                 add(sizes, *m);
         const model::Pedestal pedestal = b.pedestal.value_or(model::Pedestal{});
         sizes.insert(sizes.end(), {pedestal.mass, pedestal.k, pedestal.c});
+        if (b.mass > 0)
+            sizes.push_back(b.mass);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -230,12 +231,14 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
     LabelPlacer placer = occupied(panel, scene, result);
     std::string script;
     std::vector<PlotPoint> points;
+    std::vector<PlotPoint> heavy;
     for (const auto &crossing : result.crossings) {
         const double x = panel.across(crossing.speed * rpm);
         const double y = panel.up(crossing.frequency * hertz);
         if (y <= 0 || y >= 1)
             continue;
-        points.push_back({crossing.speed * rpm, crossing.frequency * hertz});
+        (crossing.damping.heavy() ? heavy : points)
+            .push_back({crossing.speed * rpm, crossing.frequency * hertz});
         if (crossing.frequency * hertz < named_above)
             continue;
         const std::string text = fmt::format("{:.0f} rpm", crossing.speed * rpm);
@@ -243,15 +246,32 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
             placer.place(x, y, (7.2 * static_cast<double>(text.size()) + 4) / panel.pixels_wide,
                          17 / panel.pixels_high);
         const double middle = box.y + box.height / 2;
-        script += fmt::format("set label {} at graph {},{} left font ',10'\n", plot_text(text),
-                              box.x, middle);
+        script += fmt::format("set label {} at graph {},{} left font ',10' textcolor '{}'\n",
+                              plot_text(text), box.x, middle,
+                              crossing.damping.heavy() ? heavy_colour : "#000000");
         if (std::abs(middle - y) * panel.pixels_high > 22)
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
                                   "lc rgb '#999999'\n",
                                   x, y, std::clamp(x, box.x, box.x + box.width),
                                   middle > y ? box.y : box.y + box.height);
     }
-    return script + data_block(panel.name + "crossings", {points});
+    return script + data_block(panel.name + "crossings", {points}) +
+           data_block(panel.name + "heavy", {heavy});
+}
+
+/// Black where a margin counts, grey where damping is so heavy that none is needed.
+std::string crossing_plots(const Panel &panel, const CampbellResult &result, bool key) {
+    const auto heavy = [](const results::Crossing &crossing) { return crossing.damping.heavy(); };
+    const auto all = result.crossings.size();
+    const auto grey = static_cast<std::size_t>(
+        std::count_if(result.crossings.begin(), result.crossings.end(), heavy));
+    const auto title = [key](bool any, const char *text) {
+        return key && any ? fmt::format("title '{}'", text) : std::string("notitle");
+    };
+    return fmt::format("${0}heavy with points pt 6 ps 1.7 lw 1.6 lc rgb '{1}' {2}, ${0}crossings "
+                       "with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {3}, ",
+                       panel.name, heavy_colour, title(grey > 0, "heavily damped"),
+                       title(grey < all, "crossing"));
 }
 
 std::string axes(const Panel &panel, bool first, bool last) {
@@ -279,6 +299,7 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
                  bool first, bool last, double named_above) {
     const double end = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
     std::string script = panel_margins(0.075, 0.905, panel.bottom, panel.top);
+    script += operation_band(scene, {panel.x.low, end});
     script +=
         axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
     std::string plots = curve_plots(panel, result, first);
@@ -287,16 +308,16 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     } else {
         script +=
             multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
-        plots += fmt::format("${}crossings with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {}, ",
-                             panel.name,
-                             first && !result.crossings.empty() ? "title 'crossing'" : "notitle");
+        plots += crossing_plots(panel, result, first);
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
                                   panel.top + 64 * pixel)
                     : "unset key\n";
     plots.resize(plots.size() - 2);
-    return script + "plot " + plots + "\nunset label\nunset arrow\n";
+    if (first)
+        plots += operation_key(scene, {panel.x.low, end});
+    return script + "plot " + plots + "\nunset label\nunset arrow\nunset object\n";
 }
 
 /// The panels this result needs, from top to bottom, without their places in the figure.

@@ -18,6 +18,9 @@ struct LineStyle {
     int point = 7;      ///< gnuplot's point type
 };
 
+/// Of critical speeds that are damped so heavily that they count as none (AF < 2.5).
+inline constexpr const char *heavy_colour = "#A0A0A0";
+
 [[nodiscard]] LineStyle whirl_style(results::Whirl whirl);
 /// The index-th of a row of styles that differ in colour, dash and marker.
 [[nodiscard]] LineStyle series_style(std::size_t index);
