@@ -89,7 +89,7 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     return text +
            "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
-           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 2\n"
+           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n"
            "plot $growth using 1:2 with lines lw 2 lc rgb '#222222' title 'growth'" +
            keys + operation_key(scene, x) +
            "\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
@@ -149,13 +149,13 @@ Figure stability_figure(const model::Case &scene, const StabilityResult &result)
     Figure figure;
     figure.width = 1180;
     const int panels = 1 + (result.family ? 1 : 0) + (result.map ? 1 : 0);
-    figure.height = 520 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
+    figure.height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
     const auto share = [&figure](double pixels) { return pixels / figure.height; };
     figure.script = figure_head("Stability: " + title_of(scene),
                                 panels > 1 ? "over spin speed, and what the case asks for below"
                                            : "over spin speed",
                                 figure.height);
-    double top = 1 - share(105);
+    double top = 1 - share(130); // three rows of the key
     double bottom = top - share(345);
     figure.script += panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
     if (result.family) {

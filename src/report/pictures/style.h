@@ -62,10 +62,12 @@ class LabelPlacer {
     };
     void block(const Box &box) { _boxes.push_back(box); }
     /// Least covered place of a label of this size around (x, y); the place is taken from then on.
-    Box place(double x, double y, double width, double height);
+    /// Nothing where any place leaves the picture or lies on another label.
+    std::optional<Box> place(double x, double y, double width, double height);
 
   private:
     std::vector<Box> _boxes;
+    std::vector<Box> _labels;
 };
 
 } // namespace whirl::report
