@@ -61,6 +61,9 @@ struct ModeBasis {
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                                  const Eigen::MatrixXcd &vectors, bool mirrored);
 
+/// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
+void separate(ModeBasis &basis);
+
 /// For motions whose left vectors are not to be had (a Hill series cut off): the dual basis of the
 /// states among themselves, in the kinetic energy. Rates are unknown.
 [[nodiscard]] ModeBasis dual_basis_of(const Eigen::SparseMatrix<double> &mass,

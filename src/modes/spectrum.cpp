@@ -4,6 +4,8 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/degenerate.h"
+#include "modes/following/continuation.h"
+#include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
 #include "modes/orbits.h"
@@ -43,6 +45,11 @@ std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
     return {rate.real(), positive ? turn_rate : -turn_rate};
 }
 
+bool all_followed(const Spectrum &spectrum) {
+    return std::all_of(spectrum.modes.begin(), spectrum.modes.end(),
+                       [](const WhirlMode &mode) { return mode.followed >= 0; });
+}
+
 /// @param found  Modes of a form
 template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
     return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
@@ -61,6 +68,7 @@ struct SpectrumSolver::Data {
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
+    std::unique_ptr<Continuation> following; ///< none before follow()
     std::unique_ptr<FormMatrices> matrices;
 
     Data(const model::Rotor &rotor, results::Form which, int order, int refinement, int harmonics)
@@ -102,14 +110,39 @@ Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     return spectrum;
 }
 
-Spectrum SpectrumSolver::planar_damped(double speed, int wanted) const {
-    return spectrum_of(speed, _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
-                                            : _data->planar_damped->modes(speed, wanted));
+GeneralSpectrum::Modes SpectrumSolver::planar_damped(double speed, int wanted) const {
+    return _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
+                         : _data->planar_damped->modes(speed, wanted);
 }
 
-Spectrum SpectrumSolver::general(double speed, int wanted) const {
-    return spectrum_of(speed, _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
-                                            : _data->general->modes(speed, wanted));
+GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted) const {
+    return _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
+                         : _data->general->modes(speed, wanted);
+}
+
+Spectrum SpectrumSolver::damped(double speed, int wanted) const {
+    if (_data->following)
+        if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
+            return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
+    return spectrum_of(speed, _data->form == results::Form::planar_damped
+                                  ? planar_damped(speed, wanted)
+                                  : general(speed, wanted));
+}
+
+void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
+    if (!_data->following) {
+        std::unique_ptr<SymmetricProblem> problem = SymmetricProblem::of(_data->d, _data->form);
+        if (!problem)
+            return;
+        const auto start = [this](double speed, int modes) {
+            return starting_pairs(_data->form == results::Form::planar_damped
+                                      ? planar_damped(speed, modes)
+                                      : general(speed, modes),
+                                  _data->form);
+        };
+        _data->following = std::make_unique<Continuation>(std::move(problem), _data->d, start);
+    }
+    _data->following->follow(speeds, wanted);
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
@@ -139,10 +172,11 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 Spectrum SpectrumSolver::at(double speed, int wanted) const {
     try {
         const results::Form form = _data->form;
-        Spectrum spectrum = results::in_rotating_axes(form)        ? rotating(speed, wanted)
-                            : form == results::Form::general       ? general(speed, wanted)
-                            : form == results::Form::planar_damped ? planar_damped(speed, wanted)
-                                                                   : symmetric(speed, wanted);
+        Spectrum spectrum = results::in_rotating_axes(form) ? rotating(speed, wanted)
+                            : form == results::Form::general ||
+                                    form == results::Form::planar_damped
+                                ? damped(speed, wanted)
+                                : symmetric(speed, wanted);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)
             mode.eigenvalue = determined_value(mode);
@@ -166,6 +200,10 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
 ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const results::Form form = _data->form;
     const auto count = std::ssize(spectrum.modes);
+    const FollowedSpeed *followed =
+        _data->following ? _data->following->known(spectrum.speed) : nullptr;
+    if (followed != nullptr && all_followed(spectrum))
+        return basis_of(_data->following->problem(), *followed, spectrum.modes);
     const Eigen::Index n = _data->matrices->size();
     const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
         return spectrum.modes[static_cast<std::size_t>(i)];

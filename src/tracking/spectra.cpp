@@ -108,6 +108,7 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     const auto processes = static_cast<std::size_t>(process::process_count());
     std::vector<modes::Spectrum> spectra;
     if (processes == 1) {
+        solver.follow(speeds, wanted);
         for (const double speed : speeds) {
             spectra.push_back(solver.at(speed, wanted));
             process::report_progress(static_cast<double>(spectra.size()) /

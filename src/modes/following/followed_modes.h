@@ -1,0 +1,24 @@
+#pragma once
+
+#include "modes/biorthogonal.h"
+#include "modes/following/continuation.h"
+#include "modes/general_spectrum.h"
+#include "modes/whirl_mode.h"
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// The modes within the radius in which all pairs are known.
+[[nodiscard]] GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem,
+                                              const FollowedSpeed &followed);
+
+/// Left and right vectors of modes that are all among the pairs, with the products the pairs carry.
+[[nodiscard]] ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followed,
+                                 const std::vector<WhirlMode> &modes);
+
+/// Modes found independently as pairs to begin with.
+[[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found,
+                                           results::Form form);
+
+} // namespace whirl::modes
