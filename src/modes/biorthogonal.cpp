@@ -144,6 +144,12 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
 
 void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
 
+std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
+                             Eigen::Index j) {
+    return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
+           b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
+}
+
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                    const Eigen::MatrixXd &vectors) {
     ModeBasis out;

@@ -48,6 +48,10 @@ struct ModeBasis {
 /// modes of one speed. Rows of a, columns of b.
 [[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
 
+/// One of these products, with its phase; complex vectors.
+[[nodiscard]] std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
+                                           Eigen::Index j);
+
 /// Eigenpairs of a symmetric problem: left vectors are the right ones.
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                                  const Eigen::MatrixXd &vectors);

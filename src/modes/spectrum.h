@@ -46,9 +46,17 @@ class SpectrumSolver {
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted) const;
 
-    /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through these
-    /// speeds; at() then knows them there, and finds those between by few steps.
+    /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through
+    /// these speeds; at() then knows them there, and finds those between by few steps.
     void follow(const std::vector<double> &speeds, int wanted) const;
+
+    /// follow() has been asked for, and can be met.
+    [[nodiscard]] bool follows() const;
+
+    /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
+    /// found from these.
+    [[nodiscard]] std::vector<WhirlMode> near(double speed,
+                                              const std::vector<WhirlMode> &guesses) const;
 
     /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
     /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.

@@ -43,41 +43,54 @@ class Continuation {
   public:
     using Start = std::function<StartingPairs(double speed, int wanted)>;
 
+    /// @param problem         kept by reference
     /// @param discretization  for the largest Ip / Id
-    Continuation(std::unique_ptr<SymmetricProblem> problem,
-                 const assembly::Discretization &discretization, Start start);
+    Continuation(const SymmetricProblem &problem, const assembly::Discretization &discretization,
+                 Start start);
 
     /// Solves at speeds that rise or fall. Speeds at which pairs could not be followed are left
     /// out: modes are then to be found otherwise.
     /// @param wanted  whirl modes at each
     void follow(const std::vector<double> &speeds, int wanted);
 
-    /// Pairs at one of the speeds, or between two of them; none where they are not followed.
+    /// Pairs at one of the speeds, or between two of them; none where they are not followed, or
+    /// may be fewer than wanted.
     [[nodiscard]] const FollowedSpeed *at(double speed, int wanted);
     /// At a speed that was asked for before.
     [[nodiscard]] const FollowedSpeed *known(double speed) const;
 
-    [[nodiscard]] const SymmetricProblem &problem() const { return *_problem; }
+    [[nodiscard]] const SymmetricProblem &problem() const { return _problem; }
 
   private:
-    using Run = std::map<double, FollowedSpeed>; ///< pairs in one order
-    std::unique_ptr<SymmetricProblem> _problem;
+    struct Run {
+        std::map<double, FollowedSpeed> at; ///< pairs in one order
+        /// The same with fewer pairs, followed before, and the places of pairs there.
+        std::map<double, FollowedSpeed> before;
+        std::vector<std::optional<std::size_t>> places;
+    };
+    const SymmetricProblem &_problem;
     Start _start;
     double _fastest; ///< change of an eigenvalue in units of that of the speed
     double _creep;   ///< s, of internal damping: the same for each 1/s of the eigenvalue
-    std::vector<Run> _runs;
+    std::vector<Run> _runs, _before;
     int _wanted = 0;
 
     [[nodiscard]] std::optional<FollowedSpeed> begin(double speed, int wanted) const;
     [[nodiscard]] std::optional<FollowedSpeed> step(const Run &run, double speed) const;
+    [[nodiscard]] Run joining(const FollowedSpeed &start);
     std::size_t run_from(const std::vector<double> &speeds, std::size_t first, int wanted);
     [[nodiscard]] bool bridged(Run &run, double from, double to, int depth) const;
     void fill(Run &run, const std::vector<double> &speeds, std::size_t from, std::size_t to) const;
     [[nodiscard]] std::size_t complete(Run &run, const std::vector<double> &speeds,
                                        std::size_t first, std::size_t last, int wanted) const;
+    [[nodiscard]] const FollowedSpeed *between(Run &run, double speed) const;
     [[nodiscard]] bool covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
     [[nodiscard]] bool count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
 };
+
+/// Pairs from guesses at one speed; none where one does not settle, or becomes another.
+[[nodiscard]] std::optional<std::vector<SymmetricPair>>
+pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses);
 
 /// Whether as many eigenvalues are missing within `radius` at one speed as within another at the
 /// other: the argument of the ratio of both determinants around the circles, with all eigenvalues

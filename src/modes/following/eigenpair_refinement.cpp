@@ -35,11 +35,12 @@ std::complex<double> EigenpairRefinement::rayleigh(Complex near) const {
 }
 
 double EigenpairRefinement::error(Complex l, double distance) const {
-    const Eigen::VectorXcd r = (l * l) * _of.M + l * _of.D + _of.K;
-    const double energy = std::abs(r.dot(_problem.at_rest().solve(r)));
     const double derivative = std::abs(l * (2.0 * l * _xMx + _xDx));
-    return derivative > 0 ? energy / (derivative * std::min(1.0, distance))
-                          : std::numeric_limits<double>::infinity();
+    if (!(derivative > 0) || !std::isfinite(derivative))
+        return std::numeric_limits<double>::infinity();
+    const Eigen::VectorXcd r = (l * l) * _of.M + l * _of.D + _of.K;
+    const double energy = std::abs(r.dot(_problem.held(std::abs(l)).solve(r)));
+    return energy / (derivative * std::min(1.0, distance));
 }
 
 linalg::SymmetricFactor &EigenpairRefinement::factorize(Complex l) {
@@ -96,7 +97,7 @@ SymmetricPair EigenpairRefinement::nearest(Complex value) {
     SymmetricPair pair;
     pair.value = value;
     const linalg::SymmetricFactor &factor = factorize(value * (1 + 1e-6));
-    pair.vector = _problem.weights().cwiseInverse().cwiseSqrt().cast<Complex>();
+    pair.vector = Eigen::VectorXcd::Ones(_problem.size());
     for (int step = 0; step < 3; ++step) {
         multiply(pair.vector);
         pair.vector = factor.solve((2.0 * value) * _of.M + _of.D);

@@ -30,9 +30,9 @@ class EigenpairRefinement {
     /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
     /// where the guess is good enough. With left vector and right vector the same the Rayleigh
     /// quotient has an error of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual r.
-    /// Q^-1 is largest next to the other eigenvalues; K^-1 over the relative distance to them
-    /// takes its place here.
-    /// @param distance  from the eigenvalue to the next one, relative
+    /// (K + |l|^2 M)^-1 over the relative distance to the other eigenvalues takes the place of
+    /// Q^-1.
+    /// @param distance  from the eigenvalue to the next ones, relative
     /// @returns false where it does not settle
     [[nodiscard]] bool refine(SymmetricPair &pair, double distance);
 

@@ -32,6 +32,24 @@ GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem, const FollowedS
     return out;
 }
 
+std::vector<WhirlMode> modes_near(const SymmetricProblem &problem, double speed,
+                                  const std::vector<WhirlMode> &guesses) {
+    const bool planar = problem.form() == results::Form::planar_damped;
+    std::vector<SymmetricPair> pairs(guesses.size());
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+        pairs[i].value = planar ? guesses[i].rotating_value : guesses[i].eigenvalue;
+        pairs[i].vector = problem.from_form(guesses[i].shape);
+    }
+    std::optional<std::vector<SymmetricPair>> found = pairs_near(problem, speed, std::move(pairs));
+    std::vector<WhirlMode> out;
+    if (!found)
+        return out;
+    const FollowedSpeed all{speed, std::move(*found), 0, false};
+    for (std::size_t i = 0; i < guesses.size(); ++i)
+        out.push_back(mode_of(problem, all, i));
+    return out;
+}
+
 ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followed,
                    const std::vector<WhirlMode> &modes) {
     const Eigen::Index n = problem.size();
@@ -52,8 +70,8 @@ ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followe
         out.complex_right.col(i) << shape, shape * pair.value;
         out.rate_below(i) = pair.value.imag() < 0 ? std::conj(pair.rate) : pair.rate;
         for (std::size_t j = 0; j < place; ++j)
-            close = close || std::norm(followed.pairs[j].value - pair.value) <
-                                 1e-8 * std::norm(pair.value);
+            close = close ||
+                    std::norm(followed.pairs[j].value - pair.value) < 1e-8 * std::norm(pair.value);
     }
     out.rate_above = out.rate_below;
     if (close)

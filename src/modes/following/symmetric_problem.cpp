@@ -5,8 +5,8 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace whirl::modes {
@@ -48,7 +48,7 @@ std::optional<Planes> planes_of(const linalg::Matrix &matrix) {
 /// In the order of SymmetricProblem::Part; empty where the form is not symmetric so.
 std::vector<RealSparse> planar_parts(const assembly::Discretization &d) {
     const assembly::DampedPlanarSystem s = assembly::assemble_damped_planar(d, 0);
-    return {s.M.view(), s.C.view(), s.Cx.view(),      -s.G.view(),
+    return {s.M.view(), s.C.view(),  s.Cx.view(), -s.G.view(),
             s.K.view(), s.Kx.view(), -s.Kc.view()};
 }
 
@@ -61,8 +61,8 @@ std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
             return {};
         planes.push_back(*part);
     }
-    const bool as_expected =
-        planes[0].across.norm() == 0 && planes[2].within.norm() == 0 && planes[4].within.norm() == 0;
+    const bool as_expected = planes[0].across.norm() == 0 && planes[2].within.norm() == 0 &&
+                             planes[4].within.norm() == 0;
     if (!as_expected)
         return {};
     return {planes[0].within, planes[1].within, planes[1].across, planes[2].across,
@@ -89,7 +89,7 @@ std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretiz
 
 SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
     : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
-      _weights(matrices[stiffness].diagonal()) {
+      _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()) {
     Sparse all(_size, _size);
     all.setIdentity();
     for (Sparse A : matrices) {
@@ -98,52 +98,60 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
     }
     _Q = all.cast<Complex>();
     _Q.makeCompressed();
-    for (int part = 0; part < parts; ++part) {
-        Sparse A = matrices[static_cast<std::size_t>(part)];
-        A.prune(0.0);
-        Rows &rows = _parts[static_cast<std::size_t>(part)];
-        for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
-            for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
-                rows.column.push_back(static_cast<int>(entry.row()));
-                rows.value.push_back(entry.value());
-                const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
-                const int *last = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j + 1];
-                rows.place.push_back(static_cast<int>(
-                    std::lower_bound(first, last, rows.column.back()) - _Q.innerIndexPtr()));
-            }
-            if (static_cast<int>(rows.column.size()) > rows.start.back()) {
-                rows.row.push_back(j);
-                rows.start.push_back(static_cast<int>(rows.column.size()));
-            }
+    for (int part = 0; part < parts; ++part)
+        add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
+    _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
+}
+
+void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
+    Sparse A = _scales.asDiagonal() * matrix * _scales.asDiagonal();
+    A.prune(0.0);
+    Rows &rows = _parts[static_cast<std::size_t>(part)];
+    for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
+        const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
+        const int *last = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j + 1];
+        for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+            rows.column.push_back(static_cast<int>(entry.row()));
+            rows.value.push_back(entry.value());
+            rows.place.push_back(static_cast<int>(
+                std::lower_bound(first, last, rows.column.back()) - _Q.innerIndexPtr()));
+        }
+        if (static_cast<int>(rows.column.size()) > rows.start.back()) {
+            rows.row.push_back(j);
+            rows.start.push_back(static_cast<int>(rows.column.size()));
         }
     }
-    _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
-    _rest = std::make_unique<linalg::SymmetricFactor>(*_factor);
+}
+
+const linalg::SymmetricFactor &SymmetricProblem::held(double size) const {
+    const int exponent = std::ilogb(size);
+    if (const auto known = _held.find(exponent); known != _held.end())
+        return known->second;
+    const double s = std::ldexp(1.0, exponent);
     _Q.coeffs().setZero();
     add(stiffness, 1);
-    _rest->factorize(_Q);
+    add(mass, s * s);
+    linalg::SymmetricFactor &factor = _held.emplace(exponent, *_factor).first->second;
+    factor.factorize(_Q);
+    return factor;
 }
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
-    Eigen::VectorXcd out = shape;
+    Eigen::VectorXcd out = shape.cwiseQuotient(_scales);
     if (conjugates())
         out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
     return out;
 }
 
 Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
-    Eigen::VectorXcd out = vector;
+    Eigen::VectorXcd out = vector.cwiseProduct(_scales);
     if (conjugates())
         out(Eigen::seqN(1, _size / 2, 2)) *= i_times;
     return out;
 }
 
 Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {
-    return from_form(vector); // 1 / i = -i
-}
-
-Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) const {
-    return from_form(to_form(vector).conjugate());
+    return from_form(vector); // the inverse of diagonal matrices
 }
 
 void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Products &out) const {

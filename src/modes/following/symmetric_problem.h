@@ -8,6 +8,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -16,12 +17,21 @@ namespace whirl::modes {
 /// Q(l) = l^2 M + l (D + speed D1) + K + speed K1 of a rotor, complex and symmetric, every matrix
 /// kept as a real and an imaginary part with its own entries. So are the form planar_damped as it
 /// stands, and the general form with y = i y' where its matrices are their transposes in the mirror
-/// y -> -y: bearings with kxy = -kyx, or that do not couple the planes.
+/// y -> -y: bearings with kxy = -kyx, or that do not couple the planes. Unknowns are scaled so that
+/// K has ones on its diagonal: all count alike, whatever their units.
 class SymmetricProblem {
   public:
     using Complex = std::complex<double>;
     using Sparse = Eigen::SparseMatrix<double>;
-    enum Part { mass, damping, damping_turned, gyroscopic, stiffness, stiffness_turned, circulatory };
+    enum Part {
+        mass,
+        damping,
+        damping_turned,
+        gyroscopic,
+        stiffness,
+        stiffness_turned,
+        circulatory
+    };
     static constexpr int parts = 7;
 
     /// None where the form is another one or not symmetric so, where bearings change with the
@@ -39,8 +49,6 @@ class SymmetricProblem {
     [[nodiscard]] Eigen::VectorXcd to_form(const Eigen::VectorXcd &vector) const;
     /// A covector: its product with a vector stays what it is.
     [[nodiscard]] Eigen::VectorXcd covector_to_form(const Eigen::VectorXcd &vector) const;
-    /// The vector that goes with the conjugate eigenvalue.
-    [[nodiscard]] Eigen::VectorXcd conjugate(const Eigen::VectorXcd &vector) const;
 
     /// A vector times the matrices; D1 and K1 are what a unit of speed changes.
     struct Products {
@@ -54,10 +62,8 @@ class SymmetricProblem {
     /// L D L^T of Q(l) at a speed; the same object each time.
     /// @throws linalg::SolverError where a pivot is zero
     linalg::SymmetricFactor &factorize(Complex l, double speed) const;
-    /// Of the real part of K.
-    [[nodiscard]] const linalg::SymmetricFactor &at_rest() const { return *_rest; }
-    /// Diagonal of the real part of K: a norm in which all unknowns count alike.
-    [[nodiscard]] const Eigen::VectorXd &weights() const { return _weights; }
+    /// Of the real part of K + s^2 M with s the power of two below `size` (1/s).
+    [[nodiscard]] const linalg::SymmetricFactor &held(double size) const;
 
   private:
     /// Real symmetric matrix by its rows that are not empty.
@@ -69,13 +75,13 @@ class SymmetricProblem {
     int _size = 0;
     results::Form _form = results::Form::general;
     std::vector<Rows> _parts;
-    Eigen::VectorXd _weights;
+    Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
     mutable linalg::SymmetricFactor::Sparse _Q;
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor;
-    std::unique_ptr<linalg::SymmetricFactor> _rest;
+    mutable std::map<int, linalg::SymmetricFactor> _held; ///< by the exponent of two
 
-    /// @param i_times  the part stands with i
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
+    void add_part(Part part, const Sparse &A);
     void add(Part part, Complex factor) const;
 };
 
