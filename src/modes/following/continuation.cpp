@@ -1,5 +1,6 @@
 #include "modes/following/continuation.h"
 
+#include "linalg/check.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
@@ -11,127 +12,8 @@ namespace whirl::modes {
 
 namespace {
 
-using Complex = std::complex<double>;
-
 /// Speeds of a sweep from one that is solved by inverse iteration to the next at most.
 constexpr std::size_t longest_stride = 8;
-/// Points of a polynomial between known speeds, and beyond them.
-constexpr std::size_t points_between = 6;
-constexpr std::size_t points_beyond = 4;
-/// Cosine between a guess and what became of it, where all unknowns count alike.
-constexpr double alike = 0.8;
-
-/// Known pairs at the speeds nearest to one, with the factors of a polynomial's values.
-struct Points {
-    std::vector<const FollowedSpeed *> at;
-    std::vector<double> factors;
-};
-
-Points points_near(const std::map<double, FollowedSpeed> &known, double speed, std::size_t pair) {
-    std::vector<const FollowedSpeed *> low;
-    std::vector<const FollowedSpeed *> high;
-    const auto above = known.lower_bound(speed);
-    for (auto it = above; it != known.begin() && low.size() < points_between;)
-        if ((--it)->second.pairs[pair].solved)
-            low.push_back(&it->second);
-    for (auto it = above; it != known.end() && high.size() < points_between; ++it)
-        if (it->second.pairs[pair].solved && it->first != speed)
-            high.push_back(&it->second);
-    Points out;
-    const std::size_t most = low.empty() || high.empty() ? points_beyond : points_between;
-    for (std::size_t l = 0, h = 0; out.at.size() < most && (l < low.size() || h < high.size());) {
-        const bool below =
-            h == high.size() || (l < low.size() && speed - low[l]->speed <= high[h]->speed - speed);
-        out.at.push_back(below ? low[l++] : high[h++]);
-    }
-    for (const FollowedSpeed *a : out.at) {
-        double factor = 1;
-        for (const FollowedSpeed *b : out.at)
-            if (b != a)
-                factor *= (speed - b->speed) / (a->speed - b->speed);
-        out.factors.push_back(factor);
-    }
-    return out;
-}
-
-SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
-    const Points points = points_near(known, speed, i);
-    const SymmetricPair &nearest = points.at.front()->pairs[i];
-    SymmetricPair out;
-    if (points.at.size() == 1) {
-        out.value = nearest.value + nearest.rate * (speed - points.at.front()->speed);
-        out.vector = nearest.vector;
-        return out;
-    }
-    const double length = nearest.vector.squaredNorm();
-    out.vector = Eigen::VectorXcd::Zero(nearest.vector.size());
-    for (std::size_t k = 0; k < points.at.size(); ++k) {
-        const SymmetricPair &pair = points.at[k]->pairs[i];
-        out.value += points.factors[k] * pair.value;
-        // Vectors are known but for a factor: all have the same part along the nearest.
-        out.vector += (points.factors[k] * length / nearest.vector.dot(pair.vector)) * pair.vector;
-    }
-    return out;
-}
-
-/// From an eigenvalue to the two next ones: product of the distances, relative to it, at most 1.
-double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i) {
-    double first = 1;
-    double second = 1;
-    for (std::size_t j = 0; j < pairs.size(); ++j) {
-        if (j == i)
-            continue;
-        const double away = std::norm(pairs[j].value - pairs[i].value);
-        if (away < first * std::norm(pairs[i].value)) {
-            second = first;
-            first = away / std::norm(pairs[i].value);
-        } else {
-            second = std::min(second, away / std::norm(pairs[i].value));
-        }
-    }
-    return std::sqrt(first * second);
-}
-
-bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
-    return std::norm(a.dot(b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
-}
-
-/// Two pairs have become one.
-bool coincide(const std::vector<SymmetricPair> &pairs) {
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        for (std::size_t j = i + 1; j < pairs.size(); ++j)
-            if (std::norm(pairs[i].value - pairs[j].value) < 1e-14 * std::norm(pairs[i].value) &&
-                parallel(pairs[i].vector, pairs[j].vector, 0.999))
-                return true;
-    return false;
-}
-
-/// Refines guesses; false where one does not settle, or becomes another one's.
-bool refined(EigenpairRefinement &refinement, std::vector<SymmetricPair> &pairs, bool conjugates,
-             bool guessed) {
-    std::vector<double> distances;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        distances.push_back(distance_from_others(pairs, i));
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        SymmetricPair &pair = pairs[i];
-        if (pair.Mx.size() > 0)
-            continue; // known
-        const bool real = conjugates && pair.value.imag() == 0;
-        const Eigen::VectorXcd before = pair.vector;
-        if (!refinement.refine(pair, distances[i]))
-            return false;
-        if (pair.solved && guessed && !parallel(before, pair.vector, alike))
-            return false;
-        if (real && std::abs(pair.value.imag()) > 1e-9 * std::abs(pair.value))
-            return false; // two real ones have met
-        if (real)
-            pair.value = pair.value.real();
-        if (conjugates && !real && !(pair.value.imag() > 1e-6 * std::abs(pair.value)))
-            return false;
-    }
-    return !coincide(pairs);
-}
-
 bool whirls(const SymmetricPair &pair) {
     return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
 }
@@ -159,8 +41,12 @@ Continuation::Continuation(const SymmetricProblem &problem,
 
 std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const {
     constexpr int beyond = 4; // to place the circle among, and to leave room for it to shrink
-    const StartingPairs found = _start(speed, wanted + beyond);
-    EigenpairRefinement refinement(_problem, speed);
+    StartingPairs found;
+    try {
+        found = _start(speed, wanted + beyond);
+    } catch (const linalg::SolverError &) {
+        return std::nullopt;
+    }
     FollowedSpeed out;
     out.speed = speed;
     for (const auto &[value, shape] : found.whirls) {
@@ -169,9 +55,12 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
         out.pairs.back().vector = _problem.from_form(shape);
     }
     for (const double value : found.real)
-        out.pairs.push_back(refinement.nearest(value));
-    if (!refined(refinement, out.pairs, _problem.conjugates(), false))
+        out.pairs.push_back(nearest_upper(_problem, speed, value));
+    std::optional<std::vector<SymmetricPair>> pairs =
+        pairs_near(_problem, speed, std::move(out.pairs));
+    if (!pairs)
         return std::nullopt;
+    out.pairs = std::move(*pairs);
     for (std::size_t i = 0; i < out.pairs.size(); ++i) {
         out.pairs[i].solved = true;
         for (std::size_t j = 0; j < i; ++j) // no vectors to go on from, but a space
@@ -194,9 +83,11 @@ std::optional<FollowedSpeed> Continuation::step(const Run &run, double speed) co
         out.pairs.push_back(before != run.before.end() && run.places[i]
                                 ? before->second.pairs[*run.places[i]]
                                 : guess(run.at, speed, i));
-    EigenpairRefinement refinement(_problem, speed);
-    if (!refined(refinement, out.pairs, _problem.conjugates(), true))
+    std::optional<std::vector<SymmetricPair>> pairs =
+        pairs_near(_problem, speed, std::move(out.pairs));
+    if (!pairs)
         return std::nullopt;
+    out.pairs = std::move(*pairs);
     return out;
 }
 
@@ -257,7 +148,7 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) const {
     for (const double speed : {middle, to}) {
         std::optional<FollowedSpeed> next = step(run, speed);
         if (next)
-            run.at.emplace(speed, std::move(*next));
+            run.at.insert_or_assign(next->speed, std::move(*next));
         else if (!bridged(run, speed == to ? middle : from, speed, depth - 1))
             return false;
     }
@@ -309,7 +200,7 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
         const std::size_t from = solved.back();
         const std::size_t to = std::min(from + stride, speeds.size() - 1);
         if (std::optional<FollowedSpeed> next = step(run, speeds[to]))
-            run.at.emplace(speeds[to], std::move(*next));
+            run.at.insert_or_assign(next->speed, std::move(*next));
         else if (stride > 1) {
             stride /= 2;
             continue;
@@ -381,14 +272,6 @@ const FollowedSpeed *Continuation::between(Run &run, double speed) const {
     for (const FollowedSpeed *end : {low, high})
         complete = complete || (end != nullptr && count(*end, *found, _wanted));
     return complete ? &run.at.emplace(speed, std::move(*found)).first->second : nullptr;
-}
-
-std::optional<std::vector<SymmetricPair>> pairs_near(const SymmetricProblem &problem, double speed,
-                                                     std::vector<SymmetricPair> guesses) {
-    EigenpairRefinement refinement(problem, speed);
-    if (!refined(refinement, guesses, problem.conjugates(), true))
-        return std::nullopt;
-    return guesses;
 }
 
 } // namespace whirl::modes

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "modes/following/eigenpair_refinement.h"
+#include "modes/following/pair_guess.h"
 #include "modes/following/symmetric_problem.h"
 
 #include <complex>
@@ -11,16 +11,6 @@
 #include <vector>
 
 namespace whirl::modes {
-
-/// Eigenpairs of one speed that are followed from others.
-struct FollowedSpeed {
-    double speed = 0;                 ///< rad/s
-    std::vector<SymmetricPair> pairs; ///< in the same order at all speeds of one continuation
-    double radius = 0;                ///< all eigenvalues of less modulus are among them, 1/s
-    bool counted = false;             ///< they were counted, or found by a route that does
-
-    [[nodiscard]] int within(double radius) const;
-};
 
 /// Eigenpairs found independently, to begin with.
 struct StartingPairs {
@@ -87,10 +77,6 @@ class Continuation {
     [[nodiscard]] bool covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
     [[nodiscard]] bool count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
 };
-
-/// Pairs from guesses at one speed; none where one does not settle, or becomes another.
-[[nodiscard]] std::optional<std::vector<SymmetricPair>>
-pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses);
 
 /// Whether as many eigenvalues are missing within `radius` at one speed as within another at the
 /// other: the argument of the ratio of both determinants around the circles, with all eigenvalues

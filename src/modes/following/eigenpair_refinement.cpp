@@ -34,13 +34,12 @@ std::complex<double> EigenpairRefinement::rayleigh(Complex near) const {
     return std::norm(first - near) <= std::norm(second - near) ? first : second;
 }
 
-double EigenpairRefinement::error(Complex l, double distance) const {
+double EigenpairRefinement::error(Complex l, double distance) {
     const double derivative = std::abs(l * (2.0 * l * _xMx + _xDx));
     if (!(derivative > 0) || !std::isfinite(derivative))
         return std::numeric_limits<double>::infinity();
-    const Eigen::VectorXcd r = (l * l) * _of.M + l * _of.D + _of.K;
-    const double energy = std::abs(r.dot(_problem.held(std::abs(l)).solve(r)));
-    return energy / (derivative * std::min(1.0, distance));
+    _residual = (l * l) * _of.M + l * _of.D + _of.K;
+    return _problem.energy(_residual, std::abs(l)) / (derivative * std::min(1.0, distance));
 }
 
 linalg::SymmetricFactor &EigenpairRefinement::factorize(Complex l) {
@@ -72,14 +71,18 @@ void EigenpairRefinement::fill(SymmetricPair &pair) const {
     pair.Kx = _of.K;
 }
 
-bool EigenpairRefinement::refine(SymmetricPair &pair, double distance) {
-    constexpr int most_steps = 8;
-    constexpr double enough = 1e-15;
-    constexpr double settled = 1e-13;
+void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
     multiply(pair.vector);
     pair.value = rayleigh(pair.value);
     pair.solved = false;
     pair.error = error(pair.value, distance);
+}
+
+bool EigenpairRefinement::refine(SymmetricPair &pair, double distance) {
+    constexpr int most_steps = 8;
+    constexpr double enough = 1e-15;
+    constexpr double settled = 1e-13;
+    assess(pair, distance);
     for (int step = 0; step < most_steps && !(pair.error <= enough); ++step) {
         const double last = pair.error;
         inverse_step(pair);
@@ -103,6 +106,7 @@ SymmetricPair EigenpairRefinement::nearest(Complex value) {
         pair.vector = factor.solve((2.0 * value) * _of.M + _of.D);
         pair.vector /= std::sqrt(pair.vector.cwiseAbs2().maxCoeff());
     }
+    (void)refine(pair, 1); // whether it has settled is seen by who asked
     return pair;
 }
 
@@ -114,6 +118,23 @@ double EigenpairRefinement::phase(Complex z, const std::vector<SymmetricPair> &w
             phase -= std::arg(z - std::conj(pair.value));
     }
     return phase;
+}
+
+double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i) {
+    double first = 1;
+    double second = 1;
+    for (std::size_t j = 0; j < pairs.size(); ++j) {
+        if (j == i)
+            continue;
+        const double away = std::norm(pairs[j].value - pairs[i].value);
+        if (away < first * std::norm(pairs[i].value)) {
+            second = first;
+            first = away / std::norm(pairs[i].value);
+        } else {
+            second = std::min(second, away / std::norm(pairs[i].value));
+        }
+    }
+    return std::sqrt(first * second);
 }
 
 } // namespace whirl::modes

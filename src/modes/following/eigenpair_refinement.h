@@ -27,12 +27,15 @@ class EigenpairRefinement {
     EigenpairRefinement(const SymmetricProblem &problem, double speed)
         : _problem(problem), _speed(speed) {}
 
-    /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
-    /// where the guess is good enough. With left vector and right vector the same the Rayleigh
-    /// quotient has an error of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual r.
-    /// (K + |l|^2 M)^-1 over the relative distance to the other eigenvalues takes the place of
+    /// The Rayleigh quotient of the vector next to the value, and its error. With the same left and
+    /// right vector the error is of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual
+    /// r = Q(l) x; (K + |l|^2 M)^-1 over the distance to the other eigenvalues takes the place of
     /// Q^-1.
-    /// @param distance  from the eigenvalue to the next ones, relative
+    /// @param distance  to the next eigenvalues, relative (distance_from_others)
+    void assess(SymmetricPair &pair, double distance);
+
+    /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
+    /// where the guess is good enough.
     /// @returns false where it does not settle
     [[nodiscard]] bool refine(SymmetricPair &pair, double distance);
 
@@ -48,13 +51,18 @@ class EigenpairRefinement {
     double _speed;
     SymmetricProblem::Products _of;
     Complex _xMx, _xDx, _xKx;
+    Eigen::VectorXcd _residual;
 
     void multiply(const Eigen::VectorXcd &x);
     [[nodiscard]] Complex rayleigh(Complex near) const;
-    [[nodiscard]] double error(Complex l, double distance) const;
+    [[nodiscard]] double error(Complex l, double distance);
     [[nodiscard]] linalg::SymmetricFactor &factorize(Complex l);
     void inverse_step(SymmetricPair &pair);
     void fill(SymmetricPair &pair) const;
 };
+
+/// From an eigenvalue to the two next ones among these: product of the distances relative to it,
+/// each at most 1. (Next to two eigenvalues that nearly meet Q^-1 grows with both.)
+[[nodiscard]] double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i);
 
 } // namespace whirl::modes

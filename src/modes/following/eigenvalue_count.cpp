@@ -1,3 +1,4 @@
+#include "linalg/check.h"
 #include "modes/following/continuation.h"
 #include "modes/whirl_mode.h"
 
@@ -8,7 +9,7 @@
 namespace whirl::modes {
 
 bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
-                 const FollowedSpeed &b, double radius_b) {
+                 const FollowedSpeed &b, double radius_b) try {
     constexpr double slow = 0.9; // an arc over which the ratio turns by more is halved
     constexpr double turn = 2 * std::numbers::pi;
     // Eigenvalues in conjugate pairs: one half of the circle is the image of the other.
@@ -51,6 +52,8 @@ bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double
         open.push_back({middle, arc.to, there, arc.phase_to});
     }
     return std::abs(winding) < whole / 4;
+} catch (const linalg::SolverError &) {
+    return false; // a pivot that happens to be zero
 }
 
 double widest_gap(const FollowedSpeed &at, int wanted) {

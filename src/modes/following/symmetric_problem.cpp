@@ -123,17 +123,18 @@ void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
     }
 }
 
-const linalg::SymmetricFactor &SymmetricProblem::held(double size) const {
+double SymmetricProblem::energy(const Eigen::VectorXcd &b, double size) const {
     const int exponent = std::ilogb(size);
-    if (const auto known = _held.find(exponent); known != _held.end())
-        return known->second;
-    const double s = std::ldexp(1.0, exponent);
-    _Q.coeffs().setZero();
-    add(stiffness, 1);
-    add(mass, s * s);
-    linalg::SymmetricFactor &factor = _held.emplace(exponent, *_factor).first->second;
-    factor.factorize(_Q);
-    return factor;
+    auto known = _energies.find(exponent);
+    if (known == _energies.end()) {
+        const double s = std::ldexp(1.0, exponent);
+        _Q.coeffs().setZero();
+        add(stiffness, 1);
+        add(mass, s * s);
+        _factor->factorize(_Q);
+        known = _energies.emplace(exponent, linalg::RealEnergy(*_factor)).first;
+    }
+    return known->second(b);
 }
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
@@ -148,6 +149,10 @@ Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const
     if (conjugates())
         out(Eigen::seqN(1, _size / 2, 2)) *= i_times;
     return out;
+}
+
+Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) const {
+    return from_form(to_form(vector).conjugate());
 }
 
 Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {

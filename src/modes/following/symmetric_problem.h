@@ -47,6 +47,8 @@ class SymmetricProblem {
     /// A vector of the form's unknowns as one of this problem, and back.
     [[nodiscard]] Eigen::VectorXcd from_form(const Eigen::VectorXcd &shape) const;
     [[nodiscard]] Eigen::VectorXcd to_form(const Eigen::VectorXcd &vector) const;
+    /// The vector that goes with the conjugate eigenvalue.
+    [[nodiscard]] Eigen::VectorXcd conjugate(const Eigen::VectorXcd &vector) const;
     /// A covector: its product with a vector stays what it is.
     [[nodiscard]] Eigen::VectorXcd covector_to_form(const Eigen::VectorXcd &vector) const;
 
@@ -62,8 +64,8 @@ class SymmetricProblem {
     /// L D L^T of Q(l) at a speed; the same object each time.
     /// @throws linalg::SolverError where a pivot is zero
     linalg::SymmetricFactor &factorize(Complex l, double speed) const;
-    /// Of the real part of K + s^2 M with s the power of two below `size` (1/s).
-    [[nodiscard]] const linalg::SymmetricFactor &held(double size) const;
+    /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below `size` (1/s).
+    [[nodiscard]] double energy(const Eigen::VectorXcd &b, double size) const;
 
   private:
     /// Real symmetric matrix by its rows that are not empty.
@@ -78,7 +80,7 @@ class SymmetricProblem {
     Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
     mutable linalg::SymmetricFactor::Sparse _Q;
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor;
-    mutable std::map<int, linalg::SymmetricFactor> _held; ///< by the exponent of two
+    mutable std::map<int, linalg::RealEnergy> _energies; ///< by the exponent of two
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
     void add_part(Part part, const Sparse &A);
