@@ -14,39 +14,25 @@ namespace {
 
 /// Speeds of a sweep from one that is solved by inverse iteration to the next at most.
 constexpr std::size_t longest_stride = 8;
-bool whirls(const SymmetricPair &pair) {
-    return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
-}
 
 double largest_ratio(const model::Rotor &rotor) {
     double ratio = 2; // a thin ring; less for any other body
     for (const model::Disc &disc : rotor.discs)
-        if (disc.Id > 0)
-            ratio = std::max(ratio, disc.Ip / disc.Id);
+        if (disc.Ip > ratio * disc.Id) // without Id: no bound, each speed is counted
+            ratio = disc.Id > 0 ? disc.Ip / disc.Id : std::numeric_limits<double>::infinity();
     return ratio;
 }
 
 } // namespace
-
-int FollowedSpeed::within(double size) const {
-    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [size](const auto &pair) {
-        return whirls(pair) && std::abs(pair.value) < size;
-    }));
-}
 
 Continuation::Continuation(const SymmetricProblem &problem,
                            const assembly::Discretization &discretization, Start start)
     : _problem(problem), _start(std::move(start)), _fastest(largest_ratio(discretization.rotor())),
       _creep(discretization.rotor().shaft.internal_damping) {}
 
-std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const {
+std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const try {
     constexpr int beyond = 4; // to place the circle among, and to leave room for it to shrink
-    StartingPairs found;
-    try {
-        found = _start(speed, wanted + beyond);
-    } catch (const linalg::SolverError &) {
-        return std::nullopt;
-    }
+    const StartingPairs found = _start(speed, wanted + beyond);
     FollowedSpeed out;
     out.speed = speed;
     for (const auto &[value, shape] : found.whirls) {
@@ -73,6 +59,8 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     if (!out.counted || out.within(out.radius) < wanted)
         return std::nullopt;
     return out;
+} catch (const linalg::SolverError &) {
+    return std::nullopt; // that speed is solved alone
 }
 
 std::optional<FollowedSpeed> Continuation::step(const Run &run, double speed) const {

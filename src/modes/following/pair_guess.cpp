@@ -1,6 +1,7 @@
 #include "modes/following/pair_guess.h"
 
 #include "linalg/check.h"
+#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,9 @@ Points points_near(const std::map<double, FollowedSpeed> &known, double speed, s
         if (it->second.pairs[pair].solved && it->first != speed)
             high.push_back(&it->second);
     Points out;
-    const std::size_t most = low.empty() || high.empty() ? points_beyond : points_between;
+    // From one side alone polynomials of high degree run away.
+    const std::size_t most = std::min(low.empty() || high.empty() ? points_beyond : points_between,
+                                      2 * std::min(low.size(), high.size()) + points_beyond);
     for (std::size_t l = 0, h = 0; out.at.size() < most && (l < low.size() || h < high.size());) {
         const bool below =
             h == high.size() || (l < low.size() && speed - low[l]->speed <= high[h]->speed - speed);
@@ -98,7 +101,17 @@ bool refined(const SymmetricProblem &problem, double speed, std::vector<Symmetri
     return false; // a pivot that happens to be zero
 }
 
+bool whirls(const SymmetricPair &pair) {
+    return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
+}
+
 } // namespace
+
+int FollowedSpeed::within(double size) const {
+    return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [size](const auto &pair) {
+        return whirls(pair) && std::abs(pair.value) < size;
+    }));
+}
 
 SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
     const Points points = points_near(known, speed, i);
