@@ -54,8 +54,13 @@ class Varied {
         : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
 
     [[nodiscard]] MotionSolver solver(double dI) const {
-        return {with_anisotropy(_scene.rotor, _index, dI), _model.form, _model.order, _arrangement,
-                _model.harmonics};
+        return {with_anisotropy(_scene.rotor, _index, dI),
+                _model.form,
+                _model.order,
+                _arrangement,
+                _model.harmonics,
+                nullptr,
+                _model.top};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
