@@ -136,18 +136,26 @@ struct StepMaps {
     }
 };
 
-/// How displacements and rates at the places and points of one step act back: f = S (y).
-MatrixXd forces(const System &system, double speed, double from, double length) {
-    const Collocation &points = collocation();
-    const Eigen::Index m = system.places().cols();
-    MatrixXd S = MatrixXd::Zero(stages * m, 2 * stages * m);
+/// How displacements and rates at the places act back at each point of one step: S_i (y, y').
+Blocks forces(const System &system, double speed, double from, double length) {
+    Blocks out;
     for (int i = 0; i < stages; ++i) {
-        const System::Turning at =
-            system.turning(speed, 2 * speed * (from + points.nodes(i) * length));
-        S.block(i * m, 2 * i * m, m, m) = at.stiffness;
-        S.block(i * m, (2 * i + 1) * m, m, m) = at.damping;
+        const double time = from + collocation().nodes(i) * length;
+        const System::Turning at = system.turning(speed, 2 * speed * time);
+        out.emplace_back(at.stiffness.rows(), 2 * at.stiffness.cols());
+        out.back() << at.stiffness, at.damping;
     }
-    return S;
+    return out;
+}
+
+/// S A, S with these blocks on its diagonal.
+MatrixXd times(const Blocks &S, const MatrixXd &A) {
+    const Eigen::Index m = S.front().rows();
+    MatrixXd out(stages * m, A.cols());
+    for (Eigen::Index i = 0; i < stages; ++i)
+        out.middleRows(i * m, m).noalias() =
+            S[static_cast<std::size_t>(i)] * A.middleRows(2 * i * m, 2 * m);
+    return out;
 }
 
 double period(double speed) { return std::numbers::pi / std::abs(speed); }
@@ -180,17 +188,17 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 MatrixXd monodromy(const System &system, double speed, int steps) {
     const double length = period(speed) / steps;
     const StepMaps maps(system, speed, length);
+    const Eigen::Index forces_at_once = maps.Z.cols();
     MatrixXd state = MatrixXd::Identity(2 * system.size(), 2 * system.size());
-    const MatrixXd identity = MatrixXd::Identity(maps.Z.cols(), maps.Z.cols());
-    if (identity.size() == 0) // the supports are the same from every direction
-        for (int step = 0; step < steps; ++step)
-            state = (maps.R * state).eval();
-    for (int step = 0; step < steps && identity.size() > 0; ++step) {
-        const MatrixXd S = forces(system, speed, step * length, length);
-        const Eigen::PartialPivLU<MatrixXd> lu(identity - S * maps.Z);
-        const MatrixXd to_force = lu.solve(S * maps.Y);
-        // The map of the step is as dense as R alone.
-        state = ((maps.R + maps.L * to_force) * state).eval();
+    for (int step = 0; step < steps; ++step) {
+        MatrixXd map = maps.R;
+        if (forces_at_once > 0) { // none: the supports are the same from every direction
+            const Blocks S = forces(system, speed, step * length, length);
+            MatrixXd own = -times(S, maps.Z);
+            own.diagonal().array() += 1;
+            map += maps.L * own.partialPivLu().solve(times(S, maps.Y));
+        }
+        state = (map * state).eval();
     }
     if (!state.allFinite())
         throw linalg::SolverError("the motion over half a turn cannot be found");

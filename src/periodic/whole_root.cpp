@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace whirl::periodic {
 
@@ -16,6 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
+using LU = Eigen::SparseLU<ComplexSparse>;
 using Entries = std::vector<Eigen::Triplet<Complex>>;
 
 /// l^2 A2 + l A1 + A0.
@@ -101,9 +103,10 @@ Eigen::VectorXcd start_vector(Eigen::Index size) {
 /// One root of a series and its vectors, improved.
 class Iteration {
   public:
-    Iteration(const Quadratic &problem, Complex guess, double scale)
-        : _problem(problem), _value(guess), _scale(scale), _right(start_vector(problem.A2.rows())),
-          _left(_right) {}
+    /// @param lu  knows the pattern, or nothing yet
+    Iteration(const Quadratic &problem, Complex guess, double scale, LU &lu)
+        : _problem(problem), _lu(lu), _value(guess), _scale(scale),
+          _right(start_vector(problem.A2.rows())), _left(_right) {}
 
     /// @returns whether it settled
     bool settle() {
@@ -119,28 +122,20 @@ class Iteration {
 
   private:
     const Quadratic &_problem;
+    LU &_lu;
     Complex _value;
     double _scale;
     Eigen::VectorXcd _right, _left;
     double _noise = 0;
 
     bool settle_with_one() {
-        Eigen::SparseLU<ComplexSparse> lu;
-        ComplexSparse Q = _problem.at(_value);
-        Q.makeCompressed();
-        lu.analyzePattern(Q);
-        lu.factorize(Q);
-        if (lu.info() != Eigen::Success) { // the root itself: a little beside it does as well
-            Q = _problem.at(_value + 1e-9 * _scale);
-            lu.factorize(Q);
-            if (lu.info() != Eigen::Success)
-                return false;
-        }
+        if (!factorised(_value) && !factorised(_value + 1e-9 * _scale)) // at the root itself
+            return false;
         const ComplexSparse slope = 2.0 * _value * _problem.A2 + _problem.A1;
         constexpr int solves = 6;
         for (int step = 0; step < solves; ++step) {
-            _right = lu.solve(Eigen::VectorXcd(slope * _right)).normalized();
-            _left = lu.adjoint().solve(Eigen::VectorXcd(slope.adjoint() * _left)).normalized();
+            _right = _lu.solve(Eigen::VectorXcd(slope * _right)).normalized();
+            _left = _lu.adjoint().solve(Eigen::VectorXcd(slope.adjoint() * _left)).normalized();
             const Complex before = _value;
             if (!_right.allFinite() || !_left.allFinite() || !improve())
                 return false;
@@ -148,6 +143,15 @@ class Iteration {
                 return true;
         }
         return false;
+    }
+
+    bool factorised(Complex l) {
+        ComplexSparse Q = _problem.at(l);
+        Q.makeCompressed();
+        if (_lu.rows() == 0)
+            _lu.analyzePattern(Q);
+        _lu.factorize(Q);
+        return _lu.info() == Eigen::Success;
     }
 
     /// The root next to the last one of y^H (l^2 A2 + l A1 + A0) x = 0.
@@ -172,13 +176,20 @@ class Iteration {
 
 } // namespace
 
+struct WholeRotor::Factors {
+    std::map<int, LU> with_harmonics;
+};
+
 WholeRotor::WholeRotor(const assembly::Discretization &discretization,
                        std::vector<balancers::BalancerElement> balancers)
     : _discretization(discretization), _balancers(std::move(balancers)),
-      _tables(discretization.rotor().bearings_depend_on_speed()) {
+      _tables(discretization.rotor().bearings_depend_on_speed()),
+      _factors(std::make_unique<Factors>()) {
     if (!_tables)
         _matrices = assembled(0);
 }
+
+WholeRotor::~WholeRotor() = default;
 
 WholeRotor::Matrices WholeRotor::assembled(double bearing_speed) const {
     const assembly::RotatingSystem s =
@@ -219,7 +230,7 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
     for (int N = margin + static_cast<int>(std::min<double>(most, turns)); N <= most; N += margin) {
         const Quadratic series = problem.series(N);
-        Iteration iteration(series, guess, scale);
+        Iteration iteration(series, guess, scale, _factors->with_harmonics[N]);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();

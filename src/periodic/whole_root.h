@@ -7,6 +7,7 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,11 @@ class WholeRotor {
   public:
     WholeRotor(const assembly::Discretization &discretization,
                std::vector<balancers::BalancerElement> balancers);
+    ~WholeRotor();
+    WholeRotor(const WholeRotor &) = delete;
+    WholeRotor &operator=(const WholeRotor &) = delete;
+    WholeRotor(WholeRotor &&) = delete;
+    WholeRotor &operator=(WholeRotor &&) = delete;
 
     struct Root {
         std::complex<double> value; ///< l, 1/s, on the strip that the guess is in
@@ -50,6 +56,8 @@ class WholeRotor {
         Pair turning_C, turning_K, turning_Ks;
     };
     Matrices _matrices; ///< with tables: not used
+    struct Factors;     ///< their pattern and order of elimination, one for each N
+    std::unique_ptr<Factors> _factors;
     [[nodiscard]] Matrices assembled(double bearing_speed) const;
 };
 

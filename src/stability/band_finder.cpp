@@ -220,7 +220,8 @@ std::optional<BandsFound> BandFinder::confirmed(const MotionsAt &reduced, const 
 
 BandsFound BandFinder::find(const MotionsAt &at, const std::vector<double> &speeds) {
     if (const PeriodicMotions *periodic = _whole.by_monodromy()) {
-        if (!periodic->good_shapes(speeds))
+        _shapes = periodic->good_shapes(speeds);
+        if (!_shapes)
             return find_bands(at, speeds);
         const MotionsAt reduced = [periodic](double speed) { return periodic->reduced_at(speed); };
         const auto found = confirmed(reduced, at, speeds);

@@ -233,7 +233,8 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
         const bool neutral = std::abs(motion.value.real()) <= motion.noise; // and stays so
         const bool matters = motion.value.real() > motion.noise ||
                              (!neutral && motion.value.real() >= most - 10 * agreement * size);
-        if (motion.value.imag() < 0 || !(all || matters))
+        // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
+        if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
             continue;
         const auto root = _whole->next_to(speed, motion.value, one.frequency);
         if (!root)
@@ -251,9 +252,11 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
             }
         const Complex before = motion.value;
         motion.value = root->value;
+        if (before.imag() == 0 || before.imag() == size) // a real multiplier: its own conjugate
+            motion.value.imag(before.imag());
         for (Listed &other : list)
             if (before.imag() > 0 && other.motion.value == std::conj(before))
-                other.motion.value = std::conj(root->value);
+                other.motion.value = std::conj(motion.value);
     }
     if (_planar->matrix().cols() == shapes)
         return list;

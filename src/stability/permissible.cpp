@@ -53,13 +53,16 @@ class Varied {
            const balancers::Arrangement &arrangement, std::size_t index)
         : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
 
+    /// By the monodromy matrix on shapes that were good for another dI: the search has the last
+    /// word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
+        const bool periodic = _model.form == results::Form::hill && _model.harmonics == 0;
         return {with_anisotropy(_scene.rotor, _index, dI),
                 _model.form,
                 _model.order,
                 _arrangement,
                 _model.harmonics,
-                nullptr,
+                periodic ? _shapes : nullptr,
                 _model.top};
     }
 
@@ -98,6 +101,15 @@ class Varied {
         return found;
     }
 
+    /// The same, on the way to an answer that is verified.
+    [[nodiscard]] std::vector<SpeedInterval> likely_bands(double dI,
+                                                          const std::vector<double> &speeds) const {
+        const MotionSolver motions = solver(dI);
+        if (motions.by_monodromy() == nullptr || !_shapes)
+            return bands(dI, speeds);
+        return unstable_bands([&motions](double speed) { return motions.at(speed); }, speeds);
+    }
+
     [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
         return bands(dI, speeds).empty();
     }
@@ -121,7 +133,7 @@ Descent descend(const Varied &varied, double largest, const std::vector<double> 
     Descent out;
     double dI = largest;
     for (int step = 0; step < most_steps; ++step) {
-        const std::vector<SpeedInterval> bands = varied.bands(dI, speeds);
+        const std::vector<SpeedInterval> bands = varied.likely_bands(dI, speeds);
         if (bands.empty())
             break;
         const MotionSolver solver = varied.solver(dI);
@@ -176,12 +188,24 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
     return verified(varied, found, speeds);
 }
 
+/// Fewer of many: the search for bands looks between them by itself.
+std::vector<double> thinned(const std::vector<double> &speeds) {
+    constexpr std::size_t enough = 101;
+    const std::size_t every = std::max<std::size_t>(1, (speeds.size() - 1) / (enough - 1));
+    std::vector<double> out;
+    for (std::size_t k = 0; k + 1 < speeds.size(); k += every)
+        out.push_back(speeds[k]);
+    out.push_back(speeds.back());
+    return out;
+}
+
 } // namespace
 
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
                          const balancers::Arrangement &arrangement,
-                         const std::vector<double> &speeds) {
+                         const std::vector<double> &grid) {
+    const std::vector<double> speeds = thinned(grid);
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = scene.rotor.anisotropies[i];
