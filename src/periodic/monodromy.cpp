@@ -228,8 +228,8 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
         motion.value = std::log(multiplier) / period(speed);
         motion.noise = drowned / std::abs(multiplier) / period(speed);
         motion.state = vectors.col(i);
-        motion.frequency =
-            frequency_of(steady.M, weights.cwiseInverse().asDiagonal() * motion.state);
+        motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
+        motion.frequency = frequency_of(steady.M, motion.shape);
         out.push_back(std::move(motion));
     }
     return out;
@@ -256,9 +256,9 @@ std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
     for (const linalg::ComplexPair &pair : found.pairs) {
         FloquetMotion motion;
         motion.value = pair.value;
-        motion.state.resize(2 * system.size());
-        motion.state << pair.vector, pair.value * pair.vector;
-        motion.state = weights.cwiseProduct(motion.state).normalized().eval();
+        motion.shape.resize(2 * system.size());
+        motion.shape << pair.vector, pair.value * pair.vector;
+        motion.state = weights.cwiseProduct(motion.shape).normalized();
         motion.noise = (100 * pair.rounding + 10 * pair.residual) * std::abs(pair.value);
         motion.frequency = std::abs(pair.value);
         out.push_back(motion);
@@ -266,6 +266,7 @@ std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
             continue;
         motion.value = std::conj(motion.value);
         motion.state = motion.state.conjugate().eval();
+        motion.shape = motion.shape.conjugate().eval();
         out.push_back(std::move(motion));
     }
     return out;

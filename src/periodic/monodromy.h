@@ -22,6 +22,7 @@ namespace whirl::periodic {
 struct FloquetMotion {
     std::complex<double> value; ///< l, 1/s, |Im l| <= |speed|
     Eigen::VectorXcd state;     ///< (q, q') at t = 0, entries made comparable; length 1
+    Eigen::VectorXcd shape;     ///< the same as it is
     double noise = 0;           ///< of l by rounding, 1/s
     double frequency = 0;       ///< |q'| over |q| at t = 0, measured by M, rad/s
 };

@@ -64,6 +64,12 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
     _turning_K = {small(all[2]), small(all[3])};
     _turning_Ks = {small(all[4]), small(all[5])};
     _places = shapes != nullptr ? reduction::Projection(*shapes).loads(picked) : picked;
+    const Eigen::MatrixXd every = Eigen::MatrixXd::Identity(unknowns, unknowns);
+    _unknowns = shapes != nullptr
+                    ? Eigen::MatrixXd(reduction::Projection(*shapes).loads(every).transpose())
+                    : every;
+    _root_K_whole = Sparse(system.K.view()).diagonal().cwiseAbs().cwiseSqrt();
+    _root_M_whole = Sparse(system.M.view()).diagonal().cwiseAbs().cwiseSqrt();
     scale(linalg::scales_at(modes::support_scale(discretization), _M.diagonal(), _K.diagonal()));
 }
 
@@ -71,6 +77,17 @@ void System::scale(const Eigen::VectorXd &d) {
     for (Eigen::MatrixXd *A : {&_M, &_C, &_Cs, &_K, &_Ks, &_Kss})
         *A = (d.asDiagonal() * *A * d.asDiagonal()).eval();
     _places = (d.asDiagonal() * _places).eval();
+    _unknowns = (_unknowns * d.asDiagonal()).eval();
+}
+
+Eigen::VectorXcd System::whole(const Eigen::VectorXcd &shape, double speed) const {
+    const Eigen::Index n = size();
+    Eigen::VectorXcd out(2 * _unknowns.rows());
+    // Balls have no stiffness but that of the spin.
+    const Eigen::VectorXd weight = _root_K_whole.cwiseMax(std::abs(speed) * _root_M_whole);
+    out << weight.cwiseProduct(_unknowns * shape.head(n)),
+        _root_M_whole.cwiseProduct(_unknowns * shape.tail(n));
+    return out.normalized();
 }
 
 System::Steady System::steady(double speed) const {

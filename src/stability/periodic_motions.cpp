@@ -63,7 +63,7 @@ PeriodicMotions::PeriodicMotions(const assembly::Discretization &discretization,
     : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
       _tables(discretization.rotor().bearings_depend_on_speed()), _top(top),
       _reduced(!shapes && !discretization.rigid() && discretization.planar_size() > few_unknowns),
-      _shapes(std::move(shapes)) {
+      _grows(_reduced), _shapes(std::move(shapes)) {
     if (_reduced && _top > 0)
         set_shapes();
 }
@@ -95,12 +95,12 @@ const periodic::System &PeriodicMotions::system(double speed) const {
     return *_system;
 }
 
-/// Twice the largest speed, so that all whirls up to that speed are among them in rotating axes
-/// too, as much more as leaves eight, and on into the widest gap up to twice as far.
+/// All that may meet at the largest speed, as much more as leaves eight, and on into the widest gap
+/// up to twice as far.
 void PeriodicMotions::set_reach() const {
     constexpr int samples = 5;
     constexpr std::size_t fewest = 8;
-    double least = 2.1 * _top;
+    double least = slow_enough * _top;
     std::vector<double> all;
     for (int k = 0; k < samples; ++k) {
         const double speed = _top * (k + 0.5) / samples;
@@ -199,6 +199,8 @@ PeriodicMotions::List PeriodicMotions::listed(double speed) const {
         one.frequency = motion.frequency;
         one.motion.value = motion.value;
         one.motion.state = motion.state;
+        if (_grows)
+            one.shape = motion.shape;
         one.motion.noise = motion.noise + ever_there * std::max(size, std::abs(motion.value));
         one.motion.may_meet = rigid || motion.frequency <= slow_enough * size ||
                               motion.value.real() > one.motion.noise;
@@ -270,15 +272,19 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
 
 std::vector<Motion> PeriodicMotions::at(double speed) const {
     set_top(speed);
+    std::optional<List> list;
     constexpr int tries = 6;
-    for (int k = 0; _reduced && speed != 0 && k < tries; ++k)
-        if (const auto list = corrected(speed, false)) {
-            std::vector<Motion> out;
-            for (const Listed &one : *list)
-                out.push_back(one.motion);
-            return out;
-        }
-    return reduced_at(speed);
+    for (int k = 0; _reduced && speed != 0 && !list && k < tries; ++k)
+        list = corrected(speed, false);
+    if (!list)
+        list = known(speed);
+    std::vector<Motion> out;
+    for (const Listed &one : *list) {
+        out.push_back(one.motion);
+        if (_grows)
+            out.back().state = system(speed).whole(one.shape, speed);
+    }
+    return out;
 }
 
 std::vector<Motion> PeriodicMotions::reduced_at(double speed) const {

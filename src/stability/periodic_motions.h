@@ -38,7 +38,8 @@ class PeriodicMotions {
     /// @throws linalg::SolverError, model::AnalysisFailure
     [[nodiscard]] std::vector<Motion> at(double speed) const;
 
-    /// All of them as the reduced rotor has them.
+    /// All of them as the reduced rotor has them; states are those of the shapes at hand, while
+    /// at() gives states over all unknowns, as shapes can be added.
     [[nodiscard]] std::vector<Motion> reduced_at(double speed) const;
 
     /// Shapes with which every motion at these speeds is that of the whole rotor; none where the
@@ -51,6 +52,7 @@ class PeriodicMotions {
     struct Listed {
         Motion motion;
         double frequency = 0; ///< rad/s
+        Eigen::VectorXcd shape;
     };
     using List = std::vector<Listed>;
 
@@ -60,6 +62,7 @@ class PeriodicMotions {
     bool _tables;
     mutable double _top;
     mutable bool _reduced; ///< to shapes of its own
+    bool _grows;           ///< was so to begin with
     mutable std::unique_ptr<reduction::PlanarShapes> _planar;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes;
     mutable std::unique_ptr<periodic::System> _system;

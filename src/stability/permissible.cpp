@@ -86,9 +86,18 @@ class Varied {
     [[nodiscard]] double just_stable(double speed, double unstable) const {
         double low = 0;
         double high = unstable;
-        while (high - low > 1e-12 * unstable) {
-            const double middle = (low + high) / 2;
-            (growth_of(solver(middle).at(speed)) > 0 ? high : low) = middle;
+        double growth_low = 0; // 0: not known
+        double growth_high = 0;
+        for (int step = 0; high - low > 1e-12 * unstable; ++step) {
+            double next = (low + high) / 2;
+            // A secant between two signs, kept off the ends; every third step halves.
+            if (growth_low < 0 && growth_high > 0 && step % 3 != 0)
+                next =
+                    std::clamp((low * growth_high - high * growth_low) / (growth_high - growth_low),
+                               low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+            const double growth = growth_of(solver(next).at(speed));
+            (growth > 0 ? high : low) = next;
+            (growth > 0 ? growth_high : growth_low) = growth;
         }
         return low;
     }
@@ -177,20 +186,8 @@ double verified(const Varied &varied, const Descent &found, const std::vector<do
     return stable;
 }
 
-std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
-                                  const std::vector<double> &speeds) {
-    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
-        return 0;
-    const Descent found = descend(varied, largest, speeds);
-    if (!found.dI || *found.dI == 0)
-        return found.dI;
-    return verified(varied, found, speeds);
-}
-
 /// Fewer of many: the search for bands looks between them by itself.
-std::vector<double> thinned(const std::vector<double> &speeds) {
-    constexpr std::size_t enough = 101;
+std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enough) {
     const std::size_t every = std::max<std::size_t>(1, (speeds.size() - 1) / (enough - 1));
     std::vector<double> out;
     for (std::size_t k = 0; k + 1 < speeds.size(); k += every)
@@ -199,13 +196,26 @@ std::vector<double> thinned(const std::vector<double> &speeds) {
     return out;
 }
 
+std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
+                                  const std::vector<double> &speeds) {
+    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
+        return 0;
+    constexpr std::size_t few = 41; // on the way; what comes out is verified
+    const Descent found = descend(varied, largest, thinned(speeds, few));
+    if (!found.dI || *found.dI == 0)
+        return found.dI;
+    return verified(varied, found, speeds);
+}
+
 } // namespace
 
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
                          const balancers::Arrangement &arrangement,
                          const std::vector<double> &grid) {
-    const std::vector<double> speeds = thinned(grid);
+    constexpr std::size_t enough = 101;
+    const std::vector<double> speeds = thinned(grid, enough);
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = scene.rotor.anisotropies[i];
