@@ -211,7 +211,8 @@ PeriodicMotions::List PeriodicMotions::listed(double speed) const {
 }
 
 const PeriodicMotions::List &PeriodicMotions::known(double speed) const {
-    set_top(speed);
+    if (!_reduced || _top == 0) // new shapes in the midst of a search would mix states up
+        set_top(speed);
     const auto found = _known.find(speed);
     if (found != _known.end())
         return found->second;

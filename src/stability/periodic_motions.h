@@ -18,10 +18,10 @@ namespace whirl::stability {
 
 /// Free motions of a rotor whose equations stay periodic in time, by its monodromy matrix.
 ///
-/// Which motions: at every speed those of frequencies up to one bound for the whole range (as in
-/// ends/all_motions.h), and of a rigid rotor all. The steps in time are as many as these need, and
-/// more until the multipliers do not change any more. Motions up to four times the spin speed may
-/// meet: pairs of them resonate at twice and four times the spin speed.
+/// Which motions: at every speed those of frequencies up to one bound for the whole range, four
+/// times its largest speed or more, and of a rigid rotor all. The steps in time are as many as
+/// these need, and more until the multipliers do not change any more. Motions up to four times the
+/// spin speed may meet: pairs of them resonate at twice and four times the spin speed.
 ///
 /// An elastic rotor is reduced to few planar shapes, to which the shapes of the whole rotor's own
 /// motions (whole_root.h) are added wherever its roots differ; the motions that grow most are given
