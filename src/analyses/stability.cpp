@@ -291,10 +291,10 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
     if (model.from > 0)
-        notes.push_back(
-            fmt::format("below {:.6g} rad/s the Hill series does not settle at every speed (its "
-                        "harmonics lie 2 x speed apart): nothing is said of these speeds",
-                        model.from));
+        notes.push_back(fmt::format(
+            "below {:.6g} rad/s the {} at every speed: nothing is said of these speeds", model.from,
+            model.harmonics > 0 ? "Hill series (its harmonics lie 2 x speed apart) does not settle"
+                                : "motion over half a turn could not be found"));
     if (results::in_rotating_axes(model.form) && !scene.rotor.damped() &&
         !scene.rotor.balancers.empty())
         notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "

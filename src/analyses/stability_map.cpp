@@ -33,7 +33,7 @@ std::vector<double> growth_at(const model::Case &scene, const std::vector<double
         return std::vector<double>(speeds.size(), 0.0);
     const stability::MotionSolver solver(scene.rotor, model.form, model.order,
                                          balancers::arrangement_at_balance(scene.rotor),
-                                         model.harmonics);
+                                         model.harmonics, nullptr, model.top);
     std::vector<double> out;
     for (const double speed : speeds)
         out.push_back(std::abs(speed) >= model.from ? stability::growth_of(solver.at(speed))

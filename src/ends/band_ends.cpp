@@ -27,6 +27,13 @@ int growing(const std::vector<Motion> &motions) {
     return static_cast<int>(std::count_if(motions.begin(), motions.end(), grows));
 }
 
+/// Motions that neither grow nor die out: without damping two of these meet and part.
+int neutral(const std::vector<Motion> &motions) {
+    return static_cast<int>(std::count_if(motions.begin(), motions.end(), [](const Motion &m) {
+        return std::abs(m.value.real()) <= m.noise;
+    }));
+}
+
 const Motion &fastest(const std::vector<Motion> &motions) {
     return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
         return a.value.real() < b.value.real();
@@ -140,7 +147,10 @@ class CountSearch {
             const Look &more = b.count > a.count ? b : a;
             StabilityEnd end;
             end.speed = (a.speed + b.speed) / 2;
-            end.kind = EndKind::multiplier;
+            constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
+            const double to_fewer = b.count > a.count ? -1 : 1;
+            const int still = neutral(_at(end.speed + to_fewer * aside * std::abs(end.speed)));
+            end.kind = still >= 2 ? EndKind::collision : EndKind::multiplier;
             end.growing_below = a.count;
             end.growing_above = b.count;
             end.frequency_rotating = std::abs(least_growing(more.motions).value.imag());

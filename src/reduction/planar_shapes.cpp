@@ -106,4 +106,21 @@ void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
     }
 }
 
+Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {
+    const Eigen::Index terms = vector.size() / term;
+    Eigen::MatrixXd out(N, 4 * terms);
+    for (Eigen::Index k = 0; k < terms; ++k) {
+        const Eigen::VectorXcd block = vector.segment(k * term, 2 * N);
+        const Eigen::VectorXcd x = block(Eigen::seqN(0, N, 2));
+        const Eigen::VectorXcd y = block(Eigen::seqN(1, N, 2));
+        out.middleCols(4 * k, 4) << x.real(), x.imag(), y.real(), y.imag();
+    }
+    // What is small beside the rest of the motion is rounding, or does not matter.
+    const double largest = out.colwise().norm().maxCoeff();
+    for (Eigen::Index j = 0; j < out.cols(); ++j)
+        if (out.col(j).norm() < 1e-6 * largest)
+            out.col(j).setZero();
+    return out;
+}
+
 } // namespace whirl::reduction

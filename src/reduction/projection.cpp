@@ -28,6 +28,10 @@ linalg::Matrix Projection::of(const linalg::Matrix &A) const {
     return linalg::Matrix::from_sparse(of(Sparse(A.view())).sparseView());
 }
 
+Eigen::MatrixXd Projection::loads(const Eigen::MatrixXd &columns) const {
+    return in_pairs(_shapes, columns.rows()).transpose() * columns;
+}
+
 Eigen::VectorXcd Projection::lifted(const Eigen::VectorXcd &reduced) const {
     const Eigen::Index attached = reduced.size() - 2 * _shapes.cols();
     return in_pairs(_shapes, 2 * _shapes.rows() + attached) * reduced;

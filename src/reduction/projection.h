@@ -23,6 +23,9 @@ class Projection {
     [[nodiscard]] assembly::RotatingSystem of(const assembly::RotatingSystem &system) const;
     [[nodiscard]] assembly::TurningSupports of(const assembly::TurningSupports &supports) const;
 
+    /// Loads on all unknowns, a column each, as loads on the amplitudes.
+    [[nodiscard]] Eigen::MatrixXd loads(const Eigen::MatrixXd &columns) const;
+
     /// A vector over the amplitudes as one over all unknowns.
     [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &reduced) const;
 

@@ -69,7 +69,7 @@ std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &
     std::optional<MotionSolver> finer;
     if (!rotor.shaft.rigid && !bands.empty())
         finer.emplace(rotor, model.form, mesh_error::finer_order(model.order), arrangement,
-                      model.harmonics);
+                      model.harmonics, nullptr, model.top);
     const MotionsAt finer_at = [&finer](double speed) { return finer->at(speed); };
     const auto error_of = [&](const End &end) {
         double slope = 0;

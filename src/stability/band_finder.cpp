@@ -5,6 +5,7 @@
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 #include "stability/hill_motions.h"
+#include "stability/periodic_motions.h"
 
 #include <algorithm>
 #include <array>
@@ -38,24 +39,6 @@ std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs 
             }))
             out.push_back(&pair);
     }
-    return out;
-}
-
-/// Planar shapes of a motion over N planar unknowns: of x and y, real and imaginary, of all terms.
-Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {
-    const Eigen::Index terms = vector.size() / term;
-    Eigen::MatrixXd out(N, 4 * terms);
-    for (Eigen::Index k = 0; k < terms; ++k) {
-        const Eigen::VectorXcd block = vector.segment(k * term, 2 * N);
-        const Eigen::VectorXcd x = block(Eigen::seqN(0, N, 2));
-        const Eigen::VectorXcd y = block(Eigen::seqN(1, N, 2));
-        out.middleCols(4 * k, 4) << x.real(), x.imag(), y.real(), y.imag();
-    }
-    // What is small beside the rest of the motion is rounding, or does not matter.
-    const double largest = out.colwise().norm().maxCoeff();
-    for (Eigen::Index j = 0; j < out.cols(); ++j)
-        if (out.col(j).norm() < 1e-6 * largest)
-            out.col(j).setZero();
     return out;
 }
 
@@ -160,7 +143,7 @@ BandFinder::BandFinder(const model::Rotor &rotor, const StabilityModel &model,
                        const balancers::Arrangement &arrangement,
                        std::shared_ptr<const Eigen::MatrixXd> shapes)
     : _rotor(rotor), _model(model), _arrangement(arrangement),
-      _whole(rotor, model.form, model.order, arrangement, model.harmonics),
+      _whole(rotor, model.form, model.order, arrangement, model.harmonics, nullptr, model.top),
       _shapes(std::move(shapes)) {}
 
 std::unique_ptr<MotionSolver> BandFinder::reduced() const {
@@ -195,7 +178,7 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
         auto lacking = missing(whole, out->pairs(speed), speed, repeats);
         for (const double part : newness) {
             for (const auto *pair : lacking)
-                planar.add(planar_parts(pair->vector, d.planar_size(), term), part);
+                planar.add(reduction::planar_parts(pair->vector, d.planar_size(), term), part);
             if (planar.matrix().cols() == _shapes->cols())
                 continue; // nothing lacks, or nothing that is new enough
             take();
@@ -210,6 +193,8 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector<double> &speeds) {
+    if (const PeriodicMotions *periodic = _whole.by_monodromy())
+        return periodic->good_shapes(speeds);
     try {
         if (!_good)
             (void)reduced_for(speeds);
@@ -223,13 +208,30 @@ BandsFound BandFinder::find(const std::vector<double> &speeds) {
     return find([this](double speed) { return _whole.at(speed); }, speeds);
 }
 
+/// With the reduced rotor; nothing where there is none, or the whole one does not agree.
+std::optional<BandsFound> BandFinder::confirmed(const MotionsAt &reduced, const MotionsAt &at,
+                                                const std::vector<double> &speeds) {
+    BandsFound found = find_bands(reduced, speeds);
+    const Confirmation whole(at, found.bands, speeds.front(), speeds.back());
+    if (auto bands = whole.bands())
+        return BandsFound{std::move(*bands), std::move(found.doubtful)};
+    return std::nullopt;
+}
+
 BandsFound BandFinder::find(const MotionsAt &at, const std::vector<double> &speeds) {
+    if (const PeriodicMotions *periodic = _whole.by_monodromy()) {
+        _shapes = periodic->good_shapes(speeds);
+        if (!_shapes)
+            return find_bands(at, speeds);
+        const MotionsAt reduced = [periodic](double speed) { return periodic->reduced_at(speed); };
+        const auto found = confirmed(reduced, at, speeds);
+        return found ? *found : find_bands(at, speeds);
+    }
     try {
         if (const std::unique_ptr<MotionSolver> few = reduced_for(speeds)) {
-            BandsFound found = find_bands([&few](double speed) { return few->at(speed); }, speeds);
-            const Confirmation whole(at, found.bands, speeds.front(), speeds.back());
-            if (auto bands = whole.bands())
-                return {std::move(*bands), std::move(found.doubtful)};
+            const MotionsAt reduced = [&few](double speed) { return few->at(speed); };
+            if (auto found = confirmed(reduced, at, speeds))
+                return std::move(*found);
         }
     } catch (const linalg::SolverError &) {    // no such shapes
     } catch (const model::AnalysisFailure &) { // a speed at which the reduced one fails

@@ -9,6 +9,7 @@
 #include "reduction/projection.h"
 #include "results/formulation.h"
 #include "stability/hill_motions.h"
+#include "stability/periodic_motions.h"
 #include "stability/rayleigh.h"
 
 #include <fmt/format.h>
@@ -117,12 +118,13 @@ struct MotionSolver::Data {
     int fewest; ///< motions looked at, however fast they are
     std::unique_ptr<modes::RotatingSpectrum> rotating;
     std::unique_ptr<HillMotions> hill;
+    std::unique_ptr<PeriodicMotions> periodic; ///< instead of the series
     assembly::FixedSystem fixed;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
     Data(const model::Rotor &rotor, results::Form which, int order,
          const balancers::Arrangement &arrangement, int N,
-         std::shared_ptr<const Eigen::MatrixXd> reduced_to)
+         std::shared_ptr<const Eigen::MatrixXd> reduced_to, double top)
         : d(rotor, order), shapes(std::move(reduced_to)), form(which),
           tables(rotor.bearings_depend_on_speed()),
           balancers(balancers::balancer_elements(rotor, arrangement)),
@@ -131,7 +133,10 @@ struct MotionSolver::Data {
             rotating = std::make_unique<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
-            if (form == results::Form::hill)
+            if (form == results::Form::hill && N == 0)
+                periodic = std::make_unique<PeriodicMotions>(d, balancers, bearings_drive(rotor),
+                                                             top, shapes);
+            else if (form == results::Form::hill)
                 hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
                                                      shapes.get());
         } else {
@@ -306,6 +311,8 @@ struct MotionSolver::Data {
     }
 
     [[nodiscard]] std::vector<Motion> motions(double speed) const {
+        if (periodic)
+            return periodic->at(speed);
         const Solved solved = those_that_matter(speed);
         std::optional<RayleighFunctional> functional;
         std::vector<Motion> motions;
@@ -327,9 +334,9 @@ struct MotionSolver::Data {
 
 MotionSolver::MotionSolver(const model::Rotor &rotor, results::Form form, int order,
                            const balancers::Arrangement &arrangement, int harmonics,
-                           std::shared_ptr<const Eigen::MatrixXd> shapes)
-    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes))) {
-}
+                           std::shared_ptr<const Eigen::MatrixXd> shapes, double top)
+    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes),
+                                   top)) {}
 
 MotionSolver::~MotionSolver() = default;
 
@@ -341,6 +348,8 @@ std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
     return found_or_said(speed, unknowns(), _data->form,
                          [&] { return _data->those_that_matter(speed).pairs; });
 }
+
+const PeriodicMotions *MotionSolver::by_monodromy() const { return _data->periodic.get(); }
 
 int MotionSolver::term_unknowns() const { return static_cast<int>(_data->root_M.size()); }
 

@@ -22,6 +22,8 @@ struct Motion {
     double repeats = 0;         ///< copies of l lie i times this apart, rad/s; 0: there are none
 };
 
+class PeriodicMotions;
+
 /// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
 /// listed, so that lines can be followed through the real axis.
 class MotionSolver {
@@ -30,12 +32,13 @@ class MotionSolver {
     /// @param order      of the shaft elements
     /// @param arrangement  where the balls of each balancer stand
     /// @param harmonics  of the Hill series (form hill), to begin with: every speed is solved with
-    ///                   as many as it needs
+    ///                   as many as it needs; 0: by the monodromy matrix (periodic_motions.h)
     /// @param shapes     planar shapes to reduce the shaft to (reduction/), or none: all motions of
     ///                   the reduced rotor are then found and listed
+    /// @param top        largest |speed| that will be asked for, where it is known, rad/s
     MotionSolver(const model::Rotor &rotor, results::Form form, int order,
                  const balancers::Arrangement &arrangement, int harmonics,
-                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
+                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr, double top = 0);
     ~MotionSolver();
     MotionSolver(const MotionSolver &) = delete;
     MotionSolver &operator=(const MotionSolver &) = delete;
@@ -50,6 +53,9 @@ class MotionSolver {
     /// The eigenpairs that at() makes motions of, Im >= 0, over all unknowns (Hill: of all terms).
     /// @throws model::AnalysisFailure as at()
     [[nodiscard]] std::vector<linalg::ComplexPair> pairs(double speed) const;
+
+    /// How the monodromy matrix gives them; none where another way is taken.
+    [[nodiscard]] const PeriodicMotions *by_monodromy() const;
 
     /// Real unknowns of the eigenproblem, the largest so far.
     [[nodiscard]] int unknowns() const;

@@ -53,9 +53,17 @@ class Varied {
            const balancers::Arrangement &arrangement, std::size_t index)
         : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
 
+    /// By the monodromy matrix on shapes that were good for another dI: the search has the last
+    /// word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
-        return {with_anisotropy(_scene.rotor, _index, dI), _model.form, _model.order, _arrangement,
-                _model.harmonics};
+        const bool periodic = _model.form == results::Form::hill && _model.harmonics == 0;
+        return {with_anisotropy(_scene.rotor, _index, dI),
+                _model.form,
+                _model.order,
+                _arrangement,
+                _model.harmonics,
+                periodic ? _shapes : nullptr,
+                _model.top};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -78,9 +86,18 @@ class Varied {
     [[nodiscard]] double just_stable(double speed, double unstable) const {
         double low = 0;
         double high = unstable;
-        while (high - low > 1e-12 * unstable) {
-            const double middle = (low + high) / 2;
-            (growth_of(solver(middle).at(speed)) > 0 ? high : low) = middle;
+        double growth_low = 0; // 0: not known
+        double growth_high = 0;
+        for (int step = 0; high - low > 1e-12 * unstable; ++step) {
+            double next = (low + high) / 2;
+            // A secant between two signs, kept off the ends; every third step halves.
+            if (growth_low < 0 && growth_high > 0 && step % 3 != 0)
+                next =
+                    std::clamp((low * growth_high - high * growth_low) / (growth_high - growth_low),
+                               low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+            const double growth = growth_of(solver(next).at(speed));
+            (growth > 0 ? high : low) = next;
+            (growth > 0 ? growth_high : growth_low) = growth;
         }
         return low;
     }
@@ -91,6 +108,15 @@ class Varied {
         std::vector<SpeedInterval> found = finder.find(speeds).bands;
         _shapes = finder.shapes();
         return found;
+    }
+
+    /// The same, on the way to an answer that is verified.
+    [[nodiscard]] std::vector<SpeedInterval> likely_bands(double dI,
+                                                          const std::vector<double> &speeds) const {
+        const MotionSolver motions = solver(dI);
+        if (motions.by_monodromy() == nullptr || !_shapes)
+            return bands(dI, speeds);
+        return unstable_bands([&motions](double speed) { return motions.at(speed); }, speeds);
     }
 
     [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
@@ -116,7 +142,7 @@ Descent descend(const Varied &varied, double largest, const std::vector<double> 
     Descent out;
     double dI = largest;
     for (int step = 0; step < most_steps; ++step) {
-        const std::vector<SpeedInterval> bands = varied.bands(dI, speeds);
+        const std::vector<SpeedInterval> bands = varied.likely_bands(dI, speeds);
         if (bands.empty())
             break;
         const MotionSolver solver = varied.solver(dI);
@@ -160,12 +186,23 @@ double verified(const Varied &varied, const Descent &found, const std::vector<do
     return stable;
 }
 
+/// Fewer of many: the search for bands looks between them by itself.
+std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enough) {
+    const std::size_t every = std::max<std::size_t>(1, (speeds.size() - 1) / (enough - 1));
+    std::vector<double> out;
+    for (std::size_t k = 0; k + 1 < speeds.size(); k += every)
+        out.push_back(speeds[k]);
+    out.push_back(speeds.back());
+    return out;
+}
+
 std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
                                   const std::vector<double> &speeds) {
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
         return 0;
-    const Descent found = descend(varied, largest, speeds);
+    constexpr std::size_t few = 41; // on the way; what comes out is verified
+    const Descent found = descend(varied, largest, thinned(speeds, few));
     if (!found.dI || *found.dI == 0)
         return found.dI;
     return verified(varied, found, speeds);
@@ -176,7 +213,9 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
                          const balancers::Arrangement &arrangement,
-                         const std::vector<double> &speeds) {
+                         const std::vector<double> &grid) {
+    constexpr std::size_t enough = 101;
+    const std::vector<double> speeds = thinned(grid, enough);
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = scene.rotor.anisotropies[i];

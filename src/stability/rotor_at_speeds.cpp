@@ -114,7 +114,9 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     const results::Form form = out.formulation.form;
     if (results::in_rotating_axes(form)) {
         out.form = form;
-        if (form == results::Form::hill) {
+        for (const double speed : speeds)
+            out.top = std::max(out.top, std::abs(speed));
+        if (form == results::Form::hill && !out.reduction) {
             const HillSeries series = settled_series(
                 scene.rotor, out.order, balancers::arrangement_at_balance(scene.rotor), speeds);
             out.harmonics = series.harmonics;

@@ -16,7 +16,8 @@ struct StabilityModel {
     bool conservative = false;                   ///< undamped, fixed frame, K > 0: nothing can grow
     bool reduction = true; ///< searches may look at a rotor of few shapes first
     int order = 1;
-    int harmonics = 0; ///< of the Hill series
+    int harmonics = 0; ///< of the Hill series; 0: form hill by the monodromy matrix
+    double top = 0;    ///< largest |speed| that will be looked at, rad/s
     double from = 0;   ///< rad/s, least |speed| that the series describes
 };
 

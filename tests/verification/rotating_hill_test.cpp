@@ -71,8 +71,13 @@ class Hill : public testing::TestWithParam<Scene> {
     model::Rotor rotor = GetParam().rotor;
     model::Case scene = tests::scene_of(rotor, 100, 450, 71);
     assembly::Discretization d{rotor, rotor.shaft.order};
-    stability::StabilityModel model = stability::stability_model(scene, scene.speeds->values());
+    stability::StabilityModel model = modelled(false);
 
+    /// @param reduction  false: by Hill's series
+    [[nodiscard]] stability::StabilityModel modelled(bool reduction) {
+        scene.reduction = reduction;
+        return stability::stability_model(scene, scene.speeds->values());
+    }
     [[nodiscard]] tests::PeriodicSystem periodic(double speed) const { return {d, speed, {}}; }
 };
 
@@ -96,12 +101,15 @@ TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
 }
 
 TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
-    const stability::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    const stability::MotionSolver series(rotor, model.form, model.order, {}, model.harmonics);
+    const stability::MotionSolver monodromy(rotor, model.form, model.order, {}, 0);
+    scene.reduction = true; // bands by the monodromy matrix
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     EXPECT_GE(bands.size(), 1U);
     for (double speed = 101.3; speed < 450; speed += 5) {
         const double growth = periodic(speed).growth(steps);
-        EXPECT_NEAR(stability::growth_of(solver.at(speed)), growth, 1e-7 * speed) << speed;
+        EXPECT_NEAR(stability::growth_of(series.at(speed)), growth, 1e-7 * speed) << speed;
+        EXPECT_NEAR(stability::growth_of(monodromy.at(speed)), growth, 1e-7 * speed) << speed;
         if (!within(bands, speed, 1e-3)) {
             EXPECT_LT(growth, 1e-6) << speed;
         }
@@ -137,7 +145,8 @@ TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {
     model::Rotor rotor = rigid_rotor();
     for (model::Bearing &bearing : rotor.bearings)
         bearing.rows[0].k(1, 1) /= 100;
-    const model::Case scene = tests::scene_of(rotor, 0.1, 1, 12);
+    model::Case scene = tests::scene_of(rotor, 0.1, 1, 12);
+    scene.reduction = false;
     try {
         (void)analyses::stability(scene, [&](const auto &) { return scene; });
         ADD_FAILURE() << "no exception";
@@ -163,6 +172,7 @@ TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
             << speed;
     }
     model::Case scene = tests::scene_of(rotor, 1, 450, 3);
+    scene.reduction = false;
     scene.map = model::MapSettings{{"speed", 1, 450, 3}, {"anisotropy[0].dI", 0.1, 0.2, 2}};
     const auto map =
         analyses::stability_map(*scene.map, [&](const auto &) { return scene; }).growth;
@@ -183,10 +193,12 @@ TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
         bearing.rows[0].k(0, 1) = 2e5;
         bearing.rows[0].k(1, 0) = -2e5;
     }
-    const stability::MotionSolver solver(rotor, results::Form::hill, 4, {}, 1);
-    for (const double speed : {60.0, 70.0, 80.0})
-        EXPECT_GT(stability::growth_of(solver.at(speed)), 3.6) << speed;
-    EXPECT_NEAR(stability::growth_of(solver.at(60)), 3.714, 5e-4);
+    for (const int harmonics : {1, 0}) { // 0: the monodromy matrix
+        const stability::MotionSolver solver(rotor, results::Form::hill, 4, {}, harmonics);
+        for (const double speed : {60.0, 70.0, 80.0})
+            EXPECT_GT(stability::growth_of(solver.at(speed)), 3.6) << speed;
+        EXPECT_NEAR(stability::growth_of(solver.at(60)), 3.714, 5e-4);
+    }
 }
 
 /// The rotor of cases/hill_rotor on bearings that differ ninefold, hardly damped, with the largest

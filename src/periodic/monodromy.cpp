@@ -1,0 +1,275 @@
+#include "periodic/monodromy.h"
+
+#include "linalg/check.h"
+#include "linalg/quadratic_eigen.h"
+#include "periodic/collocation.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace whirl::periodic {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+using Blocks = std::vector<MatrixXd>; ///< one for each stage
+
+/// The collocation equations of the steady part over one step, U_i the change of q from its
+/// beginning to point i, B the inverse of the method's matrix over the length of the step:
+///
+///     sum_k (B^2)_ik M U_k + B_ik D U_k + K U_i = f_i
+class StageSystem {
+  public:
+    StageSystem(const System::Steady &steady, double length)
+        : _steady(steady), _B(collocation().inverse / length) {
+        for (Eigen::Index pair = 0; pair < stages / 2; ++pair) {
+            const Complex root = collocation().roots(pair) / length;
+            _factors.emplace_back(root * root * steady.M + root * steady.D +
+                                  steady.K.cast<Complex>());
+        }
+    }
+
+    [[nodiscard]] const MatrixXd &B() const { return _B; }
+
+    [[nodiscard]] Blocks solve(const Blocks &right) const {
+        Blocks out = transformed(right);
+        // The transformation costs four digits: they come back.
+        const Blocks correction = transformed(rest(right, out));
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] += correction[i];
+        return out;
+    }
+
+    /// sum_k B_ik X_k
+    [[nodiscard]] Blocks rates(const Blocks &X) const {
+        Blocks out;
+        for (Eigen::Index i = 0; i < stages; ++i) {
+            out.push_back(_B(i, 0) * X.front());
+            for (Eigen::Index k = 1; k < stages; ++k)
+                out.back() += _B(i, k) * X[static_cast<std::size_t>(k)];
+        }
+        return out;
+    }
+
+  private:
+    const System::Steady &_steady;
+    MatrixXd _B;
+    std::vector<Eigen::PartialPivLU<MatrixXcd>> _factors; ///< of one root of each pair
+
+    /// The transformation makes one system of each root.
+    [[nodiscard]] Blocks transformed(const Blocks &right) const {
+        const Collocation &points = collocation();
+        Blocks out(stages, MatrixXd::Zero(right.front().rows(), right.front().cols()));
+        for (Eigen::Index pair = 0; pair < stages / 2; ++pair) {
+            MatrixXcd sum = points.left(pair, 0) * right.front();
+            for (Eigen::Index k = 1; k < stages; ++k)
+                sum += points.left(pair, k) * right[static_cast<std::size_t>(k)];
+            const MatrixXcd solved = _factors[static_cast<std::size_t>(pair)].solve(sum);
+            for (Eigen::Index i = 0; i < stages; ++i) {
+                const Complex weight = 2.0 * points.T(i, pair);
+                out[static_cast<std::size_t>(i)] +=
+                    weight.real() * solved.real() - weight.imag() * solved.imag();
+            }
+        }
+        return out;
+    }
+
+    [[nodiscard]] Blocks rest(const Blocks &right, const Blocks &U) const {
+        const Blocks V = rates(U);
+        const Blocks W = rates(V);
+        Blocks out = right;
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] -= _steady.M * W[i] + _steady.D * V[i] + _steady.K * U[i];
+        return out;
+    }
+};
+
+/// The maps of a step of one length, s = stages: the state at its end is R x + L f, displacements
+/// and rates at the places and points Y x + Z f, of the state x at its beginning and forces -f at
+/// places and points (points one after the other).
+struct StepMaps {
+    MatrixXd R; ///< 2n x 2n
+    MatrixXd L; ///< 2n x sm
+    MatrixXd Y; ///< 2sm x 2n
+    MatrixXd Z; ///< 2sm x sm
+
+    StepMaps(const System &system, double speed, double length) {
+        const System::Steady steady = system.steady(speed);
+        const StageSystem equations(steady, length);
+        const Eigen::Index n = system.size();
+        const MatrixXd &P = system.places();
+        const Eigen::Index m = P.cols();
+        const Eigen::VectorXd start = equations.B().rowwise().sum();
+        Blocks right(stages, MatrixXd::Zero(n, 2 * n + stages * m));
+        for (Eigen::Index i = 0; i < stages; ++i) {
+            MatrixXd &here = right[static_cast<std::size_t>(i)];
+            here.leftCols(n) = -steady.K;
+            here.middleCols(n, n) = start(i) * steady.M;
+            here.middleCols(2 * n + i * m, m) = -P;
+        }
+        Blocks q = equations.solve(right);
+        const Blocks v = equations.rates(q);
+        for (MatrixXd &here : q)
+            here.leftCols(n).diagonal().array() += 1;
+        MatrixXd last(2 * n, 2 * n + stages * m);
+        last << q.back(), v.back();
+        if (!last.allFinite())
+            throw linalg::SolverError("a step in time meets a singular matrix");
+        R = last.leftCols(2 * n);
+        L = last.rightCols(stages * m);
+        MatrixXd seen(2 * stages * m, last.cols());
+        for (Eigen::Index i = 0; i < stages; ++i) {
+            seen.middleRows(2 * i * m, m) = P.transpose() * q[static_cast<std::size_t>(i)];
+            seen.middleRows((2 * i + 1) * m, m) = P.transpose() * v[static_cast<std::size_t>(i)];
+        }
+        Y = seen.leftCols(2 * n);
+        Z = seen.rightCols(stages * m);
+    }
+};
+
+/// How displacements and rates at the places act back at each point of one step: S_i (y, y').
+Blocks forces(const System &system, double speed, double from, double length) {
+    Blocks out;
+    for (int i = 0; i < stages; ++i) {
+        const double time = from + collocation().nodes(i) * length;
+        const System::Turning at = system.turning(speed, 2 * speed * time);
+        out.emplace_back(at.stiffness.rows(), 2 * at.stiffness.cols());
+        out.back() << at.stiffness, at.damping;
+    }
+    return out;
+}
+
+/// S A, S with these blocks on its diagonal.
+MatrixXd times(const Blocks &S, const MatrixXd &A) {
+    const Eigen::Index m = S.front().rows();
+    MatrixXd out(stages * m, A.cols());
+    for (Eigen::Index i = 0; i < stages; ++i)
+        out.middleRows(i * m, m).noalias() =
+            S[static_cast<std::size_t>(i)] * A.middleRows(2 * i * m, 2 * m);
+    return out;
+}
+
+double period(double speed) { return std::numbers::pi / std::abs(speed); }
+
+/// Entries of (q, q') become of one size by them.
+Eigen::VectorXd weights_of(const System::Steady &steady, double speed) {
+    const Eigen::Index n = steady.M.rows();
+    const Eigen::ArrayXd M = steady.M.diagonal().array().abs().sqrt();
+    Eigen::ArrayXd q = steady.K.diagonal().array().abs().sqrt().max(std::abs(speed) * M);
+    q = (q > 0).select(q, 1.0);
+    // What has no mass has a rate of no weight of its own.
+    const Eigen::ArrayXd v = (M > 0).select(M, q / std::max(std::abs(speed), 1e-300));
+    Eigen::VectorXd out(2 * n);
+    out << q.matrix(), v.matrix();
+    return out;
+}
+
+double frequency_of(const MatrixXd &M, const Eigen::VectorXcd &state) {
+    const Eigen::Index n = M.rows();
+    const auto square = [&M](const auto &x) { return std::abs(x.dot(M * x)); };
+    const Eigen::VectorXcd q = state.head(n);
+    const Eigen::VectorXcd v = state.tail(n);
+    return std::sqrt(square(v) / std::max(square(q), 1e-300));
+}
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+MatrixXd monodromy(const System &system, double speed, int steps) {
+    const double length = period(speed) / steps;
+    const StepMaps maps(system, speed, length);
+    const Eigen::Index forces_at_once = maps.Z.cols();
+    MatrixXd state = MatrixXd::Identity(2 * system.size(), 2 * system.size());
+    for (int step = 0; step < steps; ++step) {
+        MatrixXd map = maps.R;
+        if (forces_at_once > 0) { // none: the supports are the same from every direction
+            const Blocks S = forces(system, speed, step * length, length);
+            MatrixXd own = -times(S, maps.Z);
+            own.diagonal().array() += 1;
+            map += maps.L * own.partialPivLu().solve(times(S, maps.Y));
+        }
+        state = (map * state).eval();
+    }
+    if (!state.allFinite())
+        throw linalg::SolverError("the motion over half a turn cannot be found");
+    return state;
+}
+
+std::vector<FloquetMotion> floquet_motions(const System &system, double speed, int steps) {
+    const System::Steady steady = system.steady(speed);
+    const Eigen::VectorXd weights = weights_of(steady, speed);
+    const MatrixXd turn = weights.asDiagonal() * monodromy(system, speed, steps) *
+                          weights.cwiseInverse().asDiagonal();
+    const Eigen::EigenSolver<MatrixXd> solver(turn);
+    if (solver.info() != Eigen::Success)
+        throw linalg::SolverError("the Floquet multipliers cannot be found");
+    const MatrixXcd vectors = solver.eigenvectors().colwise().normalized();
+    const Eigen::PartialPivLU<MatrixXcd> lu(vectors);
+    const MatrixXcd rows = lu.solve(MatrixXcd::Identity(vectors.rows(), vectors.cols()));
+    const double size = turn.norm();
+    std::vector<FloquetMotion> out;
+    for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+        const Complex multiplier = solver.eigenvalues()(i);
+        const double drowned = 10 * epsilon * size * rows.row(i).norm();
+        constexpr double known = 1e-3; // of a multiplier
+        if (!(drowned < known * std::abs(multiplier)))
+            continue;
+        FloquetMotion motion;
+        motion.value = std::log(multiplier) / period(speed);
+        motion.noise = drowned / std::abs(multiplier) / period(speed);
+        motion.state = vectors.col(i);
+        motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
+        motion.frequency = frequency_of(steady.M, motion.shape);
+        out.push_back(std::move(motion));
+    }
+    return out;
+}
+
+std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
+    System::Steady steady = system.steady(speed);
+    if (speed == 0) {
+        const System::Turning still = system.turning(0, 0);
+        const MatrixXd &P = system.places();
+        steady.K += P * still.stiffness * P.transpose();
+        steady.D += P * still.damping * P.transpose();
+    }
+    linalg::QuadraticOptions options;
+    options.method = linalg::QuadraticMethod::dense;
+    options.wanted = 2 * system.size();
+    options.fewest = 1; // of those asked for as many as can be resolved
+    const double scale = std::sqrt(steady.K.norm() / steady.M.norm());
+    options.shift = 0.31 * std::max(std::abs(speed), 1e-3 * scale);
+    const Eigen::VectorXd weights = weights_of(steady, speed);
+    std::vector<FloquetMotion> out;
+    const auto found = linalg::solve_quadratic(steady.M.sparseView(), steady.D.sparseView(),
+                                               steady.K.sparseView(), options);
+    for (const linalg::ComplexPair &pair : found.pairs) {
+        FloquetMotion motion;
+        motion.value = pair.value;
+        motion.shape.resize(2 * system.size());
+        motion.shape << pair.vector, pair.value * pair.vector;
+        motion.state = weights.cwiseProduct(motion.shape).normalized();
+        motion.noise = (100 * pair.rounding + 10 * pair.residual) * std::abs(pair.value);
+        motion.frequency = std::abs(pair.value);
+        out.push_back(motion);
+        if (pair.value.imag() == 0)
+            continue;
+        motion.value = std::conj(motion.value);
+        motion.state = motion.state.conjugate().eval();
+        motion.shape = motion.shape.conjugate().eval();
+        out.push_back(std::move(motion));
+    }
+    return out;
+}
+
+} // namespace whirl::periodic

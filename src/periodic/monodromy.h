@@ -1,0 +1,40 @@
+#pragma once
+
+#include "periodic/system.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace whirl::periodic {
+
+/// What half a turn, after which the supports stand as before, makes of (q, q'): 2n x 2n. Implicit
+/// steps of one length (collocation.h). In each, the steady part of the rotor is the same: it is
+/// condensed to the few places of the supports once, where a small system is left for every step.
+/// Motions of frequencies up to steps * resolved_angle * |speed| / pi are exact to rounding; much
+/// faster ones die out.
+/// @param speed  not zero, rad/s
+/// @throws linalg::SolverError where the steps meet a singular matrix
+[[nodiscard]] Eigen::MatrixXd monodromy(const System &system, double speed, int steps);
+
+/// A free motion exp(l t) u(t), u of period pi / |speed|.
+struct FloquetMotion {
+    std::complex<double> value; ///< l, 1/s, |Im l| <= |speed|
+    Eigen::VectorXcd state;     ///< (q, q') at t = 0, entries made comparable; length 1
+    Eigen::VectorXcd shape;     ///< the same as it is
+    double noise = 0;           ///< of l by rounding, 1/s
+    double frequency = 0;       ///< |q'| over |q| at t = 0, measured by M, rad/s
+};
+
+/// Eigenpairs of the monodromy matrix, both conjugates; without those that rounding has drowned.
+/// @throws linalg::SolverError
+[[nodiscard]] std::vector<FloquetMotion> floquet_motions(const System &system, double speed,
+                                                         int steps);
+
+/// The same of equations with constant coefficients: at rest (Im l of any size) that of the
+/// supports as they stand, else of what of them is the same from every direction.
+/// @throws linalg::SolverError
+[[nodiscard]] std::vector<FloquetMotion> steady_motions(const System &system, double speed);
+
+} // namespace whirl::periodic

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/linear_element.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::periodic {
+
+/// Single motions of a rotor with all its unknowns, by Hill's series in complex form:
+///
+///     q = exp(l t) sum_k q_k exp(2 i k speed t),  |k| <= N,
+///
+/// a sparse problem l^2 A2 + l A1 + A0 of size n (2N + 1), with as many harmonics as leave nothing
+/// at its ends. It shares nothing with steps in time, which it confirms.
+class WholeRotor {
+  public:
+    WholeRotor(const assembly::Discretization &discretization,
+               std::vector<balancers::BalancerElement> balancers);
+    ~WholeRotor();
+    WholeRotor(const WholeRotor &) = delete;
+    WholeRotor &operator=(const WholeRotor &) = delete;
+    WholeRotor(WholeRotor &&) = delete;
+    WholeRotor &operator=(WholeRotor &&) = delete;
+
+    struct Root {
+        std::complex<double> value; ///< l, 1/s, on the strip that the guess is in
+        Eigen::VectorXcd terms;     ///< q_-N, ..., q_N
+        double noise = 0;           ///< how far rounding can move l, 1/s
+    };
+    /// The root next to a guess: inverse iteration with both vectors, and the quotient of them.
+    /// @param speed      not zero, rad/s
+    /// @param frequency  that the motion is fastest at, rad/s: for the first N
+    /// @returns nothing where it does not converge
+    [[nodiscard]] std::optional<Root> next_to(double speed, std::complex<double> guess,
+                                              double frequency) const;
+
+  private:
+    using Sparse = Eigen::SparseMatrix<double>;
+    const assembly::Discretization &_discretization;
+    std::vector<balancers::BalancerElement> _balancers;
+    bool _tables;
+
+    /// Bearings as at one speed.
+    struct Matrices {
+        Sparse M, C, Cs, K, Ks, Kss;
+        struct Pair {
+            Sparse cosine, sine;
+        };
+        Pair turning_C, turning_K, turning_Ks;
+    };
+    Matrices _matrices; ///< with tables: not used
+    struct Factors;     ///< their pattern and order of elimination, one for each N
+    std::unique_ptr<Factors> _factors;
+    [[nodiscard]] Matrices assembled(double bearing_speed) const;
+};
+
+} // namespace whirl::periodic

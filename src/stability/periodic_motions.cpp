@@ -1,0 +1,310 @@
+#include "stability/periodic_motions.h"
+
+#include "linalg/check.h"
+#include "periodic/collocation.h"
+#include "stability/hill_motions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace whirl::stability {
+
+namespace {
+
+using Complex = std::complex<double>;
+using periodic::FloquetMotion;
+using Floquet = std::vector<FloquetMotion>;
+
+/// With so few planar unknowns nothing is gained by a reduction, nor with so large a part of them.
+constexpr int few_unknowns = 16;
+constexpr double large_share = 0.7;
+/// Roots of the reduced rotor as far as a search needs them, over the spin speed.
+constexpr double agreement = 1e-7;
+/// Part of a shape that the others must lack for it to be taken in: at first, and where more is
+/// needed. The errors of roots are the squares of it.
+constexpr std::array new_parts{1e-3, 1e-5, 1e-6};
+/// Motions up to this multiple of the spin speed may meet.
+constexpr double slow_enough = 4;
+/// Stiffness in one direction is at most twice its average over the directions.
+constexpr double of_average = 1.5;
+/// Rounding that is ever_there there, of speed and modulus.
+constexpr double ever_there = 1e-11;
+
+double copies_apart(const FloquetMotion &a, const FloquetMotion &b, double repeats) {
+    const Complex off = a.value - b.value;
+    return std::abs(Complex(off.real(), std::remainder(off.imag(), repeats)));
+}
+
+/// Largest copies_apart over the speed of those up to a frequency to the nearest of the others.
+double largest_change(const Floquet &some, const Floquet &others, double reach, double speed) {
+    double worst = 0;
+    for (const FloquetMotion &motion : some) {
+        if (motion.frequency > reach)
+            continue;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const FloquetMotion &other : others)
+            nearest = std::min(nearest, copies_apart(motion, other, 2 * speed) -
+                                            100 * (other.noise + motion.noise));
+        worst = std::max(worst, nearest / speed);
+    }
+    return worst;
+}
+
+} // namespace
+
+PeriodicMotions::PeriodicMotions(const assembly::Discretization &discretization,
+                                 std::vector<balancers::BalancerElement> balancers, bool driven,
+                                 double top, std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
+      _tables(discretization.rotor().bearings_depend_on_speed()), _top(top),
+      _reduced(!shapes && !discretization.rigid() && discretization.planar_size() > few_unknowns),
+      _grows(_reduced), _shapes(std::move(shapes)) {
+    if (_reduced && _top > 0)
+        set_shapes();
+}
+
+void PeriodicMotions::set_shapes() const {
+    _planar = std::make_unique<reduction::PlanarShapes>(_discretization, 2 * _top);
+    _shapes = std::make_shared<Eigen::MatrixXd>(_planar->matrix());
+    if (!_whole)
+        _whole = std::make_unique<periodic::WholeRotor>(_discretization, _balancers);
+}
+
+void PeriodicMotions::set_top(double speed) const {
+    if (std::abs(speed) <= _top)
+        return;
+    _top = std::abs(speed);
+    _reach = 0;
+    if (!_reduced)
+        return;
+    _system.reset();
+    _known.clear();
+    set_shapes();
+}
+
+const periodic::System &PeriodicMotions::system(double speed) const {
+    if (!_system || (_tables && speed != _system_speed))
+        _system = std::make_unique<periodic::System>(_discretization, _tables ? speed : 0,
+                                                     _balancers, _shapes.get());
+    _system_speed = speed;
+    return *_system;
+}
+
+/// All that may meet at the largest speed, as much more as leaves eight, and on into the widest gap
+/// up to twice as far.
+void PeriodicMotions::set_reach() const {
+    constexpr int samples = 5;
+    constexpr std::size_t fewest = 8;
+    double least = slow_enough * _top;
+    std::vector<double> all;
+    for (int k = 0; k < samples; ++k) {
+        const double speed = _top * (k + 0.5) / samples;
+        std::vector<double> here;
+        for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
+            if (motion.value.imag() >= 0)
+                here.push_back(motion.frequency);
+        std::sort(here.begin(), here.end());
+        if (!here.empty())
+            least = std::max(least, here[std::min(here.size(), fewest) - 1]);
+        all.insert(all.end(), here.begin(), here.end());
+    }
+    std::sort(all.begin(), all.end());
+    double below = least;
+    double widest = 1;
+    _reach = 2 * least;
+    for (const double size : all) {
+        if (size <= least)
+            continue;
+        const double above = std::min(size, 2 * least);
+        if (above / below > widest) {
+            widest = above / below;
+            _reach = std::sqrt(above * below);
+        }
+        if (size >= 2 * least)
+            break;
+        below = size;
+    }
+}
+
+double PeriodicMotions::reach(double speed) const {
+    const bool rigid = _discretization.rigid();
+    if (!rigid && _reach == 0)
+        set_reach();
+    double out = rigid ? 0 : _reach;
+    if (rigid || _driven)
+        for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
+            if (rigid || motion.value.real() > motion.noise)
+                out = std::max(out, of_average * std::abs(motion.value.imag()));
+    return out;
+}
+
+int PeriodicMotions::steps(double speed, double reach) const {
+    const double angle =
+        std::numbers::pi / std::abs(speed) * (of_average * reach + slow_enough * std::abs(speed));
+    const double wanted = std::ceil(_density * angle / periodic::resolved_angle);
+    constexpr double most = 1e11; // operations
+    const double each = std::pow(2.0 * system(speed).size(), 3);
+    if (!(wanted * each < most))
+        throw NotSettled(fmt::format("half a turn at {:.6g} rad/s takes the fastest motions too "
+                                     "many periods to be followed; the speed may lie too low",
+                                     speed));
+    return static_cast<int>(wanted);
+}
+
+/// With steps that suffice, as one half more of them show; this is looked at anew wherever the
+/// speed has become another one.
+Floquet PeriodicMotions::settled(double speed, double reach) const {
+    constexpr double another = 1.5;
+    constexpr double enough = 1e-10; // of the speed
+    constexpr double densest = 16;
+    const double size = std::abs(speed);
+    while (true) {
+        const int coarse = steps(speed, reach);
+        Floquet found = periodic::floquet_motions(system(speed), speed, coarse);
+        if (size < another * _settled_at && _settled_at < another * size)
+            return found;
+        const Floquet fine =
+            periodic::floquet_motions(system(speed), speed, coarse + (coarse + 1) / 2);
+        const double worst = std::max(largest_change(found, fine, reach, size),
+                                      largest_change(fine, found, reach, size));
+        if (worst <= enough) {
+            _settled_at = size;
+            return found;
+        }
+        if (_density > densest)
+            throw NotSettled(fmt::format("the motion over half a turn does not settle at {:.6g} "
+                                         "rad/s: with more steps in time multipliers still "
+                                         "change by {:.1e} of the spin speed",
+                                         speed, worst));
+        _density *= another;
+    }
+}
+
+PeriodicMotions::List PeriodicMotions::listed(double speed) const {
+    const bool rest = speed == 0;
+    const bool rigid = _discretization.rigid();
+    const double size = std::abs(speed);
+    const double fastest = reach(speed);
+    const Floquet found = rest ? periodic::steady_motions(system(0), 0) : settled(speed, fastest);
+    List out;
+    for (const FloquetMotion &motion : found) {
+        if (!rigid && motion.frequency > fastest)
+            continue;
+        Listed one;
+        one.frequency = motion.frequency;
+        one.motion.value = motion.value;
+        one.motion.state = motion.state;
+        if (_grows)
+            one.shape = motion.shape;
+        one.motion.noise = motion.noise + ever_there * std::max(size, std::abs(motion.value));
+        one.motion.may_meet = rigid || motion.frequency <= slow_enough * size ||
+                              motion.value.real() > one.motion.noise;
+        one.motion.repeats = 2 * size; // at rest: none
+        out.push_back(std::move(one));
+    }
+    return out;
+}
+
+const PeriodicMotions::List &PeriodicMotions::known(double speed) const {
+    if (!_reduced || _top == 0) // new shapes in the midst of a search would mix states up
+        set_top(speed);
+    const auto found = _known.find(speed);
+    if (found != _known.end())
+        return found->second;
+    constexpr std::size_t most = 4000;
+    if (_known.size() >= most)
+        _known.clear();
+    return _known.emplace(speed, listed(speed)).first->second;
+}
+
+/// Those that matter, or all, as the whole rotor has them; nothing where the shapes were not good
+/// enough for one of them, and now there are more.
+std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all) const {
+    List list = known(speed);
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Listed &one : list)
+        most = std::max(most, one.motion.value.real());
+    const double size = std::abs(speed);
+    const Eigen::Index shapes = _planar->matrix().cols();
+    for (Listed &one : list) {
+        Motion &motion = one.motion;
+        const bool neutral = std::abs(motion.value.real()) <= motion.noise; // and stays so
+        const bool matters = motion.value.real() > motion.noise ||
+                             (!neutral && motion.value.real() >= most - 10 * agreement * size);
+        // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
+        if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
+            continue;
+        const auto root = _whole->next_to(speed, motion.value, one.frequency);
+        if (!root)
+            continue;
+        const double off = std::abs(root->value - motion.value);
+        const double allowed = agreement * std::max(size, std::abs(motion.value));
+        if (off > allowed + 10 * motion.noise)
+            for (const double part : new_parts) {
+                _planar->add(reduction::planar_parts(root->terms, _discretization.planar_size(),
+                                                     2 * (_discretization.planar_size() +
+                                                          balancers::unknowns_of(_balancers))),
+                             part);
+                if (_planar->matrix().cols() > shapes)
+                    break;
+            }
+        const Complex before = motion.value;
+        motion.value = root->value;
+        if (before.imag() == 0 || before.imag() == size) // a real multiplier: its own conjugate
+            motion.value.imag(before.imag());
+        for (Listed &other : list)
+            if (before.imag() > 0 && other.motion.value == std::conj(before))
+                other.motion.value = std::conj(motion.value);
+    }
+    if (_planar->matrix().cols() == shapes)
+        return list;
+    _known.clear();
+    _system.reset();
+    _reduced =
+        static_cast<double>(_planar->matrix().cols()) < large_share * _discretization.planar_size();
+    _shapes = _reduced ? std::make_shared<Eigen::MatrixXd>(_planar->matrix()) : nullptr;
+    return std::nullopt;
+}
+
+std::vector<Motion> PeriodicMotions::at(double speed) const {
+    set_top(speed);
+    std::optional<List> list;
+    constexpr int tries = 6;
+    for (int k = 0; _reduced && speed != 0 && !list && k < tries; ++k)
+        list = corrected(speed, false);
+    if (!list)
+        list = known(speed);
+    std::vector<Motion> out;
+    for (const Listed &one : *list) {
+        out.push_back(one.motion);
+        if (_grows)
+            out.back().state = system(speed).whole(one.shape, speed);
+    }
+    return out;
+}
+
+std::vector<Motion> PeriodicMotions::reduced_at(double speed) const {
+    std::vector<Motion> out;
+    for (const Listed &one : known(speed))
+        out.push_back(one.motion);
+    return out;
+}
+
+std::shared_ptr<const Eigen::MatrixXd>
+PeriodicMotions::good_shapes(const std::vector<double> &speeds) const {
+    const std::size_t last = speeds.size() - 1;
+    set_top(std::max(std::abs(speeds.front()), std::abs(speeds.back())));
+    constexpr int tries = 6;
+    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
+        for (int k = 0; _reduced && speeds[place] != 0 && k < tries; ++k)
+            if (corrected(speeds[place], true))
+                break;
+    return _shapes;
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,88 @@
+#pragma once
+
+#include "balancers/linear_element.h"
+#include "periodic/monodromy.h"
+#include "periodic/system.h"
+#include "periodic/whole_root.h"
+#include "reduction/planar_shapes.h"
+#include "stability/motions.h"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::stability {
+
+/// Free motions of a rotor whose equations stay periodic in time, by its monodromy matrix.
+///
+/// Which motions: at every speed those of frequencies up to one bound for the whole range, four
+/// times its largest speed or more, and of a rigid rotor all. The steps in time are as many as
+/// these need, and more until the multipliers do not change any more. Motions up to four times the
+/// spin speed may meet: pairs of them resonate at twice and four times the spin speed.
+///
+/// An elastic rotor is reduced to few planar shapes, to which the shapes of the whole rotor's own
+/// motions (whole_root.h) are added wherever its roots differ; the motions that grow most are given
+/// as the whole rotor has them.
+class PeriodicMotions {
+  public:
+    /// @param driven  bearings can feed energy into any motion
+    /// @param top     largest |speed| that will be asked for, rad/s; 0: not known
+    /// @param shapes  planar shapes that are good for the range, or none: they are found
+    PeriodicMotions(const assembly::Discretization &discretization,
+                    std::vector<balancers::BalancerElement> balancers, bool driven, double top,
+                    std::shared_ptr<const Eigen::MatrixXd> shapes);
+
+    /// @throws linalg::SolverError, model::AnalysisFailure
+    [[nodiscard]] std::vector<Motion> at(double speed) const;
+
+    /// All of them as the reduced rotor has them; states are those of the shapes at hand, while
+    /// at() gives states over all unknowns, as shapes can be added.
+    [[nodiscard]] std::vector<Motion> reduced_at(double speed) const;
+
+    /// Shapes with which every motion at these speeds is that of the whole rotor; none where the
+    /// whole rotor is as small.
+    [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
+    good_shapes(const std::vector<double> &speeds) const;
+
+  private:
+    /// A motion of the reduced rotor and how fast it is, whatever its place on the strip.
+    struct Listed {
+        Motion motion;
+        double frequency = 0; ///< rad/s
+        Eigen::VectorXcd shape;
+    };
+    using List = std::vector<Listed>;
+
+    const assembly::Discretization &_discretization;
+    std::vector<balancers::BalancerElement> _balancers;
+    bool _driven;
+    bool _tables;
+    mutable double _top;
+    mutable bool _reduced; ///< to shapes of its own
+    bool _grows;           ///< was so to begin with
+    mutable std::unique_ptr<reduction::PlanarShapes> _planar;
+    mutable std::shared_ptr<const Eigen::MatrixXd> _shapes;
+    mutable std::unique_ptr<periodic::System> _system;
+    mutable double _system_speed = 0; ///< with tables: whose bearings it has
+    mutable double _reach = 0;        ///< frequency of the fastest motions listed, rad/s
+    mutable double _density = 1;      ///< of the steps in time, as experience has it
+    mutable double _settled_at = 0;   ///< |speed| at which that was seen last
+    mutable std::unique_ptr<periodic::WholeRotor> _whole;
+    mutable std::map<double, List> _known; ///< of the reduced rotor, at speeds asked for
+
+    void set_top(double speed) const;
+    void set_shapes() const;
+    [[nodiscard]] const periodic::System &system(double speed) const;
+    void set_reach() const;
+    [[nodiscard]] double reach(double speed) const;
+    [[nodiscard]] int steps(double speed, double reach) const;
+    [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;
+    [[nodiscard]] List listed(double speed) const;
+    [[nodiscard]] const List &known(double speed) const;
+    [[nodiscard]] std::optional<List> corrected(double speed, bool all) const;
+};
+
+} // namespace whirl::stability
