@@ -241,10 +241,12 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
 
 results::CriticalResult critical_speeds(const model::Case &scene) {
     results::CriticalResult result = critical_of(scene, true);
-    if (scene.operation)
+    if (scene.operation) {
         result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
                                                        peaks_for_margins(scene, result.model),
                                                        !scene.rotor.bearings_rotation_invariant());
+        operation::note_unknown_damping(result.critical_speeds, result.model.notes);
+    }
     return result;
 }
 

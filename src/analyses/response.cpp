@@ -287,6 +287,7 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
     }
     result.margins = operation::separation_margins(*scene.operation, critical_speeds, result.peaks,
                                                    !scene.rotor.bearings_rotation_invariant());
+    operation::note_unknown_damping(critical_speeds, result.model.notes);
 }
 
 } // namespace

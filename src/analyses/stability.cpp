@@ -367,6 +367,8 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
             result.level1 = operation::level1(scene, result.model.notes);
         } catch (const model::AnalysisFailure &failure) {
             result.model.notes.emplace_back(failure.what());
+        } catch (const model::BadInput &failure) { // all else is answered
+            result.model.notes.push_back(fmt::format("no answer to {}", failure.what()));
         }
     if (scene.map)
         result.map = stability_map(*scene.map, with);

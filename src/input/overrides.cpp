@@ -135,12 +135,15 @@ void apply(Node &root, const std::string &path, std::string_view value, const Or
             return;
         }
     }
-    for (Node *node : walk.nodes) {
-        if (removes && !remove(*node, steps.back()))
+    if (removes) {
+        const auto gone = std::count_if(walk.nodes.begin(), walk.nodes.end(),
+                                        [&](Node *node) { return remove(*node, steps.back()); });
+        if (gone == 0)
             problems.add(origin, path,
                          "expected something to take out of the case, there is no such entry");
-        if (removes)
-            continue;
+        return;
+    }
+    for (Node *node : walk.nodes) {
         const std::string key = node->key;
         *node = parse_value(value, origin);
         node->key = key;

@@ -113,11 +113,13 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
         if (!bearing.depends_on_speed() ||
             (low >= bearing.speeds.front() && high <= bearing.speeds.back()))
             continue;
-        remarks.add(
-            fmt::format("[speeds] reach from {:.6g} to {:.6g} rad/s, the table of "
-                        "bearing[{}] from {:.6g} to {:.6g}: outside of it the bearing is as "
-                        "at its end",
-                        low, high, i, bearing.speeds.front(), bearing.speeds.back()));
+        const std::size_t others = scene.rotor.supports().size();
+        remarks.add(fmt::format("[speeds] reach from {:.6g} to {:.6g} rad/s, the table of {}[{}] "
+                                "from {:.6g} to {:.6g}: "
+                                "outside of it the coefficients are those at its end",
+                                low, high, bearing.seal ? "seal" : "bearing",
+                                bearing.seal ? i - others : i, bearing.speeds.front(),
+                                bearing.speeds.back()));
     }
 }
 
@@ -139,10 +141,11 @@ void add_remarks(model::Case &scene, const Node &tree) {
     check_angles(rotor, tree, remarks);
     check_tables(scene, remarks);
     check_names("disc", rotor.discs, remarks);
-    check_names("bearing", rotor.bearings, remarks);
+    check_names("bearing", rotor.supports(), remarks);
+    check_names("seal", rotor.seals(), remarks);
     check_names("balancer", rotor.balancers, remarks);
     check_names("plane", rotor.planes, remarks);
-    if (rotor.bearings.empty())
+    if (rotor.supports().empty())
         remarks.add("the rotor has no bearings: it floats freely");
 }
 

@@ -99,6 +99,7 @@ std::optional<double> read_grade(CheckedTable &table) {
     const Node &node = *table.find("grade");
     std::optional<double> value;
     if (node.is_number()) {
+        table.context().numeric.insert_or_assign(table.path_of("grade"), Quantity::dimensionless);
         value = node.number;
     } else if (node.kind == Node::Kind::text) {
         std::string_view text = trimmed(node.text);
@@ -121,7 +122,8 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
                                         Quantity::mass, Range::positive());
     const auto own = table.optional_number("speed", Quantity::angular_speed, Range::positive());
     const double share = table.number_or("share", 1, Quantity::dimensionless, Range::positive());
-    const double fastest = scene.speeds ? std::max(scene.speeds->from, scene.speeds->to) : 0;
+    const double fastest =
+        scene.speeds ? std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to)) : 0;
     const double speed = own.value_or(scene.operation ? scene.operation->to : fastest);
     if (!(speed > 0)) {
         table.fail("speed", "missing, expected the angular speed in rad/s at which the rule holds, "

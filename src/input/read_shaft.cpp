@@ -54,8 +54,11 @@ std::vector<model::Layer> read_layers(CheckedTable &segment, double inside,
 /// @param number  (name, range), empty for what is not given
 template <class Number> void read_departures(const Number &number, model::Segment &segment) {
     segment.shear_coefficient = number("shear", Range::positive()).value_or(0);
-    segment.mass_outer = number("mass_outer", Range::positive()).value_or(0);
-    segment.mass_inner = number("mass_inner", Range::not_negative()).value_or(0);
+    const std::optional<double> inner = number("mass_inner", Range::not_negative());
+    const bool cylinder = segment.outer_start == segment.outer_end; // a cone has no one diameter
+    segment.mass_inner = inner.value_or(0);
+    segment.mass_outer = number("mass_outer", Range::positive())
+                             .value_or(inner && cylinder ? segment.outer_start : 0);
 }
 
 std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &materials,

@@ -100,7 +100,8 @@ void check_segment(const model::Segment &segment, const Origin &origin, const st
     const bool end = segment.inner_end >= segment.outer_end;
     if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
         problems.add(origin, key,
-                     fmt::format("expected mass_inner below mass_outer, {} m, got {} m",
+                     fmt::format("expected mass_inner below mass_outer, {} m (which a cone must be "
+                                 "given), got {} m",
                                  segment.mass_outer, segment.mass_inner));
     if (start || end)
         problems.add(origin, key,

@@ -194,7 +194,8 @@ struct State {
 };
 
 /// Where the first of the motions stops dying out; none up to far beyond any stiffness.
-std::optional<State> threshold(const CoupledRotor &rotor, State low, double first) {
+/// @param creeps  true where they stop swinging before that
+std::optional<State> threshold(const CoupledRotor &rotor, State low, double first, bool &creeps) {
     constexpr double last = 1e14; // of the first step
     constexpr double step = 4;
     for (double q = std::max(first, step * low.q); q <= last * first; q *= step) {
@@ -206,7 +207,8 @@ std::optional<State> threshold(const CoupledRotor &rotor, State low, double firs
                 least_log_dec(low.set), q, at_high, root_width);
             return State{root, rotor.followed(low.q, low.set, root)};
         }
-        if (!std::isfinite(at_high)) // all of them creep
+        creeps = !std::isfinite(at_high);
+        if (creeps)
             return std::nullopt;
         low = high;
     }
@@ -256,6 +258,61 @@ void fill_curve(const CoupledRotor &rotor, const State &start, std::size_t of,
     walk(above.begin(), above.end());
 }
 
+/// The curve up to a coupling, and the decrement with that anticipated.
+void fill_answers(const CoupledRotor &rotor, const State &start, std::size_t of,
+                  const model::Level1Settings &settings, double to, results::Level1 &out) {
+    for (int i = 0; i < settings.count; ++i)
+        out.q.push_back(to * i / (settings.count - 1));
+    fill_curve(rotor, start, of, out);
+    if (settings.anticipated)
+        if (const auto with = rotor.followed(start.q, start.set, *settings.anticipated)[of])
+            out.anticipated_log_dec = log_dec_of(*with);
+}
+
+/// Without a threshold the curve goes as far as the case says.
+void fill_without_threshold(const CoupledRotor &rotor, const State &start,
+                            const model::Level1Settings &settings, results::Level1 &out) {
+    const std::size_t of = least_damped(start.set);
+    if (const auto to = settings.to ? settings.to : settings.anticipated) {
+        fill_answers(rotor, start, of, settings, *to, out);
+        return;
+    }
+    out.q = {0};
+    out.log_dec = {least_log_dec(start.set)};
+    out.frequency = {start.set[of]->imag()};
+}
+
+/// Whether some motion grows with such a coupling: the one followed may not be the one that does.
+bool some_grows(const CoupledRotor &rotor, double q) {
+    const auto all = rotor.modes(q);
+    return std::any_of(all.begin(), all.end(), [](const modes::WhirlMode &mode) {
+        return log_dec_of(modes::determined_value(mode)) < -1e-9;
+    });
+}
+
+void note_no_threshold(const CoupledRotor &rotor, double scale, bool grows, bool creeps,
+                       std::vector<std::string> &notes) {
+    for (double q = 1e-3 * scale; !grows && q < 200 * scale; q *= 10)
+        if (some_grows(rotor, q)) {
+            notes.push_back(
+                fmt::format("level1: the motion that was followed does not begin to "
+                            "grow, but another one grows with a cross coupling of {:.3g} "
+                            "N/m: the threshold lies below that and is not known",
+                            q));
+            return;
+        }
+    if (grows)
+        notes.emplace_back("level1: the motion grows at the maximum continuous speed without any "
+                           "added cross coupling");
+    else if (creeps)
+        notes.emplace_back("level1: the motion that was followed stops swinging before it grows: "
+                           "with which cross coupling the rotor becomes unstable is not known");
+    else
+        notes.emplace_back("level1: no added cross coupling makes the motion followed grow; others "
+                           "were not followed: "
+                           "with a [[seal]] of some kxy the growth of all is known");
+}
+
 /// Another motion that grows already with the coupling at which the one followed begins to.
 void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::string> &notes) {
     constexpr double clearly = 1e-9;
@@ -287,30 +344,22 @@ results::Level1 level1(const model::Case &asked, std::vector<std::string> &notes
     }
     const double scale = stiffness_scale(asked);
     std::optional<State> root;
+    bool creeps = false;
     if (at_none > 0)
-        root = threshold(rotor, start, 1e-6 * scale);
+        root = threshold(rotor, start, 1e-6 * scale, creeps);
     else if (at_none == 0)
         root = start;
     if (!root) {
-        notes.emplace_back(at_none < 0 ? "level1: the motion grows at the maximum continuous speed "
-                                         "without any added cross coupling"
-                                       : "level1: no added cross coupling makes the motion grow");
-        out.q = {0};
-        out.log_dec = {at_none};
-        out.frequency = {start.set[least_damped(start.set)]->imag()};
+        note_no_threshold(rotor, scale, at_none < 0, creeps, notes);
+        fill_without_threshold(rotor, start, settings, out);
         return out;
     }
     const std::size_t of = least_damped(root->set);
     out.critical_cross_coupling = root->q;
     out.critical_frequency = root->set[of]->imag();
     out.error = root->q > 0 ? error_of(*root, asked, formulation.form, order) : unknown;
-    const double to = settings.to.value_or(root->q > 0 ? 1.5 * root->q : 1e-3 * scale);
-    for (int i = 0; i < settings.count; ++i)
-        out.q.push_back(to * i / (settings.count - 1));
-    fill_curve(rotor, *root, of, out);
-    if (settings.anticipated)
-        if (const auto with = rotor.followed(root->q, root->set, *settings.anticipated)[of])
-            out.anticipated_log_dec = log_dec_of(*with);
+    fill_answers(rotor, *root, of, settings,
+                 settings.to.value_or(root->q > 0 ? 1.5 * root->q : 1e-3 * scale), out);
     note_others(rotor, *root, notes);
     return out;
 }

@@ -138,7 +138,7 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
     for (std::size_t i = 0; i < excited.size(); ++i)
         if (largest[i])
             out.push_back(of_peak(*largest[i], excited[i], operation));
-        else if (excited[i]->whirl != Whirl::backward)
+        else if (excited[i]->whirl != Whirl::backward && excited[i]->damping.known())
             out.push_back(of_damping(*excited[i], operation));
     std::erase_if(out, [](const SeparationMargin &m) { return !counts(m.amplification); });
     std::stable_sort(out.begin(), out.end(),
@@ -148,6 +148,14 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
 
 double highest_relevant_speed(const model::Operation &operation) {
     return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
+}
+
+void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
+                          std::vector<std::string> &notes) {
+    if (std::any_of(critical_speeds.begin(), critical_speeds.end(),
+                    [](const CriticalSpeed &critical) { return !critical.damping.known(); }))
+        notes.emplace_back("margins: of the peaks of the response alone, as the critical speeds of "
+                           "this rotor are those without its damping");
 }
 
 } // namespace whirl::operation

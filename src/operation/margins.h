@@ -6,6 +6,7 @@
 #include "results/response.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace whirl::operation {
@@ -38,5 +39,10 @@ separation_margins(const model::Operation &operation,
 
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);
+
+/// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins
+/// are then those of the peaks of the response alone.
+void note_unknown_damping(const std::vector<results::CriticalSpeed> &critical_speeds,
+                          std::vector<std::string> &notes);
 
 } // namespace whirl::operation

@@ -18,6 +18,8 @@ struct Damping {
     /// Below this amplification factor a critical speed needs no separation margin from the
     /// operating speed: it counts as critically damped (API 617).
     static constexpr double least_amplification = 2.5;
+    /// False where it was not determined: neither ratio nor amplification.
+    [[nodiscard]] bool known() const { return ratio || amplification; }
     [[nodiscard]] bool heavy() const {
         return amplification && *amplification < least_amplification;
     }

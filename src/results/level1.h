@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct Level1 {
     std::vector<double> frequency; ///< of the same, rad/s
     /// With which that motion stops dying out, N/m; none: it grows without, or never does.
     std::optional<double> critical_cross_coupling;
-    double error = 0; ///< relative, of the latter, estimated by finer elements; NaN: not known
+    /// Relative, of the latter, estimated by finer elements; NaN: not known.
+    double error = std::numeric_limits<double>::quiet_NaN();
     std::optional<double> critical_frequency;  ///< of the motion there, rad/s
     std::optional<double> anticipated;         ///< as in the case, N/m
     std::optional<double> anticipated_log_dec; ///< with that

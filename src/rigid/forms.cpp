@@ -203,8 +203,12 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string>
     bool tables = false;
     for (std::size_t i = 0; i < out.rotor.bearings.size(); ++i) {
         model::Bearing &bearing = out.rotor.bearings[i];
+        const std::size_t others = out.rotor.supports().size();
         const std::string place =
-            fmt::format("the rigid rotor has no closed form: bearing[{}] ", i);
+            fmt::format("the rigid rotor has no closed form: {}[{}] ",
+                        bearing.seal ? "seal" : "bearing", bearing.seal ? i - others : i);
+        if (bearing.mass > 0)
+            throw model::AnalysisFailure(place + "has mass");
         if (bearing.pedestal)
             throw model::AnalysisFailure(place + "stands on a pedestal");
         tables = tables || bearing.depends_on_speed();
