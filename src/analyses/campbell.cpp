@@ -193,14 +193,14 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
 /// Spectra with enough modes that no wanted line leaves them. Collective.
 tracking::Tracking followed_lines(const modes::SpectrumSolver &solver,
                                   const std::vector<double> &speeds, int modes,
-                                  std::vector<modes::Spectrum> &spectra) {
+                                  std::vector<modes::Spectrum> &spectra, bool follow) {
     // With balancers some of the slowest modes are the balls': lines leave and come back.
     const int more_modes = std::max(4, modes / 2);
     const bool balanced = !solver.discretization().rotor().balancers.empty();
     int computed = modes + (balanced ? more_modes : 2);
     tracking::Tracking tracking;
     for (int attempt = 0;; ++attempt) {
-        spectra = tracking::spectra_at(solver, speeds, computed);
+        spectra = tracking::spectra_at(solver, speeds, computed, follow);
         std::vector<char> more(1, 0);
         if (process::process_rank() == 0) {
             tracking = tracking::track(solver, spectra, modes);
@@ -232,7 +232,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     std::vector<modes::Spectrum> spectra;
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
     const tracking::Tracking tracking =
-        followed_lines(solver, result.speeds, scene.campbell.modes, spectra);
+        followed_lines(solver, result.speeds, scene.campbell.modes, spectra, scene.reduction);
     if (process::process_rank() != 0)
         return result;
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);

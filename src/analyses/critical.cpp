@@ -1,11 +1,13 @@
 #include "analyses/critical.h"
 
+#include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "modes/formulation.h"
+#include "operation/margins.h"
 #include "results/critical.h"
 #include "results/damping.h"
 #include "results/formulation.h"
@@ -142,7 +144,9 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     const assembly::Discretization d(scene.rotor, order);
     model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     model.unknowns = form == results::Form::planar ? d.planar_size() : 2 * d.planar_size();
-    const double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
+    double top = scene.speeds ? std::max(scene.speeds->to, scene.speeds->from) : 0;
+    if (scene.operation)
+        top = std::max(top, operation::highest_relevant_speed(*scene.operation));
     const bool symmetric = scene.formulation != model::FormChoice::general;
     const int wanted = scene.campbell.modes;
     // In rotating axes the same motion in two directions counts twice.
@@ -211,10 +215,37 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
     return result;
 }
 
+/// Of the response to imbalance, where there is one and a range of speeds.
+std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
+                                                     results::ModelSummary &model) {
+    const bool driven = !model::with_balancer_imbalances(scene.rotor).imbalances.empty();
+    if (!driven || !scene.speeds || scene.speeds->count < 2)
+        return {};
+    const auto without = [&model](const char *why) {
+        model.notes.push_back(fmt::format(
+            "margins: amplification factors from damping, as the response is not known: {}", why));
+        return std::vector<results::ResponsePeak>{};
+    };
+    try {
+        return response_peaks(scene, false).peaks;
+    } catch (const model::AnalysisFailure &failure) {
+        return without(failure.what());
+    } catch (const linalg::SolverError &failure) {
+        return without(failure.what());
+    } catch (const model::BadInput &failure) { // a form that only the critical speeds have
+        return without(failure.what());
+    }
+}
+
 } // namespace
 
 results::CriticalResult critical_speeds(const model::Case &scene) {
-    return critical_of(scene, true);
+    results::CriticalResult result = critical_of(scene, true);
+    if (scene.operation)
+        result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
+                                                       peaks_for_margins(scene, result.model),
+                                                       !scene.rotor.bearings_rotation_invariant());
+    return result;
 }
 
 results::CriticalResult unjudged_critical_speeds(const model::Case &scene) {

@@ -1,5 +1,6 @@
 #include "analyses/response.h"
 
+#include "analyses/critical.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
@@ -11,6 +12,7 @@
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "modes/orbits.h"
+#include "operation/margins.h"
 #include "process/parallel.h"
 #include "process/progress.h"
 #include "results/formulation.h"
@@ -163,7 +165,7 @@ class Response {
     }
 
     void add_bearings(std::vector<double> &row) {
-        const auto bearings = static_cast<int>(_discretization.rotor().bearings.size());
+        const auto bearings = static_cast<int>(_discretization.rotor().supports().size());
         for (int bearing = 0; bearing < bearings; ++bearing) {
             const forced::Phasor force = _forced.bearing_force(bearing);
             row.insert(row.end(), {modes::ellipse_of(force.x, force.y).major,
@@ -187,7 +189,7 @@ class Response {
         for (std::size_t i = 0; i < _nodes.size(); ++i)
             row.insert(row.end(), {unlimited, no_value, unlimited, no_value, unlimited, no_value,
                                    unlimited, no_value, no_value, unlimited});
-        for (std::size_t i = 0; i < _discretization.rotor().bearings.size(); ++i)
+        for (std::size_t i = 0; i < _discretization.rotor().supports().size(); ++i)
             row.insert(row.end(), {unlimited, unlimited});
         for (std::size_t i = 0; i < _discretization.rotor().probes.size(); ++i)
             row.insert(row.end(), {unlimited, no_value, unlimited});
@@ -204,7 +206,7 @@ void prepare_lists(results::ResponseResult &result, const assembly::Discretizati
         node.name = name;
         result.nodes.push_back(node);
     }
-    for (const model::Bearing &bearing : d.rotor().bearings)
+    for (const model::Bearing &bearing : d.rotor().supports())
         result.bearings.push_back({bearing.z, bearing.name, {}, {}});
     for (const model::Probe &probe : d.rotor().probes)
         result.probes.push_back({probe.z, probe.angle, probe.name, {}, {}, {}});
@@ -276,6 +278,17 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
     add_imbalance_peaks(result, d, scene, true);
 }
 
+void add_margins(results::ResponseResult &result, const model::Case &scene) {
+    std::vector<results::CriticalSpeed> critical_speeds;
+    try {
+        critical_speeds = unjudged_critical_speeds(scene).critical_speeds;
+    } catch (const model::AnalysisFailure &failure) {
+        result.model.notes.push_back(fmt::format("margins of the peaks alone: {}", failure.what()));
+    }
+    result.margins = operation::separation_margins(*scene.operation, critical_speeds, result.peaks,
+                                                   !scene.rotor.bearings_rotation_invariant());
+}
+
 } // namespace
 
 results::ResponseResult response_peaks(const model::Case &asked, bool with_errors) {
@@ -308,6 +321,8 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     }
     if (result.nodes.empty() && !result.gravity) // not process 0
         return {};
+    if (scene.operation && !result.nodes.empty())
+        add_margins(result, scene);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back(
             "the rotor is driven by its imbalances and by those that its balancers are to balance; "

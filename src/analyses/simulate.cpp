@@ -144,8 +144,9 @@ class Run {
         return {_motion.size(),
                 [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
                 [this](const double *y, double *allowed) {
-                    // Fast shapes gather the errors of the implicit method.
-                    const double tolerance = _scene.simulate.tolerance * (_stiff ? 0.1 : 1);
+                    // Fast shapes gather the errors of the implicit method, in which their speed
+                    // does not shorten the steps.
+                    const double tolerance = _scene.simulate.tolerance * (_stiff ? 0.01 : 1);
                     allowed_error(_motion, _scales, tolerance, y, allowed);
                 }};
     }

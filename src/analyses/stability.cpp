@@ -9,6 +9,7 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
+#include "operation/level1.h"
 #include "process/parallel.h"
 #include "process/processes.h"
 #include "process/progress.h"
@@ -18,6 +19,7 @@
 #include "stability/hill_motions.h"
 #include "stability/permissible.h"
 #include "stability/rotor_at_speeds.h"
+#include "stability/speed_families.h"
 
 #include <fmt/format.h>
 
@@ -55,23 +57,6 @@ class KeptMotions {
     std::map<double, std::vector<stability::Motion>> _kept;
     int _done = 0;
 };
-
-/// Neighbours among sorted lists of one length each: least and largest of the first values, of the
-/// second ones, ...; lists may differ in length where a speed leaves the range.
-std::vector<stability::SpeedInterval> intervals_of(const std::vector<std::vector<double>> &lists) {
-    std::size_t longest = 0;
-    for (const auto &list : lists)
-        longest = std::max(longest, list.size());
-    std::vector<stability::SpeedInterval> out;
-    for (std::size_t i = 0; i < longest; ++i) {
-        stability::SpeedInterval interval{std::numeric_limits<double>::infinity(), 0};
-        for (const auto &list : lists)
-            if (i < list.size())
-                interval = {std::min(interval.first, list[i]), std::max(interval.second, list[i])};
-        out.push_back(interval);
-    }
-    return out;
-}
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
 void sharpen(results::StabilityResult &result,
@@ -161,8 +146,8 @@ results::ArrangementFamily family_of(const model::Case &scene,
                                  static_cast<double>(arrangements.size()));
     }
     out.unstable = stability::joined(std::move(some));
-    out.critical_speeds = intervals_of(critical);
-    out.additional_speeds = intervals_of(additional);
+    out.critical_speeds = stability::intervals_of(critical);
+    out.additional_speeds = stability::intervals_of(additional);
     for (const model::Balancer &balancer : scene.rotor.balancers) {
         const auto interval = balancers::anisotropy_interval(balancer);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result
@@ -376,6 +361,13 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     } else {
         search(scene, model, result);
     }
+    if (scene.level1)
+        try {
+            const process::Stage stage("added cross coupling", 0.95, 1.0);
+            result.level1 = operation::level1(scene, result.model.notes);
+        } catch (const model::AnalysisFailure &failure) {
+            result.model.notes.emplace_back(failure.what());
+        }
     if (scene.map)
         result.map = stability_map(*scene.map, with);
     if (result.map && !result.map->why.empty())

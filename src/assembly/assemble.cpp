@@ -113,6 +113,7 @@ void assemble_bearing(const Discretization &d, int index, double speed, const Ad
     }
     add_product(Term::stiffness, stretch, stretch, at.k, add);
     add_product(Term::damping, stretch, stretch, at.c, add);
+    add_product(Term::mass, stretch, stretch, bearing.mass * Eigen::Matrix2d::Identity(), add);
 }
 
 } // namespace

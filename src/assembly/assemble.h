@@ -33,7 +33,7 @@ using AddConjugate = std::function<void(Term, std::span<const int> unknowns,
 /// Inertial anisotropies and segments with two bending stiffnesses (theory.md, "Rotating frame").
 void assemble_asymmetry(const Discretization &discretization, const AddConjugate &add);
 
-/// Bearings with the coefficients they have at a spin speed (rad/s), and their pedestals.
+/// Bearings and seals with the coefficients they have at a spin speed (rad/s), and pedestals.
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add);
 
 } // namespace whirl::assembly

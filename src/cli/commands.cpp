@@ -68,7 +68,7 @@ Command balance_row() {
 Command stability_row() {
     return {"stability",
             "where motion is unstable",
-            {"speeds", "map"},
+            {"speeds", "map", "operation", "level1"},
             {},
             on_cases(analyses::stability)};
 }
@@ -101,13 +101,13 @@ const std::vector<Command> &commands() {
          on_case(analyses::campbell)},
         {"critical",
          "critical speeds directly, without a sweep",
-         {"speeds", "campbell"},
+         {"speeds", "campbell", "operation", "imbalance"},
          {},
          on_case(analyses::critical_speeds)},
         stability_row(),
         {"response",
          "unbalance response over speed, forces at bearings",
-         {"speeds", "imbalance", "probe"},
+         {"speeds", "imbalance", "probe", "operation"},
          {},
          on_case(analyses::unbalance_response)},
         balance_row(),

@@ -21,13 +21,15 @@ struct Run {
     const model::Case &scene;
     std::function<void(report::Report)> deliver;
 
-    /// The result of an analysis, with the wall time it took. Only here is a result's clock opened
-    /// and closed.
+    /// The result of an analysis, with the wall time it took and what is to be said of the case.
+    /// Only here is a result's clock opened and closed.
     template <class Analysis> [[nodiscard]] auto timed(const Analysis &analysis) const {
         const auto start = std::chrono::steady_clock::now();
         auto result = analysis();
         result.model.seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        result.model.notes.insert(result.model.notes.begin(), scene.remarks.begin(),
+                                  scene.remarks.end());
         return result;
     }
 

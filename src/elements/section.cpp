@@ -15,20 +15,57 @@ double shear_coefficient(model::ShearFormula formula, double nu, double m) {
             nu * nu * (4 + 16 * m2 + 4 * m4));
 }
 
+namespace {
+
+/// Area and second moment of a hollow circle.
+struct Ring {
+    double ro, ri; ///< radii, m
+
+    [[nodiscard]] double area() const { return std::numbers::pi * (ro * ro - ri * ri); }
+    [[nodiscard]] double moment() const { return area() * (ro * ro + ri * ri) / 4; }
+};
+
+} // namespace
+
 Section Beam::at(double xi) const {
-    const double ro = (span.outer_start + (span.outer_end - span.outer_start) * xi) / 2;
-    const double ri = (span.inner_start + (span.inner_end - span.inner_start) * xi) / 2;
-    const double A = std::numbers::pi * (ro * ro - ri * ri);
-    const double I = A * (ro * ro + ri * ri) / 4;
-    const double kappa = shear == model::ShearFormula::given
-                             ? given_shear_coefficient
-                             : shear_coefficient(shear, material.poisson_ratio(), ri / ro);
-    return {material.E * I, kappa * material.G * A, material.rho * A, material.rho * I};
+    const Ring own{(span.outer_start + (span.outer_end - span.outer_start) * xi) / 2,
+                   (span.inner_start + (span.inner_end - span.inner_start) * xi) / 2};
+    const Ring heavy{mass_outer > 0 ? mass_outer / 2 : own.ro,
+                     mass_outer > 0 ? mass_inner / 2 : own.ri};
+    const auto kappa = [this](const model::Material &of, const Ring &ring) {
+        return shear == model::ShearFormula::given
+                   ? given_shear_coefficient
+                   : shear_coefficient(shear, of.poisson_ratio(), ring.ri / ring.ro);
+    };
+    Section sum{material.E * own.moment(), kappa(material, own) * material.G * own.area(),
+                material.rho * heavy.area(), material.rho * heavy.moment()};
+    for (const model::Layer &layer : layers) {
+        const Ring ring{layer.outer / 2, layer.inner / 2};
+        sum.EI += layer.material.E * ring.moment();
+        sum.kappaGA += kappa(layer.material, ring) * layer.material.G * ring.area();
+        sum.rhoA += layer.material.rho * ring.area();
+        sum.rhoI += layer.material.rho * ring.moment();
+    }
+    // Not nothing, for some unknowns of higher orders have no other inertia and the mass matrix must
+    // stay positive definite: frequencies differ by that times (diameter / wavelength)^2.
+    constexpr double left = 1e-9;
+    if (!rotary_inertia)
+        sum.rhoI *= left;
+    return sum;
 }
 
 Beam beam_of(const model::Shaft &shaft, const mesh::Span &span) {
     const model::Segment &segment = shaft.segments[static_cast<std::size_t>(span.segment)];
-    return {span, segment.material, shaft.shear, shaft.shear_coefficient, shaft.axial_force};
+    Beam beam{span, segment.material, shaft.shear, shaft.shear_coefficient, shaft.axial_force};
+    if (segment.shear_coefficient > 0) {
+        beam.shear = model::ShearFormula::given;
+        beam.given_shear_coefficient = segment.shear_coefficient;
+    }
+    beam.rotary_inertia = shaft.rotary_inertia;
+    beam.mass_outer = segment.mass_outer;
+    beam.mass_inner = segment.mass_inner;
+    beam.layers = segment.layers;
+    return beam;
 }
 
 } // namespace whirl::elements

@@ -23,6 +23,10 @@ struct Beam {
     model::ShearFormula shear = model::ShearFormula::cowper;
     double given_shear_coefficient = 0;
     double axial_force = 0; ///< N, tension positive
+    bool rotary_inertia = true;
+    double mass_outer = 0; ///< diameters of what has mass, m; 0: those of the span
+    double mass_inner = 0;
+    std::vector<model::Layer> layers{}; ///< beside the span's own section
 
     /// Section at xi in [0, 1].
     [[nodiscard]] Section at(double xi) const;

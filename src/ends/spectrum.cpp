@@ -31,6 +31,21 @@ struct Companion {
     Eigen::MatrixXcd left;    ///< y^H of the problem itself, a row each
 };
 
+/// Inverse; where vectors of a repeated root coincide to the last digit (balls near rest), that of
+/// a matrix a rounding error away: the rows of these vectors are then large, those of others as
+/// they would be.
+Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &A) {
+    Eigen::MatrixXd out = Eigen::PartialPivLU<Eigen::MatrixXd>(A).inverse();
+    if (out.allFinite())
+        return out;
+    const auto uneven = [&A](Eigen::Index i, Eigen::Index j) {
+        return std::sin(static_cast<double>(1 + i + j * A.rows()));
+    };
+    const auto n = A.rows();
+    const Eigen::MatrixXd near = A + epsilon * Eigen::MatrixXd::NullaryExpr(n, n, uneven);
+    return Eigen::PartialPivLU<Eigen::MatrixXd>(near).inverse();
+}
+
 /// Inverse of the matrix of eigenvectors, in real arithmetic: with u, v in the place of a pair
 /// u +- i v, whose rows in the inverse are then half of (row of u) -+ i (row of v).
 Eigen::MatrixXcd inverse_of_vectors(const Eigen::EigenSolver<Eigen::MatrixXd> &solver) {
@@ -46,7 +61,7 @@ Eigen::MatrixXcd inverse_of_vectors(const Eigen::EigenSolver<Eigen::MatrixXd> &s
         } else {
             parts.col(j) = vectors.col(j).real();
         }
-    const Eigen::MatrixXd rows = Eigen::PartialPivLU<Eigen::MatrixXd>(parts).inverse();
+    const Eigen::MatrixXd rows = inverse_of(parts);
     Eigen::MatrixXcd out = rows.cast<Complex>();
     for (Eigen::Index j = 0; j + 1 < n; ++j)
         if (values(j).imag() != 0) {

@@ -13,7 +13,7 @@ using results::EndKind;
 using results::StabilityEnd;
 using Complex = std::complex<double>;
 
-constexpr int base_steps = 48;
+constexpr int base_steps = 24;
 /// At rest nothing is told from nothing: the part of the largest speed that is left out there.
 constexpr double at_rest = 1e-6;
 

@@ -1,7 +1,10 @@
 #include "ends/strands.h"
 
+#include "ends/groups.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::ends {
 
@@ -9,56 +12,147 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The best partner must be better than the next by this factor.
-constexpr double clearly = 0.35;
 constexpr int samples = 16;
+
+/// From this ratio of speeds on a step is long enough for powers of the speed to show.
+constexpr double long_step = 1.3;
+
+bool is_long(double from, double to) {
+    const double ratio = to / from;
+    return ratio > long_step || (ratio > 0 && 1 / ratio > long_step);
+}
+
+double middle_of(double from, double to) {
+    return is_long(from, to) ? std::abs(std::sqrt(from * to) - std::abs(from)) / std::abs(to - from)
+                             : 0.5;
+}
+
+/// |z| without care for overflow: taken for every pair of roots.
+double size_of(Complex z) { return std::sqrt(std::norm(z)); }
+
+/// The cubic over a step from 0 with value 0: value and slopes at its end, slope at its start.
+Complex cubic(double t, Complex rise, Complex d0, Complex d1) {
+    return t * (d0 + t * (3.0 * rise - 2.0 * d0 - d1 + t * (d0 + d1 - 2.0 * rise)));
+}
+
+/// Logarithms of a strand, from its start: of the speed, and of the value with its slopes over the
+/// step.
+struct Powers {
+    double ratio = 0;
+    Complex rise, d0, d1;
+};
+Powers powers_of(const Strand &strand) {
+    const double end = strand.start + strand.step;
+    Powers out;
+    out.ratio = std::log(end / strand.start);
+    out.rise = std::log(strand.to->value / strand.from->value);
+    out.d0 = out.ratio * strand.start * strand.from->rate / strand.from->value;
+    out.d1 = out.ratio * end * strand.to->rate / strand.to->value;
+    return out;
+}
 
 /// What does not fit where one root would have become another: the mean of the rates does not lead
 /// there, or they differ.
-double misfit(const Root &a, const Root &b, double step) {
-    const Complex off = b.value - a.value - step * (a.rate + b.rate) / 2.0;
-    return std::abs(off) + 0.25 * std::abs(step) * std::abs(b.rate - a.rate);
-}
-
-/// All grow, or all die out, by far more than they differ, or differ by rounding: which is which
-/// does not matter.
-bool harmless(const std::vector<const Root *> &roots) {
-    double spread = 0;
-    double noise = 0;
-    double least = std::abs(roots.front()->value.real());
-    const int sign = roots.front()->sign();
-    for (const Root *a : roots) {
-        least = std::min(least, std::abs(a->value.real()));
-        noise += a->noise;
-        if (a->sign() != sign)
-            return false;
-        for (const Root *b : roots)
-            spread = std::max(spread, std::abs(a->value - b->value));
+double misfit(const Strand &strand) {
+    double slopes = std::abs(strand.step) * size_of(strand.to->rate - strand.from->rate);
+    double scale = 1;
+    if (strand.power) {
+        const Powers p = powers_of(strand);
+        slopes = size_of(p.d1 - p.d0);
+        scale = std::max(size_of(strand.from->value), size_of(strand.to->value));
     }
-    return sign != 0 ? least > 2 * spread : spread <= noise;
+    return scale * (size_of(strand.misfit()) + 0.25 * slopes);
 }
 
-/// Of the entries of a row or a column the least and the one after it.
-struct Best {
-    int index = 0, next = 0;
+/// As one root would become another: straight, or as powers of the speed.
+struct Candidate {
+    Strand strand;
+    double misfit = 0;
 };
-template <class Entries> Best best_of(const Entries &entries) {
-    Best out{0, -1};
-    for (int k = 1; k < entries.size(); ++k)
-        if (entries(k) < entries(out.index)) {
-            out.next = out.index;
-            out.index = k;
-        } else if (out.next < 0 || entries(k) < entries(out.next)) {
-            out.next = k;
-        }
+Candidate candidate(const Root &a, const Root &b, double start, double step) {
+    Candidate out{{&a, &b, start, step, false}, 0};
+    out.misfit = misfit(out.strand);
+    if (!is_long(start, start + step) || a.value == 0.0 || b.value == 0.0)
+        return out;
+    Strand power = out.strand;
+    power.power = true;
+    if (const double off = misfit(power); off < out.misfit)
+        out = {power, off};
     return out;
+}
+
+/// Roots at one end of a step that cannot be told apart.
+struct Cluster {
+    std::vector<const Root *> roots;
+
+    [[nodiscard]] Complex mean(Complex Root::*of) const {
+        Complex sum = 0;
+        for (const Root *root : roots)
+            sum += root->*of;
+        return sum / static_cast<double>(roots.size());
+    }
+    /// Largest distance from the mean.
+    [[nodiscard]] double radius() const {
+        double out = 0;
+        for (const Root *root : roots)
+            out = std::max(out, std::abs(root->value - mean(&Root::value)));
+        return out;
+    }
+};
+
+Cluster cluster(const Spectrum &spectrum, const std::vector<int> &numbers) {
+    Cluster out;
+    for (const int number : numbers)
+        out.roots.push_back(&spectrum.roots[static_cast<std::size_t>(number)]);
+    return out;
+}
+
+/// All grow, or all die out, throughout: which is which does not matter. Where roots meet, their
+/// mean goes on smoothly, and they leave it as the square root of a smooth function does.
+bool harmless(const Cluster &a, const Cluster &b, double step) {
+    if (a.roots.size() != b.roots.size() || a.roots.empty())
+        return false;
+    const int sign = a.roots.front()->sign();
+    double noise = 0;
+    double spread = 0;
+    for (const Cluster *cluster : {&a, &b})
+        for (const Root *root : cluster->roots) {
+            if (root->sign() != sign)
+                return false;
+            noise += root->noise;
+            spread = std::max(spread, std::abs(root->value - a.roots.front()->value));
+        }
+    if (sign == 0)
+        return spread <= noise;
+    const Complex before = a.mean(&Root::value);
+    const Complex after = b.mean(&Root::value);
+    const Complex off = after - before - step * (a.mean(&Root::rate) + b.mean(&Root::rate)) / 2.0;
+    constexpr double allowance = 1.5; // over the distances at the ends
+    const double least = std::min(std::abs(before.real()), std::abs(after.real()));
+    return least > allowance * std::max(a.radius(), b.radius()) + std::abs(off);
+}
+
+/// The least angle between the value and the imaginary axis along a strand.
+double turn_to_axis(const Strand &strand) {
+    double least = HUGE_VAL;
+    const bool grows = strand.from->value.real() > 0;
+    for (int k = 0; k <= samples; ++k) {
+        const Complex value = strand.at(static_cast<double>(k) / samples);
+        if ((value.real() > 0) != grows)
+            return 0;
+        least = std::min(least, std::atan2(std::abs(value.real()), std::abs(value.imag())));
+    }
+    return least;
 }
 
 bool passes_safely(const Strand &strand) {
     const int a = strand.from->sign();
     const int b = strand.to->sign();
     if (a == 0 || b == 0)
-        return true; // nothing more can be told here
+        return true;            // nothing more can be told here
+    if (strand.power && a == b) // far enough from the axis for all that it could turn aside
+        return std::abs(strand.from->value.real()) > 0 &&
+               std::abs(strand.misfit()) < 0.2 * turn_to_axis(strand);
     const double bend = strand.bend();
     int changes = 0;
     double least = HUGE_VAL;
@@ -112,53 +206,57 @@ std::optional<double> passing(const Strand &a, const Strand &b, double scale) {
 } // namespace
 
 Complex Strand::at(double t) const {
-    const Complex d0 = step * from->rate;
-    const Complex d1 = step * to->rate;
-    const Complex rise = to->value - from->value;
-    return from->value + t * (d0 + t * (3.0 * rise - 2.0 * d0 - d1 + t * (d0 + d1 - 2.0 * rise)));
+    if (!power)
+        return from->value + cubic(t, to->value - from->value, step * from->rate, step * to->rate);
+    const Powers p = powers_of(*this);
+    const double share = std::log1p(t * step / start) / p.ratio;
+    return from->value * std::exp(cubic(share, p.rise, p.d0, p.d1));
+}
+
+Complex Strand::misfit() const {
+    if (!power)
+        return to->value - from->value - step * (from->rate + to->rate) / 2.0;
+    const Powers p = powers_of(*this);
+    return p.rise - (p.d0 + p.d1) / 2.0;
 }
 
 double Strand::bend() const {
-    return std::abs((to->value - from->value - step * (from->rate + to->rate) / 2.0).real());
+    const double size = std::max(std::abs(from->value), std::abs(to->value));
+    return power ? size * std::abs(misfit()) : std::abs(misfit().real());
 }
 
 Strands followed(const Spectrum &from, const Spectrum &to) {
     const double step = to.speed - from.speed;
+    const auto between = [&](int i, int j) {
+        return candidate(from.roots[static_cast<std::size_t>(i)],
+                         to.roots[static_cast<std::size_t>(j)], from.speed, step);
+    };
     const auto rows = static_cast<Eigen::Index>(from.roots.size());
     const auto columns = static_cast<Eigen::Index>(to.roots.size());
     Strands out;
+    out.middle = middle_of(from.speed, to.speed);
     if (rows < 2 || columns < 2)
         return out;
     Eigen::MatrixXd off(rows, columns);
     for (Eigen::Index i = 0; i < rows; ++i)
         for (Eigen::Index j = 0; j < columns; ++j)
-            off(i, j) = misfit(from.roots[static_cast<std::size_t>(i)],
-                               to.roots[static_cast<std::size_t>(j)], step);
-    const auto a = [&](int i) { return &from.roots[static_cast<std::size_t>(i)]; };
-    const auto b = [&](int j) { return &to.roots[static_cast<std::size_t>(j)]; };
-    std::vector<Best> of_column;
-    for (Eigen::Index j = 0; j < columns; ++j)
-        of_column.push_back(best_of(off.col(j)));
-    for (int i = 0; i < rows; ++i) {
-        const Best row = best_of(off.row(i));
-        const Best column = of_column[static_cast<std::size_t>(row.index)];
-        const double own = off(i, row.index);
-        const bool known = column.index == i && own <= clearly * off(i, row.next) &&
-                           own <= clearly * off(column.next, row.index);
-        if (known)
-            out.strands.push_back({a(i), b(row.index), step});
-        else if (!harmless({a(i), b(row.index), b(row.next), a(column.index)}))
-            out.clear = false;
+            off(i, j) = between(static_cast<int>(i), static_cast<int>(j)).misfit;
+    for (const auto &[of_from, of_to] : groups_of(std::move(off))) {
+        if (of_from.size() == 1 && of_to.size() == 1) {
+            out.strands.push_back(between(of_from.front(), of_to.front()).strand);
+            continue;
+        }
+        out.clear = out.clear && harmless(cluster(from, of_from), cluster(to, of_to), step);
     }
     return out;
 }
 
 std::optional<double> look_at(const Strands &all, double scale) {
     if (!all.clear)
-        return 0.5;
+        return all.middle;
     for (const Strand &strand : all.strands)
         if (!passes_safely(strand))
-            return 0.5;
+            return all.middle;
     for (std::size_t i = 0; i < all.strands.size(); ++i)
         for (std::size_t k = i + 1; k < all.strands.size(); ++k)
             if (const auto t = passing(all.strands[i], all.strands[k], scale))

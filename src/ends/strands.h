@@ -7,15 +7,21 @@
 
 namespace whirl::ends {
 
-/// One motion over a step of speed: eigenvalues and rates at both ends, a cubic between them.
+/// One motion over a step of speed: eigenvalues and rates at both ends, a cubic between them; over
+/// long steps near rest, where those of balls rise with powers of the speed, one between the
+/// logarithms of both.
 struct Strand {
     const Root *from = nullptr, *to = nullptr;
-    double step = 0; ///< rad/s
+    double start = 0;   ///< rad/s, speed of `from`
+    double step = 0;    ///< rad/s
+    bool power = false; ///< logarithms
 
     /// @param t  from 0 to 1
     [[nodiscard]] std::complex<double> at(double t) const;
-    /// How far the real part is from a parabola, whose rates are linear: the part of the cubic that
-    /// another look in between could disprove, 1/s.
+    /// What does not fit: how far the value (or its logarithm) is from a parabola, whose rates are
+    /// linear.
+    [[nodiscard]] std::complex<double> misfit() const;
+    /// The part of the real part that another look in between could disprove, 1/s.
     [[nodiscard]] double bend() const;
 };
 
@@ -24,7 +30,8 @@ struct Strand {
 /// or all grow, by far more than they differ.
 struct Strands {
     std::vector<Strand> strands;
-    bool clear = true; ///< false: some that matter could not be followed
+    bool clear = true;   ///< false: some that matter could not be followed
+    double middle = 0.5; ///< where to look next; on long steps near rest that of the logarithms
 };
 [[nodiscard]] Strands followed(const Spectrum &from, const Spectrum &to);
 

@@ -59,7 +59,7 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
     if (!cut) {
         if (take(a, b, strands))
             return;
-        cut = 0.5; // motions that were not followed began or ceased to grow
+        cut = strands.middle; // motions that were not followed began or ceased to grow
     }
     if (step < minute * size && a.growing() == b.growing())
         return;

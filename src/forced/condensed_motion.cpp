@@ -169,7 +169,8 @@ void CondensedMotion::add_bearings() {
         const int node = _discretization.shaft_mesh().node_at(bearing.z);
         const model::BearingCoefficients at = bearing.at(_speed);
         add_block(node, true, on_parts(at.kt, at.ct));
-        const Eigen::Matrix2cd film = on_parts(at.k, at.c);
+        const Eigen::Matrix2d inertia = bearing.mass * Eigen::Matrix2d::Identity();
+        const Eigen::Matrix2cd film = on_parts(at.k - _speed * _speed * inertia, at.c);
         if (!bearing.pedestal) {
             add_block(node, false, film);
             continue;

@@ -41,7 +41,7 @@ class Weighed {
             for (std::size_t i = 0; i < _nodes.size(); ++i)
                 row.insert(row.end(), {unlimited, no_value, no_value, unlimited, no_value, no_value,
                                        no_value});
-            for (std::size_t i = 0; i < _discretization.rotor().bearings.size(); ++i)
+            for (std::size_t i = 0; i < _discretization.rotor().supports().size(); ++i)
                 row.insert(row.end(), {unlimited, unlimited, no_value, no_value});
             return row;
         }
@@ -133,7 +133,7 @@ class Weighed {
     }
 
     void add_bearings(std::vector<double> &row) const {
-        const auto count = static_cast<int>(_discretization.rotor().bearings.size());
+        const auto count = static_cast<int>(_discretization.rotor().supports().size());
         for (int i = 0; i < count; ++i) {
             const double carried = std::abs(_motion.bearing_force_at_rest(i));
             const Phasor twice = _motion.bearing_force(i);
@@ -186,7 +186,7 @@ void add_gravity_response(results::ResponseResult &result, const assembly::Discr
         out.stations.emplace_back().z = d.shaft_mesh().nodes[static_cast<std::size_t>(node)];
         out.stations.back().name = name;
     }
-    for (const model::Bearing &bearing : d.rotor().bearings) {
+    for (const model::Bearing &bearing : d.rotor().supports()) {
         out.bearings.emplace_back().z = bearing.z;
         out.bearings.back().name = bearing.name;
     }

@@ -56,7 +56,7 @@ Watched watched(const assembly::Discretization &d, const std::map<int, std::stri
     for (const auto &[node, name] : nodes)
         out.add({d.deflection_at_node(node)}, "station",
                 d.shaft_mesh().nodes[static_cast<std::size_t>(node)], name);
-    const auto &bearings = d.rotor().bearings;
+    const auto bearings = d.rotor().supports();
     for (int i = 0; i < static_cast<int>(bearings.size()); ++i) {
         const model::Bearing &bearing = bearings[static_cast<std::size_t>(i)];
         out.add({stretch_of_bearing(d, i), i}, "bearing", bearing.z, bearing.name);

@@ -1,6 +1,7 @@
 #include "input/case_file.h"
 
 #include "input/overrides.h"
+#include "input/plausibility.h"
 #include "input/sections.h"
 #include "input/toml_text.h"
 #include "input/validate.h"
@@ -64,12 +65,14 @@ model::Case read_case(CheckedTable &root) {
     scene.rotor.shaft = read_shaft(root, materials);
     read_discs(root, materials, scene.rotor);
     read_bearings(root, scene.rotor);
+    read_seals(root, scene.rotor);
     read_anisotropies(root, scene.rotor);
     read_balancers(root, scene.rotor);
     read_planes(root, scene.rotor);
-    read_imbalances(root, scene.rotor);
     read_probes(root, scene.rotor);
     read_speeds(root, scene);
+    read_operation(root, scene);
+    read_imbalances(root, scene);
     read_campbell(root, scene);
     read_response(root, scene);
     read_simulate(root, scene);
@@ -94,6 +97,8 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     scene.name = case_name(file);
     validate(scene, tree, context.problems);
     context.problems.throw_if_any();
+    scene.remarks = std::move(context.remarks);
+    add_remarks(scene, tree);
     return scene;
 }
 

@@ -4,9 +4,26 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace whirl::input {
+
+namespace {
+
+/// What may have been meant by a text that is no number.
+std::string hint_for(const Node &node) {
+    const std::size_t comma =
+        node.kind == Node::Kind::text ? node.text.find(',') : std::string::npos;
+    const auto digit = [&](std::size_t k) {
+        return k < node.text.size() && std::isdigit(static_cast<unsigned char>(node.text[k])) != 0;
+    };
+    const bool decimal =
+        comma != std::string::npos && comma > 0 && digit(comma - 1) && digit(comma + 1);
+    return decimal ? "; write the decimal point as \".\"" : "";
+}
+
+} // namespace
 
 bool Range::contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
@@ -31,8 +48,9 @@ double ReadContext::number(const Node &node, const std::string &path, Quantity q
     if (value && range.contains(*value))
         return *value;
     problems.add(node.origin, path,
-                 fmt::format("expected {}{}{}, got {}", describe(quantity), range.words(),
-                             node.is_number() && !value ? ", finite" : "", shown(node)));
+                 fmt::format("expected {}{}{}, got {}{}", describe(quantity), range.words(),
+                             node.is_number() && !value ? ", finite" : "", shown(node),
+                             hint_for(node)));
     return std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -35,6 +35,7 @@ struct Range {
 struct ReadContext {
     Problems problems;
     std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
+    std::vector<std::string> remarks;        ///< what is no mistake and looks like one
     std::filesystem::path folder;            ///< of the case file; paths in it start here
 
     /// The number of a node in SI. A mistake is collected and gives nan, which no comparison of a

@@ -83,6 +83,10 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
             _usable = false;
             if (header)
                 return;
+        } else if (header && cells.size() == 1 && cells.front().find(';') != std::string::npos) {
+            problems.add({_file, number}, "",
+                         "expected commas between the columns, got semicolons");
+            return;
         } else if (header) {
             header = false;
             _header_line = number;
@@ -90,8 +94,11 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
             read_header(cells, rules);
         } else if (cells.size() != _columns.size()) {
             problems.add({_file, number}, "",
-                         fmt::format("expected {} cells as in the header, got {}", _columns.size(),
-                                     cells.size()));
+                         fmt::format("expected {} cells as in the header, got {}{}",
+                                     _columns.size(), cells.size(),
+                                     cells.size() > _columns.size()
+                                         ? "; is one a decimal comma? write 0.5, not 0,5"
+                                         : ""));
             _usable = false;
         } else {
             _rows.push_back({number, std::move(cells)});
@@ -113,7 +120,9 @@ void CsvTable::read_header(const std::vector<std::string> &cells,
 void CsvTable::read_column(const std::string &cell, std::size_t index,
                            const std::vector<CsvRule> &rules) {
     const std::size_t bracket = std::min(cell.find('['), cell.size());
-    Column column{std::string(trimmed(std::string_view(cell).substr(0, bracket))), {}, 1, index};
+    Column column;
+    column.name = trimmed(std::string_view(cell).substr(0, bracket));
+    column.index = index;
     const auto fail = [&](const std::string &text) {
         _problems->add(header_origin(), column.name, text);
         _usable = false;
@@ -134,6 +143,7 @@ void CsvTable::read_column(const std::string &cell, std::size_t index,
         unit = unit.substr(0, unit.find(']'));
         const auto factor =
             rule->quantity ? unit_factor(unit, *rule->quantity) : std::optional<double>();
+        column.unit = factor.has_value();
         if (factor)
             column.factor = *factor;
         else
@@ -155,6 +165,13 @@ const CsvTable::Column *CsvTable::find(const std::string &name) const {
 std::string CsvTable::text(std::size_t row, const std::string &column) const {
     const Column *found = find(column);
     return found ? _rows[row].cells[found->index] : "";
+}
+
+bool CsvTable::has_unit(const std::string &column) const {
+    const Column *found = find(column);
+    return found && (found->unit || std::none_of(_rows.begin(), _rows.end(), [&](const Row &row) {
+                         return parse_number(row.cells[found->index]).has_value();
+                     }));
 }
 
 double CsvTable::number(std::size_t row, const std::string &column, Range range) {

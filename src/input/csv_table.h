@@ -30,6 +30,8 @@ class CsvTable {
     [[nodiscard]] bool usable() const { return _usable; }
     [[nodiscard]] std::size_t rows() const { return _rows.size(); }
     [[nodiscard]] bool has(const std::string &column) const { return find(column) != nullptr; }
+    /// Whether the header of the column or all its cells say in which unit they are.
+    [[nodiscard]] bool has_unit(const std::string &column) const;
     [[nodiscard]] Origin origin(std::size_t row) const { return {_file, _rows[row].line}; }
     [[nodiscard]] Origin header_origin() const { return {_file, _header_line}; }
 
@@ -45,6 +47,7 @@ class CsvTable {
         std::string name;
         std::optional<Quantity> quantity;
         double factor = 1; ///< of its unit to SI
+        bool unit = false; ///< given in the header
         std::size_t index = 0;
     };
     struct Row {

@@ -12,21 +12,34 @@ namespace {
 const Node *follow(const Node &node, const PathStep &step) {
     if (const auto *name = std::get_if<std::string>(&step))
         return node.find(*name);
-    const std::size_t index = std::get<std::size_t>(step);
-    return node.kind == Node::Kind::list && index < node.items.size() ? &node.items[index]
-                                                                      : nullptr;
+    const auto *index = std::get_if<std::size_t>(&step);
+    return index && node.kind == Node::Kind::list && *index < node.items.size()
+               ? &node.items[*index]
+               : nullptr;
+}
+
+/// What stands between the brackets: an index, "*" or a name, which may be in quotation marks.
+PathStep items_of(std::string_view text) {
+    std::size_t index = 0;
+    const char *end = text.data() + text.size();
+    const auto [next, error] = std::from_chars(text.data(), end, index);
+    if (error == std::errc() && next == end)
+        return index;
+    if (text == "*")
+        return EveryItem{};
+    if (text.size() > 2 && text.front() == '"' && text.back() == '"')
+        text = text.substr(1, text.size() - 2);
+    return ItemsNamed{std::string(text)};
 }
 
 /// Reads "[3][0]" from the front of `text`; false where it is malformed.
 bool parse_indices(std::string_view &text, std::vector<PathStep> &steps) {
     while (text.starts_with('[')) {
-        std::size_t index = 0;
-        const char *end = text.data() + text.size();
-        const auto [next, error] = std::from_chars(text.data() + 1, end, index);
-        if (error != std::errc() || next == end || *next != ']')
+        const std::size_t end = text.find(']');
+        if (end == std::string_view::npos || end == 1)
             return false;
-        steps.emplace_back(index);
-        text.remove_prefix(static_cast<std::size_t>(next - text.data()) + 1);
+        steps.push_back(items_of(text.substr(1, end - 1)));
+        text.remove_prefix(end + 1);
     }
     return true;
 }
@@ -88,6 +101,11 @@ std::vector<PathStep> parse_path(std::string_view text) {
             return {};
         text.remove_prefix(1);
     }
+}
+
+bool is_named(const Node &item, std::string_view name) {
+    const Node *own = item.find("name");
+    return own && own->kind == Node::Kind::text && own->text == name;
 }
 
 const Node *find_path(const Node &root, std::string_view path) {

@@ -35,13 +35,23 @@ struct Node {
 /// `text` in quotation marks, cut where it is long, control characters replaced.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// A key, or an index into a list.
-using PathStep = std::variant<std::string, std::size_t>;
+/// Every item of a list, "[*]".
+struct EveryItem {};
+/// The items of a list that have this `name`, "[left]".
+struct ItemsNamed {
+    std::string name;
+};
+/// A key, or which items of a list.
+using PathStep = std::variant<std::string, std::size_t, EveryItem, ItemsNamed>;
 
-/// Steps of "shaft.segments[1].outer"; empty where the text is no path.
+/// Steps of "shaft.segments[1].outer", "bearing[*].k" or "bearing[left].k"; empty where the text is
+/// no path.
 [[nodiscard]] std::vector<PathStep> parse_path(std::string_view text);
 
-/// The node at that path below `root`, or null.
+/// Whether an item of a list has this `name`.
+[[nodiscard]] bool is_named(const Node &item, std::string_view name);
+
+/// The node at that path below `root`, or null; also where the path says of many.
 [[nodiscard]] const Node *find_path(const Node &root, std::string_view path);
 
 /// Where the entry stands, or the deepest of the entries around it.

@@ -5,12 +5,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace whirl::input {
 namespace {
+
+using Nodes = std::vector<Node *>;
 
 /// The entry `name` of a table; where it is missing it is made as an empty table, but not if
 /// `list_wanted`. Null where there is none or `node` is no table.
 Node *entry(Node &node, const std::string &name, bool list_wanted, const Origin &origin) {
+    if (node.kind == Node::Kind::list && node.items.size() == 1) // bearing.k of the only bearing
+        return entry(node.items.front(), name, list_wanted, origin);
     if (node.kind != Node::Kind::table)
         return nullptr;
     if (Node *found = node.find(name))
@@ -24,53 +30,121 @@ Node *entry(Node &node, const std::string &name, bool list_wanted, const Origin 
     return &node.items.back();
 }
 
-Node *item(Node &node, std::size_t index) {
-    return node.kind == Node::Kind::list && index < node.items.size() ? &node.items[index]
-                                                                      : nullptr;
+/// Items of a list that a step speaks of.
+Nodes items(Node &node, const PathStep &step) {
+    Nodes out;
+    if (node.kind != Node::Kind::list)
+        return out;
+    const auto *index = std::get_if<std::size_t>(&step);
+    const auto *named = std::get_if<ItemsNamed>(&step);
+    for (std::size_t i = 0; i < node.items.size(); ++i)
+        if (index ? i == *index : !named || is_named(node.items[i], named->name))
+            out.push_back(&node.items[i]);
+    return out;
+}
+
+Nodes followed(Node &node, const PathStep &step, bool list_wanted, const Origin &origin) {
+    const auto *name = std::get_if<std::string>(&step);
+    if (!name)
+        return items(node, step);
+    Node *found = entry(node, *name, list_wanted, origin);
+    return found ? Nodes{found} : Nodes{};
+}
+
+std::string step_text(const PathStep &step) {
+    if (const auto *index = std::get_if<std::size_t>(&step))
+        return fmt::format("[{}]", *index);
+    if (const auto *named = std::get_if<ItemsNamed>(&step))
+        return fmt::format("[{}]", named->name);
+    return "[*]";
 }
 
 /// What stands in the way of the step, for the message.
 std::string obstacle(const Node &node, const PathStep &step, const std::string &walked) {
     const std::string where = walked.empty() ? "the case" : walked;
-    if (const auto *index = std::get_if<std::size_t>(&step)) {
-        if (node.kind == Node::Kind::list)
-            return fmt::format("expected an index below {}, got {}: {} has {} items",
-                               node.items.size(), *index, where, node.items.size());
+    const auto *name = std::get_if<std::string>(&step);
+    if (name && node.kind == Node::Kind::list)
+        return fmt::format("expected which of the {1} items of {0} is meant: {0}[0].{2}, or all of "
+                           "them: {0}[*].{2}",
+                           where, node.items.size(), *name);
+    if (name && node.kind == Node::Kind::table)
+        return fmt::format("expected a list of the case, there is no {} in {}", *name, where);
+    if (name)
+        return fmt::format("expected a table at {}, got {}", where, shown(node));
+    if (node.kind != Node::Kind::list)
         return fmt::format("expected a list at {}, got {}", where, shown(node));
-    }
-    if (node.kind == Node::Kind::table)
-        return fmt::format("expected a list of the case, there is no {} in {}",
-                           std::get<std::string>(step), where);
-    return fmt::format("expected a table at {}, got {}", where, shown(node));
+    if (const auto *index = std::get_if<std::size_t>(&step))
+        return fmt::format("expected an index below {}, got {}: {} has {} items", node.items.size(),
+                           *index, where, node.items.size());
+    return fmt::format("expected the name of an item of {}, there is no {}{}", where, where,
+                       step_text(step));
 }
+
+/// Takes what the step speaks of out of a table or list. @returns whether there was anything
+bool remove(Node &node, const PathStep &step) {
+    const auto *name = std::get_if<std::string>(&step);
+    if (name && node.kind == Node::Kind::list && node.items.size() == 1)
+        return remove(node.items.front(), step);
+    if (name ? node.kind != Node::Kind::table : node.kind != Node::Kind::list)
+        return false;
+    const Nodes gone = name ? Nodes{node.find(*name)} : items(node, step);
+    const auto left = std::remove_if(node.items.begin(), node.items.end(), [&](Node &item) {
+        return std::find(gone.begin(), gone.end(), &item) != gone.end();
+    });
+    const bool any = left != node.items.end();
+    node.items.erase(left, node.items.end());
+    return any;
+}
+
+/// A path being walked: what was reached, and the words for it.
+struct Walk {
+    Nodes nodes;
+    std::string walked;
+
+    /// @returns what stands in the way, or nothing
+    std::string go(const PathStep &step, bool list_wanted, const Origin &origin) {
+        Nodes next;
+        for (Node *node : nodes) {
+            const Nodes found = followed(*node, step, list_wanted, origin);
+            if (found.empty())
+                return obstacle(*node, step, walked);
+            next.insert(next.end(), found.begin(), found.end());
+        }
+        const auto *name = std::get_if<std::string>(&step);
+        walked += name ? (walked.empty() ? *name : "." + *name) : step_text(step);
+        nodes = std::move(next);
+        return {};
+    }
+};
 
 void apply(Node &root, const std::string &path, std::string_view value, const Origin &origin,
            Problems &problems) {
-    Node *node = &root;
-    std::string walked;
     const std::vector<PathStep> steps = parse_path(path);
     if (steps.empty()) {
         problems.add(origin, "", "expected a path such as bearing[0].k, got " + in_quotes(path));
         return;
     }
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const PathStep &step = steps[i];
-        const auto *name = std::get_if<std::string>(&step);
+    const bool removes = trimmed(value).empty();
+    Walk walk{{&root}, ""};
+    for (std::size_t i = 0; i + (removes ? 1 : 0) < steps.size(); ++i) {
         const bool list_wanted =
-            i + 1 < steps.size() && std::holds_alternative<std::size_t>(steps[i + 1]);
-        Node *next = name ? entry(*node, *name, list_wanted, origin)
-                          : item(*node, std::get<std::size_t>(step));
-        if (!next) {
-            problems.add(origin, path, obstacle(*node, step, walked));
+            i + 1 < steps.size() && !std::holds_alternative<std::string>(steps[i + 1]);
+        const std::string way = walk.go(steps[i], list_wanted || removes, origin);
+        if (!way.empty()) {
+            problems.add(origin, path, way);
             return;
         }
-        walked += name ? (walked.empty() ? *name : "." + *name)
-                       : fmt::format("[{}]", std::get<std::size_t>(step));
-        node = next;
     }
-    const std::string key = node->key;
-    *node = parse_value(value, origin);
-    node->key = key;
+    for (Node *node : walk.nodes) {
+        if (removes && !remove(*node, steps.back()))
+            problems.add(origin, path,
+                         "expected something to take out of the case, there is no such entry");
+        if (removes)
+            continue;
+        const std::string key = node->key;
+        *node = parse_value(value, origin);
+        node->key = key;
+    }
 }
 
 } // namespace

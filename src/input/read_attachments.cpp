@@ -1,6 +1,11 @@
 #include "input/sections.h"
+#include "model/mass.h"
 
 #include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace whirl::input {
 namespace {
@@ -87,15 +92,75 @@ void read_planes(CheckedTable &root, model::Rotor &rotor) {
     }
 }
 
-void read_imbalances(CheckedTable &root, model::Rotor &rotor) {
+namespace {
+
+/// Grade of a text such as "G 2.5" or of a number, mm/s; empty with a mistake.
+std::optional<double> read_grade(CheckedTable &table) {
+    const Node &node = *table.find("grade");
+    std::optional<double> value;
+    if (node.is_number()) {
+        value = node.number;
+    } else if (node.kind == Node::Kind::text) {
+        std::string_view text = trimmed(node.text);
+        if (text.starts_with('G') || text.starts_with('g'))
+            text.remove_prefix(1);
+        value = parse_number(trimmed(text));
+    }
+    if (value && *value > 0 && std::isfinite(*value))
+        return value;
+    table.fail("grade", "expected a balance quality grade such as \"G 2.5\", got " + shown(node));
+    return std::nullopt;
+}
+
+/// The imbalance that a rule allows or asks for at a speed, for the mass of the rotor:
+///  - `grade`: ISO 21940-11:2016, e = G/speed, so m r = G m / speed;
+///  - `api`: API 617, 4 W/N oz in for W lb and N rpm; in SI 4 / 16 in m / N = 0.00635 m/N kg m.
+double read_rule(CheckedTable &table, const model::Case &scene) {
+    const bool graded = table.has("grade");
+    const double mass = table.number_or("mass", model::mass_of_shaft_and_discs(scene.rotor),
+                                        Quantity::mass, Range::positive());
+    const auto own = table.optional_number("speed", Quantity::angular_speed, Range::positive());
+    const double share = table.number_or("share", 1, Quantity::dimensionless, Range::positive());
+    const double fastest = scene.speeds ? std::max(scene.speeds->from, scene.speeds->to) : 0;
+    const double speed = own.value_or(scene.operation ? scene.operation->to : fastest);
+    if (!(speed > 0)) {
+        table.fail("speed", "missing, expected the angular speed in rad/s at which the rule holds, "
+                            "or [operation] or [speeds]");
+        return 0;
+    }
+    constexpr double millimetre = 1e-3; // m
+    const double rpm = speed * 30 / std::numbers::pi;
+    const auto grade = graded ? read_grade(table) : std::nullopt;
+    const double mr =
+        share * (graded ? grade.value_or(0) * millimetre * mass / speed : 0.00635 * mass / rpm);
+    table.context().remarks.push_back(
+        fmt::format("{}: {:.6g} kg m, {} of {:.6g} kg at {:.6g} rpm", table.path(), mr,
+                    graded ? fmt::format("G {:.3g}", grade.value_or(0)) : "4W/N", mass, rpm));
+    return mr;
+}
+
+double read_mr(CheckedTable &table, const model::Case &scene) {
+    const auto ways = given(table, {"mr", "grade", "api"});
+    if (ways.size() > 1) {
+        table.fail(ways[1], "expected one of mr, grade and api, got more");
+        return 0;
+    }
+    if (table.has("grade") || table.flag_or("api", false))
+        return read_rule(table, scene);
+    return table.number("mr", Quantity::imbalance);
+}
+
+} // namespace
+
+void read_imbalances(CheckedTable &root, model::Case &scene) {
     for (CheckedTable &table : root.tables("imbalance")) {
         model::Imbalance imbalance;
         imbalance.name = table.text("name").value_or("");
         imbalance.z = table.number("z", Quantity::length);
-        imbalance.mr = table.number("mr", Quantity::imbalance);
+        imbalance.mr = read_mr(table, scene);
         imbalance.phase = table.number_or("phase", 0, Quantity::angle);
         table.refuse_unknown();
-        rotor.imbalances.push_back(imbalance);
+        scene.rotor.imbalances.push_back(imbalance);
     }
 }
 

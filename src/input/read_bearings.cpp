@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 
 namespace whirl::input {
@@ -23,31 +24,39 @@ constexpr std::array coefficients{
     Coefficient{"cyx", Quantity::damping, 1, 0},   Coefficient{"cyy", Quantity::damping, 1, 1}};
 
 /// Coefficients from `number(name, quantity, range)`, which is empty for a name that is not given.
-template <class Number> model::BearingCoefficients read_coefficients(const Number &number) {
+/// @param seal  the same from every direction unless it says otherwise: kyx = -kxy, cyx = -cxy
+template <class Number>
+model::BearingCoefficients read_coefficients(const Number &number, bool seal) {
     model::BearingCoefficients row;
     if (const auto k = number("k", Quantity::stiffness, Range::not_negative()))
         row.k.diagonal().setConstant(*k);
     if (const auto c = number("c", Quantity::damping, Range::not_negative()))
         row.c.diagonal().setConstant(*c);
-    for (const Coefficient &entry : coefficients)
+    for (const Coefficient &entry : coefficients) {
+        Eigen::Matrix2d &matrix = entry.quantity == Quantity::stiffness ? row.k : row.c;
         if (const auto value = number(entry.name, entry.quantity, Range::any()))
-            (entry.quantity == Quantity::stiffness ? row.k : row.c)(entry.row, entry.column) =
-                *value;
+            matrix(entry.row, entry.column) = *value;
+        else if (seal && entry.row > entry.column) // read after its opposite
+            matrix(1, 0) = 0 - matrix(0, 1);
+    }
     return row;
 }
 
-/// The isotropic key ("k" or "c") that is given together with one of its matrix, or null.
-template <class Has> const char *mixed_key(const Has &has) {
+/// The isotropic key ("k" or "c") that is given together with one of its matrix, or null. That of a
+/// seal goes with the coupling.
+template <class Has> const char *mixed_key(const Has &has, bool seal) {
     for (const Coefficient &entry : coefficients) {
         const char *isotropic = entry.quantity == Quantity::stiffness ? "k" : "c";
-        if (has(isotropic) && has(entry.name))
+        const bool coupling = seal && entry.row < entry.column;
+        if (!coupling && has(isotropic) && has(entry.name))
             return isotropic;
     }
     return nullptr;
 }
 
-std::string mixed_message(const std::string &key) {
-    return fmt::format("expected either {0} or {0}xx, {0}xy, {0}yx, {0}yy, got both", key);
+std::string mixed_message(const std::string &key, bool seal) {
+    return fmt::format("expected either {0}{1} or {0}xx, {0}xy, {0}yx, {0}yy, got both", key,
+                       seal ? fmt::format(" (and {}xy)", key) : "");
 }
 
 void read_bearing_table(const std::string &path, model::Bearing &bearing, ReadContext &context) {
@@ -63,8 +72,14 @@ void read_bearing_table(const std::string &path, model::Bearing &bearing, ReadCo
                              "missing, expected a column of angular speeds");
         return;
     }
-    if (const char *key = mixed_key([&](const char *name) { return table.has(name); }))
-        context.problems.add(table.header_origin(), key, mixed_message(key));
+    if (!table.has_unit("speed"))
+        context.remarks.push_back(
+            fmt::format("the speeds of {} have no unit and are taken in rad/s; a header such as "
+                        "\"speed [rpm]\" says which",
+                        path));
+    const auto has = [&](const char *name) { return table.has(name); };
+    if (const char *key = mixed_key(has, bearing.seal))
+        context.problems.add(table.header_origin(), key, mixed_message(key, bearing.seal));
     for (std::size_t i = 0; i < table.rows(); ++i) {
         const double speed = table.number(i, "speed", Range::any());
         if (!bearing.speeds.empty() && speed <= bearing.speeds.back())
@@ -72,20 +87,24 @@ void read_bearing_table(const std::string &path, model::Bearing &bearing, ReadCo
                                  fmt::format("expected speeds that ascend, got {} rad/s after {}",
                                              speed, bearing.speeds.back()));
         bearing.speeds.push_back(speed);
-        bearing.rows.push_back(read_coefficients([&](const char *name, Quantity, Range range) {
-            return table.optional_number(i, name, range);
-        }));
+        bearing.rows.push_back(read_coefficients(
+            [&](const char *name, Quantity, Range range) {
+                // An empty cell is a coefficient that was forgotten, not one that is 0.
+                return table.has(name) ? std::optional(table.number(i, name, range)) : std::nullopt;
+            },
+            bearing.seal));
     }
 }
 
 /// The coefficients of a bearing: one row from its keys, or those of its table.
 void read_rows(CheckedTable &table, model::Bearing &bearing) {
     const auto has = [&](const char *name) { return table.has(name); };
-    const auto constant = read_coefficients([&](const char *name, Quantity quantity, Range range) {
-        return table.optional_number(name, quantity, range);
-    });
-    if (const char *key = mixed_key(has))
-        table.fail(key, mixed_message(key));
+    const auto constant =
+        read_coefficients([&](const char *name, Quantity quantity,
+                              Range range) { return table.optional_number(name, quantity, range); },
+                          bearing.seal);
+    if (const char *key = mixed_key(has, bearing.seal))
+        table.fail(key, mixed_message(key, bearing.seal));
     if (!table.has("table")) {
         bearing.rows.push_back(constant);
         return;
@@ -115,6 +134,16 @@ bool is_zero(const model::BearingCoefficients &row) {
     return row.k.isZero(0) && row.c.isZero(0) && row.kt.isZero(0) && row.ct.isZero(0);
 }
 
+/// Adds the bearing; refuses one that does nothing.
+void add_acting(CheckedTable &table, const model::Bearing &bearing, const char *expected,
+                model::Rotor &rotor) {
+    const bool nothing = !bearing.rows.empty() && bearing.mass == 0 &&
+                         std::all_of(bearing.rows.begin(), bearing.rows.end(), is_zero);
+    if (nothing)
+        table.context().problems.add(table.node().origin, table.path(), expected);
+    rotor.bearings.push_back(bearing);
+}
+
 } // namespace
 
 void read_bearings(CheckedTable &root, model::Rotor &rotor) {
@@ -125,19 +154,32 @@ void read_bearings(CheckedTable &root, model::Rotor &rotor) {
         read_rows(table, bearing);
         const double kt = table.number_or("kt", 0, Quantity::tilt_stiffness, Range::not_negative());
         const double ct = table.number_or("ct", 0, Quantity::tilt_damping, Range::not_negative());
-        bool nothing = !bearing.rows.empty();
         for (model::BearingCoefficients &row : bearing.rows) {
             row.kt.diagonal().setConstant(kt);
             row.ct.diagonal().setConstant(ct);
-            nothing = nothing && is_zero(row);
         }
-        if (nothing)
-            table.context().problems.add(table.node().origin, table.path(),
-                                         "expected stiffness or damping (k, c, kxx, ..., kt, ct "
-                                         "or table), got a bearing with neither");
         read_pedestal(table, bearing);
         table.refuse_unknown();
-        rotor.bearings.push_back(bearing);
+        add_acting(table, bearing,
+                   "expected stiffness or damping (k, c, kxx, ..., kt, ct or table), got a bearing "
+                   "with neither",
+                   rotor);
+    }
+}
+
+void read_seals(CheckedTable &root, model::Rotor &rotor) {
+    for (CheckedTable &table : root.tables("seal")) {
+        model::Bearing seal;
+        seal.seal = true;
+        seal.name = table.text("name").value_or("");
+        seal.z = table.number("z", Quantity::length);
+        read_rows(table, seal);
+        seal.mass = table.number_or("m", 0, Quantity::mass, Range::not_negative());
+        table.refuse_unknown();
+        add_acting(table, seal,
+                   "expected stiffness, damping or mass (k, c, kxx, ..., m or table), got a seal "
+                   "with none",
+                   rotor);
     }
 }
 

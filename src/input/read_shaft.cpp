@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace whirl::input {
 namespace {
 
@@ -22,6 +24,38 @@ model::Material read_material(CheckedTable table, const std::string &name) {
                             table.context().problems);
     table.refuse_unknown();
     return material;
+}
+
+/// Tubes given without an inner diameter sit on what lies inside of them.
+std::vector<model::Layer> read_layers(CheckedTable &segment, double inside,
+                                      const Materials &materials) {
+    std::vector<model::Layer> layers;
+    for (CheckedTable &table : segment.tables("layers")) {
+        model::Layer layer;
+        table.text("name");
+        layer.outer = table.number("outer", Quantity::length, Range::positive());
+        layer.inner = table.number_or("inner", inside, Quantity::length, Range::not_negative());
+        if (layer.inner >= layer.outer)
+            table.fail("outer", fmt::format("expected a diameter above the inner one, {} m, got "
+                                            "{} m",
+                                            layer.inner, layer.outer));
+        layer.material =
+            pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
+                          table.path_of("material"), table.context().problems)
+                .value_or(model::Material{});
+        table.refuse_unknown();
+        inside = layer.outer;
+        layers.push_back(layer);
+    }
+    return layers;
+}
+
+/// What a segment has mass for, where that is not what carries load, and its shear coefficient.
+/// @param number  (name, range), empty for what is not given
+template <class Number> void read_departures(const Number &number, model::Segment &segment) {
+    segment.shear_coefficient = number("shear", Range::positive()).value_or(0);
+    segment.mass_outer = number("mass_outer", Range::positive()).value_or(0);
+    segment.mass_inner = number("mass_inner", Range::not_negative()).value_or(0);
 }
 
 std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &materials,
@@ -46,6 +80,14 @@ std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &
             pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
                           table.path_of("material"), context.problems)
                 .value_or(model::Material{});
+        read_departures(
+            [&table](const std::string &name, Range range) {
+                return table.optional_number(
+                    name, name == "shear" ? Quantity::dimensionless : Quantity::length, range);
+            },
+            segment);
+        segment.layers =
+            read_layers(table, std::max(segment.outer_start, segment.outer_end), materials);
         table.refuse_unknown();
         check_segment(segment, origin_of(table.node(), "inner"), table.path_of("inner"),
                       context.problems);
@@ -59,7 +101,8 @@ const std::vector<CsvRule> station_columns{
     {"inner", Quantity::length},           {"outer_end", Quantity::length},
     {"inner_end", Quantity::length},       {"material", {}},
     {"elements", Quantity::dimensionless}, {"asymmetry", Quantity::dimensionless},
-    {"asymmetry_angle", Quantity::angle}};
+    {"asymmetry_angle", Quantity::angle},  {"shear", Quantity::dimensionless},
+    {"mass_outer", Quantity::length},      {"mass_inner", Quantity::length}};
 
 model::Segment read_station(CsvTable &table, std::size_t row, const Materials &materials,
                             int elements, ReadContext &context) {
@@ -78,6 +121,9 @@ model::Segment read_station(CsvTable &table, std::size_t row, const Materials &m
     segment.material = pick_material(materials, name.empty() ? std::nullopt : std::optional(name),
                                      table.origin(row), "material", context.problems)
                            .value_or(model::Material{});
+    read_departures([&](const std::string &column,
+                        Range range) { return table.optional_number(row, column, range); },
+                    segment);
     segment.elements = elements;
     if (const auto count = table.optional_number(row, "elements", {1, largest_count})) {
         segment.elements = static_cast<int>(std::max(1.0, *count));
@@ -184,6 +230,7 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     shaft.tolerance = table->number_or("tolerance", shaft.tolerance, Quantity::dimensionless,
                                        Range::inside(0, 1));
     shaft.rigid = table->flag_or("rigid", false);
+    shaft.rotary_inertia = table->flag_or("rotary_inertia", true);
     shaft.internal_damping =
         table->number_or("internal_damping", 0, Quantity::time, Range::not_negative());
     shaft.axial_force = table->number_or("axial_force", 0, Quantity::force);

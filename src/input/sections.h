@@ -29,15 +29,19 @@ pick_material(const Materials &materials, const std::optional<std::string> &name
 /// Reads [[disc]], [[bearing]] and so on into the rotor; the shaft must be there already.
 void read_discs(CheckedTable &root, const Materials &materials, model::Rotor &rotor);
 void read_bearings(CheckedTable &root, model::Rotor &rotor);
+void read_seals(CheckedTable &root, model::Rotor &rotor); ///< after the bearings
 void read_anisotropies(CheckedTable &root, model::Rotor &rotor);
 void read_balancers(CheckedTable &root, model::Rotor &rotor);
 void read_planes(CheckedTable &root, model::Rotor &rotor);
-void read_imbalances(CheckedTable &root, model::Rotor &rotor);
+/// Rules for imbalances want the mass of the rotor and [speeds]: both must be there.
+void read_imbalances(CheckedTable &root, model::Case &scene);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
 /// Reads [speeds], [campbell], [response], [simulate]; last [map] and [samples], which may name any
 /// numeric entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
+/// [operation] and [level1].
+void read_operation(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
 void read_response(CheckedTable &root, model::Case &scene);
 void read_simulate(CheckedTable &root, model::Case &scene);

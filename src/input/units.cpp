@@ -87,11 +87,15 @@ const ut_system *unit_system() {
         ut_unmap_name_to_unit(read.get(), "hertz", UT_ASCII);
         add_symbol(read.get(), "Hz", "turn/s");
         add_symbol(read.get(), "hertz", "turn/s");
+        add_symbol(read.get(), "hz", "turn/s");
+        add_symbol(read.get(), "cpm", "turn/min"); // cycles
         add_symbol(read.get(), "deg", "degree");
         add_symbol(read.get(), "rev", "turn");
         add_symbol(read.get(), "RPM", "rpm");
         add_symbol(read.get(), "thou", "mil");
         add_symbol(read.get(), "lbm", "lb");
+        ut_unmap_symbol_to_unit(read.get(), "oz", UT_ASCII); // a volume
+        add_symbol(read.get(), "oz", "0.0625 lb");
         add_symbol(read.get(), "Nm", "N.m");
         add_symbol(read.get(), "Ns", "N.s");
         return read;
@@ -134,6 +138,25 @@ double scaled(double value, double factor) {
     return value * factor;
 }
 
+namespace {
+
+/// "lb/in" for lbf/in: where a force is meant, a pound is one.
+std::string with_pounds_force(std::string_view name) {
+    std::string out;
+    const auto letter = [&name](std::size_t k) {
+        return k < name.size() && std::isalpha(static_cast<unsigned char>(name[k])) != 0;
+    };
+    for (std::size_t k = 0; k < name.size(); ++k) {
+        const bool pound =
+            name.substr(k, 2) == "lb" && !letter(k + 2) && (k == 0 || !letter(k - 1));
+        out += pound ? "lbf" : std::string(1, name[k]);
+        k += pound ? 1 : 0;
+    }
+    return out;
+}
+
+} // namespace
+
 std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     const std::string_view name = trimmed(text);
     // A further number would multiply: "2 5 m". Only the one of "1/s" is wanted.
@@ -141,8 +164,10 @@ std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     if (name.empty() || (starts_with_number && !name.starts_with("1/")))
         return std::nullopt;
     const QuantityInfo &entry = info(quantity);
-    const Unit unit = parse_unit(unit_system(), name);
     const Unit wanted = parse_unit(unit_system(), entry.unit);
+    Unit unit = parse_unit(unit_system(), name);
+    if (unit && wanted && !ut_are_convertible(unit.get(), wanted.get()))
+        unit = parse_unit(unit_system(), with_pounds_force(name));
     if (!unit || !wanted || !ut_are_convertible(unit.get(), wanted.get()))
         return std::nullopt;
     const bool angle = contains_angle(unit.get());

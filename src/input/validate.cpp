@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace whirl::input {
 namespace {
@@ -21,19 +22,20 @@ struct Check {
     }
 };
 
-/// Moves positions onto the shaft that miss an end by rounding only, refuses the others.
+/// Moves a position onto the shaft that misses an end by rounding only, refuses others.
+void check_position(double &z, const std::string &path, double length, const Check &check) {
+    const double margin = 1e-9 * length;
+    if (z < -margin || z > length + margin)
+        check.fail(path,
+                   fmt::format("expected a place on the shaft, 0 to {} m, got {} m", length, z));
+    else if (!std::isnan(z))
+        z = std::clamp(z, 0.0, length);
+}
+
 template <class Items>
 void check_positions(Items &items, const std::string &section, double length, const Check &check) {
-    const double margin = 1e-9 * length;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        double &z = items[i].z;
-        if (z < -margin || z > length + margin)
-            check.fail(
-                fmt::format("{}[{}].z", section, i),
-                fmt::format("expected a place on the shaft, 0 to {} m, got {} m", length, z));
-        else if (!std::isnan(z))
-            z = std::clamp(z, 0.0, length);
-    }
+    for (std::size_t i = 0; i < items.size(); ++i)
+        check_position(items[i].z, fmt::format("{}[{}].z", section, i), length, check);
 }
 
 void check_disc(const model::Disc &disc, const std::string &path, const Check &check) {
@@ -96,6 +98,10 @@ void check_segment(const model::Segment &segment, const Origin &origin, const st
                    Problems &problems) {
     const bool start = segment.inner_start >= segment.outer_start;
     const bool end = segment.inner_end >= segment.outer_end;
+    if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
+        problems.add(origin, key,
+                     fmt::format("expected mass_inner below mass_outer, {} m, got {} m",
+                                 segment.mass_outer, segment.mass_inner));
     if (start || end)
         problems.add(origin, key,
                      fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",
@@ -113,12 +119,17 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
     // Without a sound shaft there are no places on it to compare with.
     if (length > 0) {
         check_positions(rotor.discs, "disc", length, check);
-        check_positions(rotor.bearings, "bearing", length, check);
+        const auto bearings = std::span(rotor.bearings).first(rotor.supports().size());
+        const auto seals = std::span(rotor.bearings).subspan(bearings.size());
+        check_positions(bearings, "bearing", length, check);
+        check_positions(seals, "seal", length, check);
         check_positions(rotor.anisotropies, "anisotropy", length, check);
         check_positions(rotor.balancers, "balancer", length, check);
         check_positions(rotor.planes, "plane", length, check);
         check_positions(rotor.imbalances, "imbalance", length, check);
         check_positions(rotor.probes, "probe", length, check);
+        if (scene.level1)
+            check_position(scene.level1->z, "level1.z", length, check);
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);

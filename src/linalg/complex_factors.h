@@ -53,6 +53,7 @@ class SymmetricFactor {
     [[nodiscard]] double determinant_phase() const;
 
   private:
+    friend class RealEnergy;
     using Complex = std::complex<double>;
     /// An entry of the upper triangle in the order of elimination, and its place in the matrix.
     struct Entry {
@@ -70,6 +71,19 @@ class SymmetricFactor {
     std::vector<int> _filled;   ///< entries of each column so far
 
     void analyse();
+};
+
+/// b^H A^-1 b with a real symmetric positive definite A, from its factors.
+class RealEnergy {
+  public:
+    explicit RealEnergy(const SymmetricFactor &factors);
+
+    [[nodiscard]] double operator()(const Eigen::VectorXcd &b) const;
+
+  private:
+    std::vector<int> _order, _start, _rows;
+    std::vector<double> _L, _inverse;
+    mutable std::vector<std::complex<double>> _work;
 };
 
 } // namespace whirl::linalg

@@ -94,8 +94,23 @@ std::vector<double> FinerModel::errors_by_place(const modes::Spectrum &coarse) c
     return errors;
 }
 
+/// The modes of the finer model that those of the coarse one become; empty where that is not sure.
+std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coarse) const {
+    std::vector<modes::WhirlMode> guesses = coarse.modes;
+    for (modes::WhirlMode &mode : guesses)
+        mode.shape = embedded(mode.shape);
+    const std::vector<modes::WhirlMode> fine = _fine->near(coarse.speed, guesses);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < fine.size(); ++i)
+        errors.push_back(relative(coarse.modes[i].eigenvalue, fine[i].eigenvalue));
+    return errors;
+}
+
 /// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
+    if (_coarse.follows())
+        if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
+            return errors;
     constexpr double nearly = 0.5;
     const modes::Spectrum fine = _fine->at(
         coarse.speed, static_cast<int>(coarse.modes.size() + coarse.modes.size() / 4 + 2));

@@ -32,6 +32,7 @@ class FinerModel {
     Eigen::SparseMatrix<double> _mass;
 
     [[nodiscard]] std::vector<double> errors_by_place(const modes::Spectrum &coarse) const;
+    [[nodiscard]] std::vector<double> errors_by_refinement(const modes::Spectrum &coarse) const;
     [[nodiscard]] std::vector<double> errors_by_shape(const modes::Spectrum &coarse) const;
     [[nodiscard]] Eigen::VectorXcd embedded(const Eigen::VectorXcd &shape) const;
 };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::mesh_error {
 
@@ -20,6 +21,16 @@ constexpr Complex i_unit(0, 1);
 /// The next function of either parity.
 constexpr int further_orders = 2;
 
+/// A block on the unknowns of an element as rows over those of the shaft.
+void add_rows(std::vector<Eigen::Triplet<double>> &entries, const Eigen::MatrixXd &block,
+              const std::vector<assembly::Combination> &own, int first) {
+    for (int row = 0; row < static_cast<int>(block.rows()); ++row)
+        for (std::size_t j = 0; j < own.size(); ++j)
+            for (const auto &[place, value] : own[j])
+                entries.emplace_back(first + row, place,
+                                     value * block(row, static_cast<Eigen::Index>(j)));
+}
+
 } // namespace
 
 ShapeResidual::ShapeResidual(const assembly::Discretization &discretization, results::Form form)
@@ -30,6 +41,9 @@ ShapeResidual::ShapeResidual(const assembly::Discretization &discretization, res
         return;
     const int order = d.order();
     const int higher = order + further_orders;
+    std::vector<Eigen::Triplet<double>> M;
+    std::vector<Eigen::Triplet<double>> G;
+    std::vector<Eigen::Triplet<double>> K;
     for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
         const elements::Beam beam = elements::beam_of(
             d.rotor().shaft, d.shaft_mesh().spans[static_cast<std::size_t>(span)]);
@@ -41,24 +55,35 @@ ShapeResidual::ShapeResidual(const assembly::Discretization &discretization, res
             if (std::find(own.begin(), own.end(), i) == own.end())
                 further.push_back(i);
         const elements::PlanarMatrices m = elements::beam_matrices(beam, higher);
-        _elements.push_back({span, m.M(further, own), m.G(further, own),
-                             (m.K + m.K_axial)(further, own), m.M(further, further),
-                             m.G(further, further), (m.K + m.K_axial)(further, further)});
+        _further = static_cast<int>(further.size());
+        add_rows(M, m.M(further, own), own_motion(span), _further * span);
+        add_rows(G, m.G(further, own), own_motion(span), _further * span);
+        add_rows(K, (m.K + m.K_axial)(further, own), own_motion(span), _further * span);
+        Element e{m.M(further, further), m.G(further, further),
+                  (m.K + m.K_axial)(further, further)};
+        e.like_last = span > 0 && e.M2 == _elements.back().M2 && e.G2 == _elements.back().G2 &&
+                      e.K2 == _elements.back().K2;
+        _elements.push_back(std::move(e));
+    }
+    const auto rows = static_cast<Eigen::Index>(_elements.size()) * _further;
+    for (auto &[matrix, entries] : {std::pair(&_M, &M), std::pair(&_G, &G), std::pair(&_K, &K)}) {
+        matrix->resize(rows, d.planar_size());
+        matrix->setFromTriplets(entries->begin(), entries->end());
     }
 }
 
-Eigen::VectorXcd ShapeResidual::own_motion(int span, const Eigen::VectorXcd &plane) const {
+/// Unknowns of an element by those of the shaft.
+std::vector<assembly::Combination> ShapeResidual::own_motion(int span) const {
     const std::vector<int> unknowns = _discretization.beam_unknowns(span);
-    const int internal = elements::internal_unknowns(_discretization.order());
-    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(4 + internal);
+    const auto internal =
+        static_cast<std::size_t>(elements::internal_unknowns(_discretization.order()));
+    std::vector<assembly::Combination> out;
     for (int end = 0; end < 2; ++end) {
-        for (const auto &[unknown, value] : _discretization.deflection_at_node(span + end))
-            out(2 * end) += value * plane(unknown);
-        for (const auto &[unknown, value] : _discretization.slope_at_node(span + end))
-            out(2 * end + 1) += value * plane(unknown);
+        out.push_back(_discretization.deflection_at_node(span + end));
+        out.push_back(_discretization.slope_at_node(span + end));
     }
-    for (int i = 0; i < internal; ++i)
-        out(4 + i) = plane(unknowns[unknowns.size() - static_cast<std::size_t>(internal - i)]);
+    for (std::size_t i = unknowns.size() - internal; i < unknowns.size(); ++i)
+        out.push_back({{unknowns[i], 1.0}});
     return out;
 }
 
@@ -66,14 +91,18 @@ Eigen::VectorXcd ShapeResidual::own_motion(int span, const Eigen::VectorXcd &pla
 double ShapeResidual::energy(const Eigen::VectorXcd &plane, Complex rate, double speed) const {
     const Complex squared = rate * rate;
     const Complex coupling = -i_unit * rate * speed;
+    const Eigen::VectorXcd residual =
+        squared * (_M * plane) + coupling * (_G * plane) + Eigen::VectorXcd(_K * plane);
+    Eigen::PartialPivLU<Eigen::MatrixXcd> Q2;
     double sum = 0;
-    for (const Element &e : _elements) {
-        const Eigen::VectorXcd u = own_motion(e.span, plane);
-        const Eigen::VectorXcd residual =
-            squared * (e.M * u) + coupling * (e.G * u) + Eigen::VectorXcd(e.K * u);
-        const Eigen::MatrixXcd Q2 =
-            squared * e.M2.cast<Complex>() + coupling * e.G2.cast<Complex>() + e.K2.cast<Complex>();
-        sum += std::abs(residual.dot(Q2.partialPivLu().solve(residual)));
+    for (std::size_t i = 0; i < _elements.size(); ++i) {
+        const Element &e = _elements[i];
+        if (!e.like_last)
+            Q2.compute(squared * e.M2.cast<Complex>() + coupling * e.G2.cast<Complex>() +
+                       e.K2.cast<Complex>());
+        const Eigen::VectorXcd r =
+            residual.segment(static_cast<Eigen::Index>(i) * _further, _further);
+        sum += std::abs(r.dot(Q2.solve(r)));
     }
     return sum;
 }

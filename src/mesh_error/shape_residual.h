@@ -25,18 +25,20 @@ class ShapeResidual {
     [[nodiscard]] double of(const modes::WhirlMode &mode, double speed) const;
 
   private:
-    /// Of one element: further functions over its own unknowns, and among themselves.
+    using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    /// The further functions of one element among themselves.
     struct Element {
-        int span = 0;
-        Eigen::MatrixXd M, G, K;
         Eigen::MatrixXd M2, G2, K2;
+        bool like_last = false; ///< the same matrices as the element before
     };
     const assembly::Discretization &_discretization;
     results::Form _form;
+    int _further = 0; ///< functions of an element
     std::vector<Element> _elements;
+    Rows _M, _G, _K; ///< further functions of all elements over the unknowns of a plane
     Eigen::SparseMatrix<double> _mass;
 
-    [[nodiscard]] Eigen::VectorXcd own_motion(int span, const Eigen::VectorXcd &plane) const;
+    [[nodiscard]] std::vector<assembly::Combination> own_motion(int span) const;
     [[nodiscard]] double energy(const Eigen::VectorXcd &plane, std::complex<double> rate,
                                 double speed) const;
 };

@@ -31,13 +31,18 @@ struct Pedestal {
     double c = 0;    ///< N s/m
 };
 
-/// A bearing at z: constant coefficients (one row) or a table over spin speed.
+/// A bearing at z: constant coefficients (one row) or a table over spin speed. A seal acts like one
+/// but carries nothing: drawings and lists of forces have bearings alone.
 struct Bearing {
     std::string name;
     double z = 0;                          ///< m
     std::vector<double> speeds;            ///< rad/s, ascending; empty for constant coefficients
     std::vector<BearingCoefficients> rows; ///< one, or one for each of `speeds`
     std::optional<Pedestal> pedestal;
+    bool seal = false;
+    /// Seals: of the fluid that moves along, alike in both directions, kg; force on the shaft -m
+    /// u''.
+    double mass = 0;
 
     [[nodiscard]] bool depends_on_speed() const { return rows.size() > 1; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/operation.h"
 #include "model/rotor.h"
 #include "model/samples.h"
 
@@ -94,6 +95,8 @@ struct Case {
     Rotor rotor;
     std::optional<SpeedRange> speeds;               ///< empty where the file has no [speeds]
     FormChoice formulation = FormChoice::automatic; ///< top-level key `formulation`
+    std::optional<Operation> operation;             ///< empty: operating speeds not given
+    std::optional<Level1Settings> level1;
     bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;
     ResponseSettings response;
@@ -101,6 +104,7 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
+    std::vector<std::string> remarks; ///< what of it is no mistake and looks like one
 };
 
 /// The spin speeds of a case.

@@ -14,6 +14,16 @@ template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
 
 } // namespace
 
+std::span<const Bearing> Rotor::supports() const {
+    const auto first_seal = std::find_if(bearings.begin(), bearings.end(),
+                                         [](const Bearing &bearing) { return bearing.seal; });
+    return {bearings.begin(), first_seal};
+}
+
+std::span<const Bearing> Rotor::seals() const {
+    return std::span(bearings).subspan(supports().size());
+}
+
 bool Rotor::bearings_isotropic() const {
     return every_row(*this, [](const BearingCoefficients &row) {
         return isotropic(row.k) && isotropic(row.c) && isotropic(row.kt) && isotropic(row.ct);

@@ -6,6 +6,7 @@
 #include "model/disc.h"
 #include "model/shaft.h"
 
+#include <span>
 #include <vector>
 
 namespace whirl::model {
@@ -14,12 +15,16 @@ namespace whirl::model {
 struct Rotor {
     Shaft shaft;
     std::vector<Disc> discs;
-    std::vector<Bearing> bearings;
+    std::vector<Bearing> bearings; ///< seals behind all others
     std::vector<Anisotropy> anisotropies;
     std::vector<Balancer> balancers;
     std::vector<CorrectionPlane> planes;
     std::vector<Imbalance> imbalances;
     std::vector<Probe> probes;
+
+    /// The bearings without the seals behind them.
+    [[nodiscard]] std::span<const Bearing> supports() const;
+    [[nodiscard]] std::span<const Bearing> seals() const;
 
     /// Bearings are equal in x and y, without cross coupling, at every speed.
     [[nodiscard]] bool bearings_isotropic() const;

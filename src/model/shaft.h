@@ -14,6 +14,13 @@ enum class ShearFormula {
     given       ///< the number in Shaft::shear_coefficient
 };
 
+/// A tube around or inside of a segment that bends with it: a sleeve, a coating, a weld.
+struct Layer {
+    double outer = 0; ///< diameter, m
+    double inner = 0; ///< diameter, m
+    Material material;
+};
+
 /// A length of shaft whose diameters vary linearly from its start to its end.
 struct Segment {
     double length = 0;      ///< m
@@ -26,7 +33,12 @@ struct Segment {
     /// Share by which the second moment of area differs between two perpendicular axes that turn
     /// with the shaft (a keyway): I (1 + asymmetry) and I (1 - asymmetry), I that of the circle.
     double asymmetry = 0;
-    double asymmetry_angle = 0; ///< direction of deflection in the rotor that is stiffer, rad
+    double asymmetry_angle = 0;   ///< direction of deflection in the rotor that is stiffer, rad
+    double shear_coefficient = 0; ///< kappa; 0: that of the shaft's formula
+    /// Diameters of what has mass, where they are not those of what carries load, m; 0: the same.
+    double mass_outer = 0;
+    double mass_inner = 0;
+    std::vector<Layer> layers{}; ///< beside the segment's own section
 };
 
 /// The flexible shaft, from z = 0 to the sum of the lengths of its segments.
@@ -40,6 +52,8 @@ struct Shaft {
     bool rigid = false;           ///< no elastic unknowns: the rigid-body limit
     double internal_damping = 0;  ///< s; stress = E (strain + internal_damping * strain rate)
     double axial_force = 0;       ///< N, tension positive
+    /// Without it the shaft's sections have mass and no moment of inertia, so no gyroscopic effect.
+    bool rotary_inertia = true;
 
     /// Some segment has two different bending stiffnesses.
     [[nodiscard]] bool asymmetric() const {

@@ -53,6 +53,10 @@ Rotor stiffened(Rotor rotor, double factor) {
     for (Segment &segment : rotor.shaft.segments) {
         segment.material.E *= factor;
         segment.material.G *= factor;
+        for (Layer &layer : segment.layers) {
+            layer.material.E *= factor;
+            layer.material.G *= factor;
+        }
     }
     return rotor;
 }

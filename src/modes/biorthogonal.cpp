@@ -109,8 +109,7 @@ Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd
     return Y;
 }
 
-/// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
-void separate(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
+void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
     const Eigen::MatrixXcd products = left.transpose() * right;
     const Eigen::Index n = products.rows();
     const double off =
@@ -143,6 +142,14 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
     return straight.cwiseMax(turned);
 }
 
+void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
+
+std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
+                             Eigen::Index j) {
+    return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
+           b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
+}
+
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                    const Eigen::MatrixXd &vectors) {
     ModeBasis out;
@@ -154,7 +161,7 @@ ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &va
                    const Eigen::MatrixXcd &vectors) {
     ModeBasis out;
     fill<Complex>(problem, values, vectors, vectors, out.complex_left, out.complex_right, out);
-    separate(out.complex_left, out.complex_right);
+    separate(out);
     return out;
 }
 
@@ -167,7 +174,7 @@ ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
     else
         Y = left_vectors(problem, values, vectors);
     fill<Complex>(problem, values, vectors, Y, out.complex_left, out.complex_right, out);
-    separate(out.complex_left, out.complex_right);
+    separate(out);
     return out;
 }
 

@@ -48,6 +48,10 @@ struct ModeBasis {
 /// modes of one speed. Rows of a, columns of b.
 [[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
 
+/// One of these products, with its phase; complex vectors.
+[[nodiscard]] std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
+                                           Eigen::Index j);
+
 /// Eigenpairs of a symmetric problem: left vectors are the right ones.
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,
                                  const Eigen::MatrixXd &vectors);
@@ -60,6 +64,9 @@ struct ModeBasis {
 ///                  the right ones mirrored, else they are found by inverse iteration
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                                  const Eigen::MatrixXcd &vectors, bool mirrored);
+
+/// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
+void separate(ModeBasis &basis);
 
 /// For motions whose left vectors are not to be had (a Hill series cut off): the dual basis of the
 /// states among themselves, in the kinetic energy. Rates are unknown.

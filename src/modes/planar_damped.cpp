@@ -2,6 +2,7 @@
 
 #include "assembly/system.h"
 #include "linalg/check.h"
+#include "modes/following/sorted_modes.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -31,31 +32,16 @@ Eigen::VectorXd values_on(const ComplexSparse &pattern, const linalg::Matrix &A)
     return on.coeffs().real();
 }
 
-/// The sign of Im l is the direction of whirl.
-void set_whirl(WhirlMode &mode, bool positive, double speed) {
-    const bool forward = positive == (speed >= 0);
-    mode.whirl = forward ? results::Whirl::forward : results::Whirl::backward;
-    mode.forward_fraction = forward ? 1 : 0;
-}
-
 /// Sorts an eigenpair in: a whirl mode, or motion without whirl.
 void take(Complex value, const Eigen::VectorXcd &vector, double residual, double rounding,
           double speed, GeneralSpectrum::Modes &out) {
-    const double size = std::abs(value);
-    if (std::abs(value.imag()) <= std::max(real_axis, 10 * residual) * size) {
-        out.overdamped.push_back(value.real());
-        if (value.real() > 10 * (residual + rounding) * size)
-            out.growing.push_back(value.real());
-        return;
-    }
     WhirlMode mode;
     mode.eigenvalue = {value.real(), std::abs(value.imag())};
-    mode.rotating_value = value;
     mode.shape = vector;
     mode.residual = residual;
     mode.rounding = rounding;
-    set_whirl(mode, value.imag() > 0, speed);
-    out.modes.push_back(std::move(mode));
+    set_planar_whirl(mode, value, value.imag() > 0, speed);
+    sort_in(value, std::move(mode), out);
 }
 
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
@@ -385,9 +371,9 @@ GeneralSpectrum::Modes PlanarDamped::of_real_form(double speed, int wanted) cons
         if (taken(positive ? with : against,
                   positive ? mode.eigenvalue : std::conj(mode.eigenvalue)))
             positive = !positive;
-        mode.rotating_value = positive ? mode.eigenvalue : std::conj(mode.eigenvalue);
         mode.shape = positive ? with : against;
-        set_whirl(mode, positive, speed);
+        set_planar_whirl(mode, positive ? mode.eigenvalue : std::conj(mode.eigenvalue), positive,
+                         speed);
         planar.push_back(std::move(mode));
     }
     found.modes = std::move(planar);

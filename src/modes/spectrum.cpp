@@ -4,6 +4,8 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/degenerate.h"
+#include "modes/following/continuation.h"
+#include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
 #include "modes/orbits.h"
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace whirl::modes {
 
@@ -43,6 +46,11 @@ std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
     return {rate.real(), positive ? turn_rate : -turn_rate};
 }
 
+bool all_followed(const Spectrum &spectrum) {
+    return std::all_of(spectrum.modes.begin(), spectrum.modes.end(),
+                       [](const WhirlMode &mode) { return mode.followed >= 0; });
+}
+
 /// @param found  Modes of a form
 template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
     return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
@@ -61,7 +69,7 @@ struct SpectrumSolver::Data {
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
-    std::unique_ptr<FormMatrices> matrices;
+    std::unique_ptr<Continuation> following; ///< none before follow()
 
     Data(const model::Rotor &rotor, results::Form which, int order, int refinement, int harmonics)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
@@ -71,15 +79,29 @@ struct SpectrumSolver::Data {
                 balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
             rotating = std::make_unique<RotatingSpectrum>(
                 d, 0, balancers, form == results::Form::hill ? harmonics : 0);
-        } else if (form == results::Form::planar_damped && !tables) {
-            planar_damped = std::make_unique<PlanarDamped>(d, 0);
-        } else if (form == results::Form::general && !tables) {
-            general = std::make_unique<GeneralSpectrum>(d, 0);
-        } else if (!tables) {
-            symmetric = std::make_unique<SymmetricSpectrum>(d, form == results::Form::planar, 0);
         }
-        matrices = std::make_unique<FormMatrices>(d, form, balancers);
     }
+
+    /// Made when it is asked for first, as all below are.
+    template <class Made, class... Arguments>
+    static Made &made(std::unique_ptr<Made> &known, const Arguments &...arguments) {
+        if (!known)
+            known = std::make_unique<Made>(arguments...);
+        return *known;
+    }
+
+    const FormMatrices &matrices() { return made(_matrices, d, form, balancers); }
+
+    /// None where the matrices are not symmetric.
+    const SymmetricProblem *symmetric_matrices() {
+        if (!_symmetric_problem)
+            _symmetric_problem = SymmetricProblem::of(d, form);
+        return _symmetric_problem->get();
+    }
+
+  private:
+    std::unique_ptr<FormMatrices> _matrices;
+    std::optional<std::unique_ptr<SymmetricProblem>> _symmetric_problem;
 };
 
 SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, results::Form form, int order,
@@ -90,26 +112,60 @@ SpectrumSolver::~SpectrumSolver() = default;
 
 const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
 results::Form SpectrumSolver::form() const { return _data->form; }
-int SpectrumSolver::unknowns() const { return _data->matrices->size(); }
+int SpectrumSolver::unknowns() const { return _data->matrices().size(); }
 
 Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     Spectrum spectrum;
     const bool planar = _data->form == results::Form::planar;
-    spectrum.modes = _data->tables ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
-                                   : _data->symmetric->modes(speed, wanted);
+    spectrum.modes = _data->tables
+                         ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
+                         : Data::made(_data->symmetric, _data->d, planar, 0.0).modes(speed, wanted);
     for (const WhirlMode &mode : spectrum.modes)
         spectrum.complete_radius = std::max(spectrum.complete_radius, mode.eigenvalue.imag());
     return spectrum;
 }
 
-Spectrum SpectrumSolver::planar_damped(double speed, int wanted) const {
-    return spectrum_of(speed, _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
-                                            : _data->planar_damped->modes(speed, wanted));
+GeneralSpectrum::Modes SpectrumSolver::planar_damped(double speed, int wanted) const {
+    return _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
+                         : Data::made(_data->planar_damped, _data->d, 0.0).modes(speed, wanted);
 }
 
-Spectrum SpectrumSolver::general(double speed, int wanted) const {
-    return spectrum_of(speed, _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
-                                            : _data->general->modes(speed, wanted));
+GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted) const {
+    return _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted)
+                         : Data::made(_data->general, _data->d, 0.0).modes(speed, wanted);
+}
+
+Spectrum SpectrumSolver::damped(double speed, int wanted) const {
+    if (_data->following)
+        if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
+            return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
+    return spectrum_of(speed, _data->form == results::Form::planar_damped
+                                  ? planar_damped(speed, wanted)
+                                  : general(speed, wanted));
+}
+
+void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
+    if (!_data->following) {
+        const SymmetricProblem *problem = _data->symmetric_matrices();
+        if (problem == nullptr)
+            return;
+        const auto start = [this](double speed, int modes) {
+            return starting_pairs(_data->form == results::Form::planar_damped
+                                      ? planar_damped(speed, modes)
+                                      : general(speed, modes),
+                                  _data->form);
+        };
+        _data->following = std::make_unique<Continuation>(*problem, _data->d, start);
+    }
+    _data->following->follow(speeds, wanted);
+}
+
+bool SpectrumSolver::follows() const { return _data->following != nullptr; }
+
+std::vector<WhirlMode> SpectrumSolver::near(double speed,
+                                            const std::vector<WhirlMode> &guesses) const {
+    const SymmetricProblem *problem = _data->symmetric_matrices();
+    return problem == nullptr ? std::vector<WhirlMode>() : modes_near(*problem, speed, guesses);
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
@@ -139,10 +195,10 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
 Spectrum SpectrumSolver::at(double speed, int wanted) const {
     try {
         const results::Form form = _data->form;
-        Spectrum spectrum = results::in_rotating_axes(form)        ? rotating(speed, wanted)
-                            : form == results::Form::general       ? general(speed, wanted)
-                            : form == results::Form::planar_damped ? planar_damped(speed, wanted)
-                                                                   : symmetric(speed, wanted);
+        Spectrum spectrum = results::in_rotating_axes(form) ? rotating(speed, wanted)
+                            : form == results::Form::general || form == results::Form::planar_damped
+                                ? damped(speed, wanted)
+                                : symmetric(speed, wanted);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)
             mode.eigenvalue = determined_value(mode);
@@ -166,7 +222,11 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
 ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const results::Form form = _data->form;
     const auto count = std::ssize(spectrum.modes);
-    const Eigen::Index n = _data->matrices->size();
+    const FollowedSpeed *followed =
+        _data->following ? _data->following->known(spectrum.speed) : nullptr;
+    if (followed != nullptr && all_followed(spectrum))
+        return basis_of(_data->following->problem(), *followed, spectrum.modes);
+    const Eigen::Index n = _data->matrices().size();
     const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
         return spectrum.modes[static_cast<std::size_t>(i)];
     };
@@ -177,7 +237,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
             values(i) = real_value(mode(i), form, spectrum.speed);
             X.col(i) = mode(i).shape.real();
         }
-        ModeBasis out = basis_of(_data->matrices->at(spectrum.speed), values, X);
+        ModeBasis out = basis_of(_data->matrices().at(spectrum.speed), values, X);
         for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
             for (Eigen::Index i = 0; i < count; ++i)
                 (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
@@ -192,9 +252,9 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         X.col(i) = turning ? mode(i).rotating_vector : mode(i).shape;
     }
     if (form == results::Form::hill)
-        return dual_basis_of(_data->matrices->mass(), values, X);
+        return dual_basis_of(_data->matrices().mass(), values, X);
     if (planar) {
-        ModeBasis out = basis_of(_data->matrices->complex_at(spectrum.speed), values, X);
+        ModeBasis out = basis_of(_data->matrices().complex_at(spectrum.speed), values, X);
         for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
             for (Eigen::Index i = 0; i < count; ++i)
                 if (values(i).imag() < 0)
@@ -202,7 +262,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         return out;
     }
     ModeBasis out =
-        basis_of(_data->matrices->at(spectrum.speed), values, X, _data->matrices->mirrored());
+        basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
     out.conjugates = turning;
     for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
         for (Eigen::Index i = 0; turning && i < count; ++i)
@@ -210,7 +270,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     return out;
 }
 
-QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices->at(speed); }
+QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices().at(speed); }
 
 Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
     if (_data->form == results::Form::planar)

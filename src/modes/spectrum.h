@@ -2,6 +2,7 @@
 
 #include "model/rotor.h"
 #include "modes/biorthogonal.h"
+#include "modes/general_spectrum.h"
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
@@ -45,6 +46,18 @@ class SpectrumSolver {
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted) const;
 
+    /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through
+    /// these speeds; at() then knows them there, and finds those between by few steps.
+    void follow(const std::vector<double> &speeds, int wanted) const;
+
+    /// follow() has been asked for, and can be met.
+    [[nodiscard]] bool follows() const;
+
+    /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
+    /// found from these.
+    [[nodiscard]] std::vector<WhirlMode> near(double speed,
+                                              const std::vector<WhirlMode> &guesses) const;
+
     /// Left and right vectors of the modes of a spectrum of this rotor, for overlaps with those at
     /// any other speed. Rates are those of the modes' eigenvalues in the fixed frame.
     [[nodiscard]] ModeBasis basis(const Spectrum &spectrum) const;
@@ -70,8 +83,9 @@ class SpectrumSolver {
     std::unique_ptr<Data> _data;
 
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
-    [[nodiscard]] Spectrum planar_damped(double speed, int wanted) const;
-    [[nodiscard]] Spectrum general(double speed, int wanted) const;
+    [[nodiscard]] GeneralSpectrum::Modes planar_damped(double speed, int wanted) const;
+    [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted) const;
+    [[nodiscard]] Spectrum damped(double speed, int wanted) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
     void classify(Spectrum &spectrum) const;
 };

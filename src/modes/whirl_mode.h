@@ -31,6 +31,7 @@ struct WhirlMode {
     Eigen::VectorXcd rotating_vector;
     double residual = 0;
     double rounding = 0;
+    int followed = -1; ///< place among the pairs of a Continuation at its speed, where it is one
 };
 
 /// The eigenvalue of a mode. A real part that the eigensolver does not tell from zero is none:

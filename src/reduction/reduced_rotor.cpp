@@ -224,25 +224,89 @@ void refuse_massless(const assembly::Discretization &d) {
                             i));
 }
 
+/// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they
+/// carry deflections under forces, and their own motion is none of the shaft's.
+ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
+    const Eigen::VectorXd s = (fastest * rotor.frequencies.cwiseInverse()).cwiseMin(1);
+    Eigen::VectorXd both(2 * s.size());
+    both << s, s;
+    ReducedRotor out = rotor;
+    out.shapes = rotor.shapes * s.asDiagonal();
+    out.mass_times = rotor.mass_times * s.cwiseInverse().asDiagonal();
+    out.frequencies = rotor.frequencies.cwiseMin(fastest);
+    for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})
+        *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();
+    for (ReducedRotor::Supports &at : out.supports)
+        for (Eigen::MatrixXd *A : {&at.stiffness, &at.damping})
+            *A = (both.asDiagonal() * *A * both.asDiagonal()).eval();
+    return out;
+}
+
 /// Of the choices that are good enough the one whose highest frequency is lowest: that frequency
 /// limits the steps of the integration.
+class SlowestGood {
+  public:
+    SlowestGood(const ReductionError &error, double tolerance)
+        : _error(error), _tolerance(tolerance) {}
+
+    /// @returns whether it is good enough
+    bool offer(ReducedRotor rotor) {
+        if (!good(rotor))
+            return false;
+        double high = fastest_of(rotor);
+        double low = _best ? std::min(fastest_of(*_best), high) : high;
+        std::optional<ReducedRotor> out;
+        // From what the best can do downwards; then closer to the border.
+        constexpr double step = 2;
+        constexpr double close = 1.1;
+        while (low > 0) {
+            ReducedRotor trial = slowed(rotor, low);
+            if (!good(trial))
+                break;
+            high = low;
+            out = std::move(trial);
+            low /= step;
+        }
+        while (out && high > close * low) {
+            const double middle = std::sqrt(low * high);
+            ReducedRotor trial = slowed(rotor, middle);
+            if (good(trial)) {
+                high = middle;
+                out = std::move(trial);
+            } else {
+                low = middle;
+            }
+        }
+        if (out && (!_best || high < fastest_of(*_best)))
+            _best = std::move(out);
+        return true;
+    }
+    [[nodiscard]] const std::optional<ReducedRotor> &best() const { return _best; }
+
+  private:
+    const ReductionError &_error;
+    double _tolerance;
+    std::optional<ReducedRotor> _best;
+
+    static double fastest_of(const ReducedRotor &rotor) {
+        return rotor.frequencies(rotor.size() - 1);
+    }
+    bool good(ReducedRotor &rotor) const {
+        _error.measure(rotor);
+        return std::max(rotor.response_error, rotor.frequency_error) <= _tolerance;
+    }
+};
+
 template <class With>
 std::optional<ReducedRotor> slowest_good(const With &with, const ReductionError &error, int most,
                                          double tolerance) {
-    std::optional<ReducedRotor> best;
+    SlowestGood choice(error, tolerance);
+    constexpr int further = 3; // modes beyond those needed: what they describe the others need not
     for (const bool bearings : {false, true})
-        for (int modes = 0; modes <= most; ++modes) {
-            ReducedRotor reduced = with(modes, bearings);
-            if (best &&
-                reduced.frequencies(reduced.size() - 1) >= best->frequencies(best->size() - 1))
-                break;
-            error.measure(reduced);
-            if (std::max(reduced.response_error, reduced.frequency_error) > tolerance)
-                continue;
-            best = std::move(reduced);
-            break;
-        }
-    return best;
+        for (int modes = 0, last = most; modes <= last; ++modes)
+            if (choice.offer(with(modes, bearings)))
+                last = std::min(last, modes + further);
+    return choice.best();
 }
 
 } // namespace
@@ -295,9 +359,7 @@ ReducedRotor reduce(const assembly::Discretization &discretization, const Reduct
             error.measure(reduced);
             return reduced;
         }
-        std::optional<ReducedRotor> best =
-            slowest_good(with, error, source.modes(), goal.tolerance);
-        if (best)
+        if (auto best = slowest_good(with, error, source.modes(), goal.tolerance))
             return *best;
         throw model::AnalysisFailure(
             fmt::format("{} modes of the shaft do not describe its response to {:.1e}; ask for "

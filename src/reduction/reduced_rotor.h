@@ -11,11 +11,12 @@ namespace whirl::reduction {
 /// Row of a quantity (a deflection, a slope) over the reduced unknowns, r entries.
 using Row = Eigen::VectorXd;
 
-/// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, shapes
-/// orthonormal under the mass matrix. The real form is (Re p; Im p).
+/// A rotor on few shapes: planar unknowns q = shapes * p, p complex with r entries, the kinetic
+/// energy |p'|^2/2: shapes are orthonormal under the mass matrix, fast ones shorter, as if they had
+/// more inertia. The real form is (Re p; Im p).
 struct ReducedRotor {
     Eigen::MatrixXd shapes;     ///< N x r
-    Eigen::MatrixXd mass_times; ///< M * shapes, N x r: p = mass_times^T q
+    Eigen::MatrixXd mass_times; ///< N x r: p = mass_times^T q, for q = shapes * p
     Eigen::MatrixXd elastic;    ///< r x r, of the shaft
     Eigen::MatrixXd internal;   ///< r x r, damping of the shaft in rotating axes
     Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
@@ -52,7 +53,8 @@ struct ReductionGoal {
 
 /// The rotor on its lowest undamped planar modes at rest (mean bearing stiffness) and the static
 /// deflections under forces at the places. Raises the number of modes until the steady response to
-/// forward synchronous forces and the whirl speeds up to the spin speed agree with the full model.
+/// forward synchronous forces and the whirl speeds up to the spin speed agree with the full model;
+/// then gives fast shapes as much inertia as that allows, so that motion in time takes long steps.
 /// A rigid shaft, and one with few unknowns, is kept whole.
 /// @throws model::AnalysisFailure where a part that moves has no mass, or the full model cannot be
 ///         solved.

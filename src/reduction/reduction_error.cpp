@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace whirl::reduction {
 
@@ -110,6 +111,14 @@ struct ReductionError::Full {
     double shift = 0;
     Eigen::MatrixXcd response;
     std::unique_ptr<linalg::DefinitePencil> pencil;
+    std::map<std::size_t, std::vector<linalg::RealPair>> slowest; ///< by how many were asked for
+
+    const std::vector<linalg::RealPair> &whirl(std::size_t wanted) {
+        const auto [entry, made] = slowest.try_emplace(wanted);
+        if (made)
+            entry->second = pencil->smallest(speed, static_cast<int>(wanted));
+        return entry->second;
+    }
 };
 
 ReductionError::ReductionError(const assembly::Discretization &discretization,
@@ -126,7 +135,7 @@ ReductionError::ReductionError(const assembly::Discretization &discretization,
 ReductionError::~ReductionError() = default;
 
 void ReductionError::measure(ReducedRotor &reduced) const {
-    const Full &full = *_full;
+    Full &full = *_full;
     const Eigen::MatrixXcd response = reduced_response(reduced, full.places, full.speed);
     reduced.response_error =
         (response - full.response).cwiseAbs().maxCoeff() / full.response.cwiseAbs().maxCoeff();
@@ -134,8 +143,7 @@ void ReductionError::measure(ReducedRotor &reduced) const {
     const auto slow = std::count_if(found.begin(), found.end(),
                                     [&](double w) { return std::abs(w) <= std::abs(full.speed); });
     const auto wanted = static_cast<std::size_t>(std::max<std::ptrdiff_t>(2, slow));
-    const std::vector<linalg::RealPair> exact =
-        full.pencil->smallest(full.speed, static_cast<int>(wanted));
+    const std::vector<linalg::RealPair> &exact = full.whirl(wanted);
     reduced.frequency_error = 0;
     for (std::size_t i = 0; i < std::min({wanted, found.size(), exact.size()}); ++i) {
         double nearest = std::abs(found[i]); // of neighbours in modulus either may come first

@@ -137,6 +137,7 @@ Columns<Crossing> crossing_columns(const CampbellResult &result) {
              {"Damped"},
              {"damped"},
              [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
+            {"heavily_damped", "", {}, {}, [](const auto &c) { return c.damping.heavy(); }},
             {"mode", "", {}, {}, &Crossing::mode},
             {"", "", {}, {"mode"}, label}};
 }

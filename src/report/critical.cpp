@@ -3,8 +3,10 @@
 #include "results/critical.h"
 
 #include "report/common/csv.h"
+#include "report/common/margins.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"
 #include "results/whirl.h"
@@ -51,7 +53,7 @@ std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +
            (result.critical_speeds.empty() ? "  none found\n"
                                            : text_table(columns, result.critical_speeds)) +
-           model_text(result.model);
+           margins_text(result.margins) + model_text(result.model);
 }
 
 int row_of(results::Whirl whirl) {
@@ -71,18 +73,21 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
     Figure figure;
     figure.width = 1080;
     figure.height = 380;
-    double highest = 0;
+    double highest = scene.operation ? scene.operation->to * rpm : 0;
     for (const auto &critical : result.critical_speeds)
         highest = std::max(highest, critical.speed * rpm);
+    const Range x{0, highest > 0 ? 1.06 * highest : 1};
     figure.script =
         figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
         panel_margins(0.1, 0.965, 0.19, 0.8) +
         fmt::format("set xrange [0:{}]\nset yrange [0.4:3.9]\n"
                     "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
                     "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
-                    "unset key\n",
-                    highest > 0 ? 1.06 * highest : 1);
-    std::string plots = "NaN notitle";
+                    "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
+                    x.high) +
+        operation_band(scene, x);
+    std::string plots = "NaN notitle" + operation_key(scene, x);
+    std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
         std::vector<PlotPoint> points;
@@ -90,16 +95,24 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
         for (const auto &critical : result.critical_speeds) {
             if (critical.whirl != sense)
                 continue;
-            points.push_back({critical.speed * rpm, row_of(sense)});
+            const bool grey = critical.damping.heavy();
+            (grey ? heavy : points).push_back({critical.speed * rpm, row_of(sense)});
             // Neighbours write above and below their marks in turn, so close ones stay readable.
-            figure.script +=
-                fmt::format("set label '{:.0f}' at {},{} center font ',10'\n", critical.speed * rpm,
-                            critical.speed * rpm, row_of(sense) + (turn++ % 2 == 0 ? 0.36 : -0.36));
+            figure.script += fmt::format(
+                "set label '{:.0f}' at {},{} center font ',10' textcolor '{}'\n",
+                critical.speed * rpm, critical.speed * rpm,
+                row_of(sense) + (turn++ % 2 == 0 ? 0.36 : -0.36), grey ? heavy_colour : "#000000");
         }
         const LineStyle style = whirl_style(sense);
         figure.script += data_block(style.name, {points});
         plots += fmt::format(", ${} with points pt {} ps 1.5 lw 1.6 lc rgb '{}' notitle",
                              style.name, style.point, style.colour);
+    }
+    if (!heavy.empty()) {
+        figure.script += data_block("heavy", {heavy});
+        plots += fmt::format(", $heavy with points pt 6 ps 1.5 lw 1.6 lc rgb '{}' title 'heavily "
+                             "damped (AF < 2.5)'",
+                             heavy_colour);
     }
     figure.script += "plot " + plots + "\nunset multiplot\n";
     return figure;
@@ -115,12 +128,17 @@ Report describe(const model::Case &scene, const CriticalResult &result) {
             .model = &result.model,
             .json =
                 [&] {
-                    return Json{{"critical_speeds", json_rows(columns, speeds)}};
+                    Json json{{"critical_speeds", json_rows(columns, speeds)}};
+                    add_margins(json, result.margins);
+                    return json;
                 },
             .csv = [&] { return csv_table(columns, speeds); },
             .sections =
                 [&] {
-                    return std::vector{Section{"Table", page_table(columns, speeds)}};
+                    std::vector sections{Section{"Table", page_table(columns, speeds)}};
+                    if (result.margins)
+                        sections.push_back({margins_heading, margins_page(*result.margins)});
+                    return sections;
                 },
             .text = [&] { return text_of(scene, result); },
             .figure = [&] { return critical_figure(scene, result); }};

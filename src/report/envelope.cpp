@@ -22,6 +22,9 @@ std::string to_json(const Report &report) {
               {"unknowns_count", model.unknowns},
               {"seconds", model.seconds},
               {"notes", model.notes}};
+    if (const auto &operation = report.scene->operation)
+        json["operation"] = {
+            {"from", operation->from}, {"to", operation->to}, {"trip", operation->trip}};
     json["provenance"] = {{"version", program_version()},
                           {"date", report.provenance.date},
                           {"case", report.provenance.case_text}};

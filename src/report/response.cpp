@@ -2,6 +2,7 @@
 
 #include "results/response.h"
 
+#include "report/common/margins.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -182,6 +183,7 @@ Json json_of(const ResponseResult &result) {
                                         place_columns<ResponseBearing>("bearing"), bearing_series)},
               {"probes", json_of_kind(result.speeds, result.probes, probe_places(), probe_series)},
               {"curves", curves_json(result)}};
+    add_margins(json, result.margins);
     if (result.gravity)
         json["gravity"] = gravity_json(*result.gravity, result.speeds);
     return json;
@@ -217,6 +219,8 @@ std::vector<Section> sections_of(const ResponseResult &result) {
                                    page_table(peak_columns("Place", "", ""),
                                               peaks_of(result.speeds, result.peaks, result.nodes,
                                                        &ResponseNode::amplitude, "station"))}};
+    if (result.margins)
+        sections.insert(sections.begin() + 1, {margins_heading, margins_page(*result.margins)});
     if (!result.probes.empty())
         sections.push_back(
             {"Largest readings of the probes",
@@ -229,7 +233,7 @@ std::vector<Section> sections_of(const ResponseResult &result) {
 std::string imbalance_text(const ResponseResult &result) {
     std::string text = (result.peaks.empty() ? "No peak inside the range.\n"
                                              : text_table(curve_peaks(), result.peaks)) +
-                       "\n" +
+                       margins_text(result.margins) + "\n" +
                        text_table(peak_columns("", "station", "largest amplitude m"),
                                   peaks_of(result.speeds, result.peaks, result.nodes,
                                            &ResponseNode::amplitude, "station"));

@@ -5,6 +5,7 @@
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/level1.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 
@@ -201,7 +202,8 @@ Json json_of(const StabilityResult &result) {
             {"neutral_pairs", result.neutral_pairs},
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family) : Json()},
-            {"map", result.map ? map_json(*result.map) : Json()}};
+            {"map", result.map ? map_json(*result.map) : Json()},
+            {"level1", result.level1 ? level1_json(*result.level1) : Json()}};
 }
 
 std::string csv_of(const StabilityResult &result) {
@@ -271,6 +273,8 @@ std::vector<Section> sections_of(const StabilityResult &result) {
     if (!result.permissible.empty())
         sections.push_back({"Permissible inertial anisotropy",
                             page_table(permissible_columns, result.permissible)});
+    if (result.level1)
+        sections.push_back(level1_section(*result.level1));
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -341,14 +345,23 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
     if (!result.permissible.empty())
         text += "\nPermissible inertial anisotropy over this range:\n" +
                 text_table(permissible_columns, result.permissible);
+    if (result.level1)
+        text += level1_text(*result.level1);
     return text + model_text(result.model);
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const StabilityResult &result) {
-    return report_of<StabilityResult>("stability", "Stability", scene, result,
-                                      {json_of, csv_of, sections_of, text_of, stability_figure});
+    Report report =
+        report_of<StabilityResult>("stability", "Stability", scene, result,
+                                   {json_of, csv_of, sections_of, text_of, stability_figure});
+    if (result.level1) {
+        report.pictures = [&] { return std::vector{level1_picture(scene, *result.level1)}; };
+        report.pictures_heading = "Logarithmic decrement over added cross coupling";
+        report.pictures_after = sections_of(result).size();
+    }
+    return report;
 }
 
 } // namespace whirl::report

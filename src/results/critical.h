@@ -1,9 +1,11 @@
 #pragma once
 
 #include "results/damping.h"
+#include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
+#include <optional>
 #include <vector>
 
 namespace whirl::results {
@@ -20,6 +22,8 @@ struct CriticalSpeed {
 struct CriticalResult {
     ModelSummary model;
     std::vector<CriticalSpeed> critical_speeds; ///< ascending
+    /// Where the case has operating speeds; ascending, without those of AF < 2.5.
+    std::optional<std::vector<SeparationMargin>> margins;
 };
 
 } // namespace whirl::results

@@ -1,4 +1,5 @@
 #include "results/formulation.h"
+#include "results/margins.h"
 #include "results/simulate.h"
 #include "results/stability.h"
 #include "results/whirl.h"
@@ -47,6 +48,17 @@ std::string end_kind_name(EndKind kind) {
         return "collision";
     default:
         return "multiplier";
+    }
+}
+
+std::string margin_side_name(MarginSide side) {
+    switch (side) {
+    case MarginSide::below:
+        return "below";
+    case MarginSide::above:
+        return "above";
+    default:
+        return "inside";
     }
 }
 

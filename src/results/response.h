@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/margins.h"
 #include "results/model_summary.h"
 
 #include <optional>
@@ -105,6 +106,8 @@ struct ResponseResult {
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
     ResponseCurves curves; ///< empty where the range is one speed
+    /// Where the case has operating speeds, as in CriticalResult.
+    std::optional<std::vector<SeparationMargin>> margins;
     /// Where the case asks for it; the lists above are empty without an imbalance.
     std::optional<GravityResponse> gravity;
 };

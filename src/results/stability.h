@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/level1.h"
 #include "results/model_summary.h"
 
 #include <optional>
@@ -100,6 +101,7 @@ struct StabilityResult {
     int harmonics = 0;     ///< of the Hill series
     std::optional<ArrangementFamily> family;
     std::optional<StabilityMap> map;
+    std::optional<Level1> level1; ///< where the case asks for it
 };
 
 } // namespace whirl::results

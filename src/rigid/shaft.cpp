@@ -15,12 +15,18 @@ bool uniform(const model::Segment &s) {
     return s.outer_start == s.outer_end && s.inner_start == s.inner_end;
 }
 
+bool has_layers_or_other_mass(const model::Segment &s) {
+    return s.mass_outer > 0 || !s.layers.empty();
+}
+
 /// One section and material: the two are one segment.
 bool continues(const model::Segment &a, const model::Segment &b) {
     return uniform(a) && uniform(b) && a.outer_start == b.outer_start &&
            a.inner_start == b.inner_start && a.material.E == b.material.E &&
            a.material.G == b.material.G && a.material.rho == b.material.rho &&
-           a.asymmetry == b.asymmetry && a.asymmetry_angle == b.asymmetry_angle;
+           a.asymmetry == b.asymmetry && a.asymmetry_angle == b.asymmetry_angle &&
+           a.shear_coefficient == b.shear_coefficient && !has_layers_or_other_mass(a) &&
+           !has_layers_or_other_mass(b);
 }
 
 model::Rotor joined_segments(model::Rotor rotor) {

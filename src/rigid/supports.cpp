@@ -14,6 +14,9 @@ std::string reason_against(const model::Rotor &rotor) {
     if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
                     [](const model::Bearing &bearing) { return bearing.pedestal.has_value(); }))
         return "a bearing stands on a pedestal";
+    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
+                    [](const model::Bearing &bearing) { return bearing.mass > 0; }))
+        return "a seal has mass";
     return "";
 }
 

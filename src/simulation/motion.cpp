@@ -202,6 +202,9 @@ void RotorMotion::solve_accelerations(int columns) const {
     case 2:
         solve_of_size<8>(_system, _planes, columns);
         break;
+    case 3:
+        solve_of_size<12>(_system, _planes, columns);
+        break;
     default:
         solve_of_size<Eigen::Dynamic>(_system, _planes, columns);
     }

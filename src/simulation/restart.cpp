@@ -37,6 +37,8 @@ void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
                 add(sizes, *m);
         const model::Pedestal pedestal = b.pedestal.value_or(model::Pedestal{});
         sizes.insert(sizes.end(), {pedestal.mass, pedestal.k, pedestal.c});
+        if (b.mass > 0)
+            sizes.push_back(b.mass);
     }
 }
 
@@ -56,14 +58,22 @@ void add_balancer(std::vector<double> &sizes, const model::Balancer &b) {
     sizes.insert(sizes.end(), small.restoring.begin(), small.restoring.end());
 }
 
+void add_segment(std::vector<double> &sizes, const model::Segment &s) {
+    sizes.insert(sizes.end(), {s.length, s.outer_start, s.outer_end, s.inner_start, s.inner_end,
+                               s.material.E, s.material.G, s.material.rho, s.asymmetry,
+                               s.asymmetry_angle, s.shear_coefficient, s.mass_outer, s.mass_inner});
+    for (const model::Layer &layer : s.layers)
+        sizes.insert(sizes.end(), {layer.outer, layer.inner, layer.material.E, layer.material.G,
+                                   layer.material.rho});
+}
+
 /// All that makes this rotor another one.
 std::vector<double> signature_of(const model::Rotor &rotor) {
     std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
-                              rotor.shaft.rigid ? 1.0 : 0.0};
+                              rotor.shaft.rigid ? 1.0 : 0.0,
+                              rotor.shaft.rotary_inertia ? 1.0 : 0.0};
     for (const model::Segment &s : rotor.shaft.segments)
-        sizes.insert(sizes.end(),
-                     {s.length, s.outer_start, s.outer_end, s.inner_start, s.inner_end,
-                      s.material.E, s.material.G, s.material.rho, s.asymmetry, s.asymmetry_angle});
+        add_segment(sizes, s);
     for (const model::Disc &d : rotor.discs)
         sizes.insert(sizes.end(), {d.z, d.mass, d.Id, d.Ip});
     add_supports(sizes, rotor);

@@ -3,6 +3,7 @@
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
+#include "linalg/symmetric_eigen.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
@@ -11,6 +12,7 @@
 #include "results/formulation.h"
 #include "stability/hill_harmonics.h"
 
+#include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,8 +50,38 @@ ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
 /// balls it is a multiple one).
 constexpr double at_rest = 1e-6;
 
+/// Below this part of the largest speed a root at zero, blurred, may still look like one.
+constexpr double suspicious = 1e-3;
+
+/// Size of the inverse at a speed, by inverse iteration from a vector without zeros.
+double inverse_size(const ZeroRootSystem &system, double speed) {
+    Eigen::SparseMatrix<double> A = system.K + speed * system.Ks + speed * speed * system.Kss;
+    A.makeCompressed();
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
+    if (lu.info() != Eigen::Success)
+        return HUGE_VAL;
+    Eigen::VectorXd x = linalg::deterministic_vector(static_cast<int>(A.rows())).normalized();
+    double size = 0;
+    constexpr int enough = 4;
+    for (int k = 0; k < enough; ++k) {
+        x = lu.solve(x).eval();
+        size = x.norm();
+        x /= size;
+    }
+    return size;
+}
+
+/// At a root the matrix is all but singular and beside it it is not; a root at zero that rounding
+/// blurs leaves no trace at another speed.
+bool leaves_a_trace(const ZeroRootSystem &system, double speed) {
+    const double there = inverse_size(system, speed);
+    return there > 10 * inverse_size(system, 0.75 * speed) &&
+           there > 10 * inverse_size(system, 1.3 * speed);
+}
+
 /// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
-std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pairs, double top) {
+std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
+                                      const std::vector<linalg::ComplexPair> &pairs, double top) {
     std::vector<ZeroRootSpeed> out;
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
@@ -59,6 +91,10 @@ std::vector<ZeroRootSpeed> zero_roots(const std::vector<linalg::ComplexPair> &pa
         if (known && speed > at_rest * top && speed <= top && across < speed)
             out.push_back({speed, across <= 1e-7 * speed});
     }
+    const auto blurred = [&](const ZeroRootSpeed &root) {
+        return root.speed < suspicious * top && !leaves_a_trace(system, root.speed);
+    };
+    out.erase(std::remove_if(out.begin(), out.end(), blurred), out.end());
     std::sort(out.begin(), out.end(),
               [](const auto &a, const auto &b) { return a.speed < b.speed; });
     const auto same = [](const auto &a, const auto &b) {
@@ -123,7 +159,7 @@ std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &disc
         try {
             const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
             if (found.complete_radius >= top)
-                return zero_roots(found.pairs, top);
+                return zero_roots(system, found.pairs, top);
         } catch (const linalg::SolverError &) {
             break;
         }
@@ -134,7 +170,7 @@ std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &disc
             const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
             if (found.complete_radius < top - options.shift)
                 throw linalg::SolverError("roots in the range are not resolved beside the others");
-            return zero_roots(found.pairs, top);
+            return zero_roots(system, found.pairs, top);
         } catch (const linalg::SolverError &) {
             if (tries == 4)
                 throw;

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace whirl::tracking {
 
@@ -108,9 +110,49 @@ double discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen
     return std::abs(known ? difference - change : difference);
 }
 
+/// The mode of b where a mode of a goes with its slope, ten times nearer than the next one; or
+/// none.
+int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    double next = nearest;
+    int place = Matching::none;
+    for (Eigen::Index j = 0; j < std::ssize(b.spectrum.modes); ++j) {
+        const double distance = discontinuity(a, b, i, j);
+        if (distance < nearest) {
+            next = std::exchange(nearest, distance);
+            place = static_cast<int>(j);
+        } else {
+            next = std::min(next, distance);
+        }
+    }
+    return nearest < 0.1 * next ? place : Matching::none;
+}
+
+/// The plain case, without the products of all modes with all others: every mode is where its slope
+/// leads, far from the others, and its vectors are nearly the same.
+std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
+    constexpr double nearly = 0.1;
+    const std::size_t count = a.spectrum.modes.size();
+    if (count == 0 || count != b.spectrum.modes.size() || a.basis.complex_left.size() == 0 ||
+        a.basis.conjugates || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
+        return std::nullopt;
+    Matching out{std::vector<int>(count, Matching::none), std::vector<int>(count, Matching::none),
+                 false};
+    for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(count); ++i) {
+        const int j = expected_at(a, b, i);
+        if (j == Matching::none || out.from[static_cast<std::size_t>(j)] != Matching::none ||
+            !(std::abs(modes::overlap(a.basis, b.basis, i, j) - 1.0) < nearly))
+            return std::nullopt;
+        join(out, i, j);
+    }
+    return out;
+}
+
 } // namespace
 
 Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
+    if (const std::optional<Matching> plain = continued(a, b))
+        return *plain;
     const Eigen::MatrixXd overlap = overlaps_of(a, b);
     Matching out = nothing_matched(overlap);
     Candidates candidates;

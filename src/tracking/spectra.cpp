@@ -104,10 +104,13 @@ void agree_on_failure(std::string failure) {
 } // namespace
 
 std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
-                                        const std::vector<double> &speeds, int wanted) {
+                                        const std::vector<double> &speeds, int wanted,
+                                        bool follow) {
     const auto processes = static_cast<std::size_t>(process::process_count());
     std::vector<modes::Spectrum> spectra;
     if (processes == 1) {
+        if (follow)
+            solver.follow(speeds, wanted);
         for (const double speed : speeds) {
             spectra.push_back(solver.at(speed, wanted));
             process::report_progress(static_cast<double>(spectra.size()) /
@@ -118,11 +121,15 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     Bytes mine;
     std::string failure;
     try {
+        std::vector<double> own;
         for (auto i = static_cast<std::size_t>(process::process_rank()); i < speeds.size();
-             i += processes) {
-            put(mine, solver.at(speeds[i], wanted));
-            process::report_progress(static_cast<double>(i + 1) /
-                                     static_cast<double>(speeds.size()));
+             i += processes)
+            own.push_back(speeds[i]);
+        if (follow)
+            solver.follow(own, wanted);
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            put(mine, solver.at(own[i], wanted));
+            process::report_progress(static_cast<double>(i + 1) / static_cast<double>(own.size()));
         }
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();

@@ -9,8 +9,12 @@ namespace whirl::tracking {
 /// Spectra at many speeds, shared among the processes started by mpirun. Collective; complete on
 /// process 0, empty on the others. Each speed is solved alone, so the numbers do not depend on
 /// how many processes there are.
+/// @param follow  damped rotors with symmetric matrices: from speed to speed, see
+///                SpectrumSolver::follow; then the numbers depend on the processes by their
+///                rounding
 /// @throws model::AnalysisFailure on every process where one of them failed.
-[[nodiscard]] std::vector<modes::Spectrum>
-spectra_at(const modes::SpectrumSolver &solver, const std::vector<double> &speeds, int wanted);
+[[nodiscard]] std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
+                                                      const std::vector<double> &speeds, int wanted,
+                                                      bool follow = false);
 
 } // namespace whirl::tracking

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "broken_attachments.h"
+#include "broken_operation.h"
 #include "broken_rotating.h"
 #include "broken_samples.h"
 #include "broken_shafts.h"
@@ -13,8 +14,8 @@ namespace whirl::tests {
 /// Cases with one mistake each, for tests of the reader and of the program.
 inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
-    for (const auto &part :
-         {broken_attachments(), broken_rotating_parts(), broken_settings(), broken_samples()})
+    for (const auto &part : {broken_attachments(), broken_rotating_parts(), broken_settings(),
+                             broken_samples(), broken_operation()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -35,13 +35,44 @@ TEST(Overrides, TheLastOneCounts) {
     EXPECT_EQ(load_text(base, {"shaft.order=8", "shaft.order=3"}).rotor.shaft.order, 3);
 }
 
+const std::string two_bearings =
+    base + "name = \"left\"\n[[bearing]]\nname = \"right end\"\nz = 1\nk = 2e6\nc = 50\n";
+
+std::vector<double> stiffnesses(const std::vector<std::string> &overrides) {
+    std::vector<double> out;
+    for (const model::Bearing &bearing : load_text(two_bearings, overrides).rotor.bearings)
+        out.push_back(bearing.rows.at(0).k(0, 0));
+    return out;
+}
+
+TEST(Overrides, SpeakOfAllItemsOfNamedOnesAndOfTheOnlyOne) {
+    using Numbers = std::vector<double>;
+    EXPECT_EQ(stiffnesses({"bearing[*].k=3"}), (Numbers{3, 3}));
+    EXPECT_EQ(stiffnesses({"bearing[left].k=3"}), (Numbers{3, 2e6}));
+    EXPECT_EQ(stiffnesses({"bearing[\"right end\"].k=3"}), (Numbers{1e6, 3}));
+    EXPECT_EQ(load_text(base, {"bearing.k=5"}).rotor.bearings.at(0).rows.at(0).k(0, 0), 5);
+    const std::string which = refusal(two_bearings, {"bearing.k=3"});
+    EXPECT_NE(which.find("bearing[0].k, or all of them: bearing[*].k"), std::string::npos) << which;
+}
+
+TEST(Overrides, TakeEntriesAndItemsOut) {
+    const model::Case without = load_text(two_bearings, {"bearing[1].c="});
+    EXPECT_EQ(without.rotor.bearings.at(1).rows.at(0).c(0, 0), 0);
+    EXPECT_EQ(without.rotor.bearings.at(1).rows.at(0).k(0, 0), 2e6);
+    EXPECT_EQ(stiffnesses({"bearing[left]="}), std::vector<double>{2e6});
+    EXPECT_TRUE(load_text(two_bearings, {"bearing="}).rotor.bearings.empty());
+    const std::string nothing = refusal(base, {"bearing[0].c="});
+    EXPECT_NE(nothing.find("there is no such entry"), std::string::npos) << nothing;
+}
+
 TEST(Overrides, MistakesAreNamedByTheOption) {
     const std::vector<std::pair<std::string, std::string>> mistakes{
         {"shaft.order=abc", "--set shaft.order=abc: shaft.order: expected a whole number"},
         {"shaft.ordr=3", "--set shaft.ordr=3: shaft.ordr: unknown key, did you mean \"order\"?"},
         {"shaft.order", "--set shaft.order: expected path.to.key=value"},
         {"=3", "--set =3: expected a path"},
-        {"bearing[x].k=3", "--set bearing[x].k=3: expected a path"},
+        {"bearing[x].k=3", "bearing[x].k: expected the name of an item of bearing"},
+        {"bearing[].k=3", "--set bearing[].k=3: expected a path"},
         {"bearing[0]k=3", "--set bearing[0]k=3: expected a path"},
         {"bearing[1].k=3", "bearing[1].k: expected an index below 1, got 1"},
         {"disc[0].z=3", "disc[0].z: expected a list of the case, there is no disc"},

@@ -2,6 +2,7 @@
 
 #include "oracles/case_rotor.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct Answer {
 [[nodiscard]] Answer answer_rigid_limit(const Request &request);
 [[nodiscard]] Answer answer_simulate(const Request &request);
 [[nodiscard]] Answer answer_samples(const Request &request);
+/// Separation margins and level-I stability, of `response` and `stability`.
+[[nodiscard]] Answer answer_operation(const Request &request);
+
+/// Place of the largest value of a curve with one maximum between two places.
+[[nodiscard]] double top_between(const std::function<double(double)> &f, double low, double high);
 
 /// The reason of an oracle that cannot answer.
 [[noreturn]] void no_answer(const std::string &reason);

@@ -97,6 +97,8 @@ Answer answer_campbell(const Request &request) {
 
 Answer answer_critical(const Request &request) {
     const CaseRotor &rotor = request.rotor;
+    if (request.path.rfind("/margins", 0) == 0)
+        return answer_operation(request);
     if (request.path != "critical_speeds")
         no_answer("critical: no oracle for " + request.path);
     if (rotor.rigid && !rotor.balancers.empty())
@@ -123,11 +125,8 @@ Answer answer_critical(const Request &request) {
     no_answer("critical: no oracle for this rotor");
 }
 
-namespace {
-
-/// Place of the largest value of a curve with one maximum between two places: golden section, which
-/// finds it to the root of rounding, then vertices of parabolas through points where the curve has
-/// fallen by 1e-4 and half as far out, extrapolated to none.
+// Golden section, which finds the place to the root of rounding, then vertices of parabolas through
+// points where the curve has fallen by 1e-4 and half as far out, extrapolated to none.
 double top_between(const std::function<double(double)> &f, double low, double high) {
     const double golden = (std::sqrt(5.0) - 1) / 2;
     double left = high - golden * (high - low);
@@ -159,6 +158,8 @@ double top_between(const std::function<double(double)> &f, double low, double hi
     };
     return (4 * vertex(h / 2) - vertex(h)) / 3;
 }
+
+namespace {
 
 /// Local maxima of the semi-major axis over the range of the case: where it is larger than at both
 /// neighbours among many speeds.
@@ -203,6 +204,8 @@ Answer under_weight(const Request &request) {
 
 Answer answer_response(const Request &request) {
     const CaseRotor &rotor = request.rotor;
+    if (request.path.rfind("/margins", 0) == 0)
+        return answer_operation(request);
     if (request.path == "static" || request.path.rfind("twice", 0) == 0)
         return under_weight(request);
     if (request.path == "peak_speeds" || request.path == "peak_values") {

@@ -184,6 +184,20 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
         rotor.supports.push_back(table.rows.empty() ? support_of(*t) : table.rows.front());
         rotor.tables.push_back(table);
     }
+    for (const toml::table *t : tables_of(root, "seal")) {
+        if (t->contains("table"))
+            throw std::runtime_error("the oracles read seals without tables");
+        Support seal = support_of(*t);
+        if (!t->contains("kyx"))
+            seal.k[1][0] = -seal.k[0][1];
+        if (!t->contains("cyx"))
+            seal.c[1][0] = -seal.c[0][1];
+        rotor.supports.push_back(seal);
+        rotor.tables.emplace_back();
+        rotor.discs.push_back({number(*t, "z"), number(*t, "m"), 0, 0});
+    }
+    for (const toml::table *t : tables_of(root, "probe"))
+        rotor.probes.push_back({number(*t, "z"), number(*t, "angle")});
     for (const toml::table *t : tables_of(root, "anisotropy"))
         rotor.anisotropies.push_back({number(*t, "z"), number(*t, "dI"), number(*t, "angle")});
     for (const toml::table *t : tables_of(root, "balancer"))
@@ -214,6 +228,10 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
     rotor.speed_to = number(speeds, "to", rotor.speed_from);
     rotor.speed_count = static_cast<int>(number(speeds, "count", 1));
     rotor.gravity = number(part(root, "response"), "gravity");
+    const toml::table &operation = part(root, "operation");
+    const toml::table &level1 = part(root, "level1");
+    rotor.operation = {number(operation, "from"), number(operation, "to"), number(level1, "z"),
+                       number(level1, "anticipated")};
     const toml::table &balance = part(root, "balance");
     for (const toml::table *t : tables_of(balance, "designs"))
         rotor.designs.push_back({number(*t, "arm"), number(*t, "pivot")});

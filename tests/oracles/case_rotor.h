@@ -72,6 +72,19 @@ struct SampledCase {
     std::vector<UncertainEntry> vary;
 };
 
+/// A sensor that looks along `angle`, rad.
+struct Probe {
+    double z = 0;
+    double angle = 0;
+};
+
+/// [operation] and [level1].
+struct Operation {
+    double from = 0, to = 0; ///< rad/s
+    double level1_z = 0;     ///< m
+    double anticipated = 0;  ///< N/m
+};
+
 /// What the oracles take from a case file: SI and radians.
 struct CaseRotor {
     std::vector<Segment> shaft;
@@ -79,7 +92,7 @@ struct CaseRotor {
     bool classical = false; ///< order = 1: two-node elements
     double axial_force = 0; ///< N, tension positive
     double internal_damping = 0;
-    std::vector<RigidDisc> discs;
+    std::vector<RigidDisc> discs;  ///< the fluid of seals among them: point masses
     std::vector<Support> supports; ///< as they are at rest
     std::vector<SpeedTable> tables;
     std::vector<InertialAnisotropy> anisotropies;
@@ -96,6 +109,8 @@ struct CaseRotor {
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;
     SampledCase samples;
+    std::vector<Probe> probes;
+    Operation operation;
 
     [[nodiscard]] double length() const;
     [[nodiscard]] bool damped() const;

@@ -47,9 +47,11 @@ toml::table value_of(const std::string &text) {
 double size_of_unit(const std::string &unit) {
     constexpr double pi = std::numbers::pi;
     static const std::map<std::string, double> sizes{
-        {"", 1},           {"m", 1},         {"cm", 1e-2},   {"mm", 1e-3}, {"kN", 1e3},
-        {"N", 1},          {"rpm", pi / 30}, {"Hz", 2 * pi}, {"rad/s", 1}, {"1/s", 1},
-        {"deg", pi / 180}, {"rad", 1},       {"kg m2", 1},   {"1/kg", 1},  {"1", 1}};
+        {"", 1},           {"m", 1},         {"cm", 1e-2},   {"mm", 1e-3},    {"kN", 1e3},
+        {"N", 1},          {"rpm", pi / 30}, {"Hz", 2 * pi}, {"rad/s", 1},    {"1/s", 1},
+        {"deg", pi / 180}, {"rad", 1},       {"kg m2", 1},   {"1/kg", 1},     {"1", 1},
+        {"GPa", 1e9},      {"N/m", 1},       {"MN/m", 1e6},  {"kN s/m", 1e3}, {"g mm", 1e-6},
+        {"%", 1}};
     const auto found = sizes.find(unit);
     if (found == sizes.end())
         throw std::runtime_error("unit not known to the oracles: " + unit);
@@ -95,6 +97,8 @@ std::vector<CsvColumn> read_csv(const std::string &file) {
     std::vector<double> units;
     std::string line;
     for (bool header = true; std::getline(stream, line); header = false) {
+        if (header && line.rfind('#', 0) == 0 && std::getline(stream, line).fail()) // a comment
+            break;
         std::istringstream cells(line);
         std::string cell;
         for (std::size_t i = 0; std::getline(cells, cell, ','); ++i) {

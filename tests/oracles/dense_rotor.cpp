@@ -77,6 +77,8 @@ std::vector<double> nodes_of(const CaseRotor &rotor, int parts) {
         nodes.push_back(imbalance.z);
     for (const double plane : rotor.planes)
         nodes.push_back(plane);
+    for (const Probe &probe : rotor.probes)
+        nodes.push_back(probe.z);
     std::sort(nodes.begin(), nodes.end());
     const double near = 1e-9 * left;
     nodes.erase(std::unique(nodes.begin(), nodes.end(),
@@ -235,11 +237,15 @@ std::vector<Crossing> crossings(const DenseRotor &rotor, double multiple) {
     return out;
 }
 
-double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
+namespace {
+
+// Wide: near resonances the solution loses as many digits as the matrix is stiffer than they.
+using Wide = std::complex<long double>;
+
+/// x and y at z, times exp(i speed t).
+std::array<Wide, 2> forced_motion(const CaseRotor &rotor, double speed, double z, int parts) {
     const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
     const Eigen::Index n = dense.planar();
-    // Wide: near resonances the solution loses as many digits as the matrix is stiffer than they.
-    using Wide = std::complex<long double>;
     using WideMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
     const Wide i(0, 1);
     Eigen::Matrix<Wide, Eigen::Dynamic, 1> force =
@@ -259,9 +265,22 @@ double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
     dynamic += i * damping.cast<Wide>();
     const Eigen::Matrix<Wide, Eigen::Dynamic, 1> q = dynamic.partialPivLu().solve(force);
     const Eigen::Index w = dense.deflection(z);
-    return static_cast<double>(
-        (std::abs(q[w] + i * q[n + w]) + std::abs(std::conj(q[w]) + i * std::conj(q[n + w]))) /
-        2.0L);
+    return {q[w], q[n + w]};
+}
+
+} // namespace
+
+double semi_major(const CaseRotor &rotor, double speed, double z, int parts) {
+    const Wide i(0, 1);
+    const auto [x, y] = forced_motion(rotor, speed, z, parts);
+    return static_cast<double>((std::abs(x + i * y) + std::abs(std::conj(x) + i * std::conj(y))) /
+                               2.0L);
+}
+
+double probe_reading(const CaseRotor &rotor, double speed, const Probe &probe) {
+    const auto [x, y] = forced_motion(rotor, speed, probe.z, 1);
+    const long double angle = probe.angle;
+    return static_cast<double>(std::abs(x * std::cos(angle) + y * std::sin(angle)));
 }
 
 } // namespace whirl::oracles

@@ -52,4 +52,7 @@ struct Crossing {
 /// Semi-major axis (m) of the orbit at z under the imbalances of the case; elements cut as above.
 [[nodiscard]] double semi_major(const CaseRotor &rotor, double speed, double z, int parts = 1);
 
+/// What a probe reads of the same, m; elements as the case asks for.
+[[nodiscard]] double probe_reading(const CaseRotor &rotor, double speed, const Probe &probe);
+
 } // namespace whirl::oracles

@@ -17,14 +17,24 @@ struct Factors {
     double length, mass, time, speed, inertia, stiffness, damping, moment;
 };
 
+void scale(model::Material &material, const Factors &f) {
+    const double modulus = f.mass / (f.length * f.time * f.time);
+    material.E *= modulus;
+    material.G *= modulus;
+    material.rho *= f.mass / (f.length * f.length * f.length);
+}
+
 void scale(model::Shaft &shaft, const Factors &f) {
     for (model::Segment &s : shaft.segments) {
-        for (double *size : {&s.length, &s.outer_start, &s.outer_end, &s.inner_start, &s.inner_end})
+        for (double *size : {&s.length, &s.outer_start, &s.outer_end, &s.inner_start, &s.inner_end,
+                             &s.mass_outer, &s.mass_inner})
             *size *= f.length;
-        const double modulus = f.mass / (f.length * f.time * f.time);
-        s.material.E *= modulus;
-        s.material.G *= modulus;
-        s.material.rho *= f.mass / (f.length * f.length * f.length);
+        scale(s.material, f);
+        for (model::Layer &layer : s.layers) {
+            layer.outer *= f.length;
+            layer.inner *= f.length;
+            scale(layer.material, f);
+        }
     }
     shaft.internal_damping *= f.time;
     shaft.axial_force *= f.mass * f.length / (f.time * f.time);
@@ -32,6 +42,7 @@ void scale(model::Shaft &shaft, const Factors &f) {
 
 void scale(model::Bearing &b, const Factors &f) {
     b.z *= f.length;
+    b.mass *= f.mass; // of a seal
     for (double &speed : b.speeds)
         speed *= f.speed;
     for (model::BearingCoefficients &at : b.rows) {
@@ -66,6 +77,22 @@ void scale(model::SimulateSettings &s, const Factors &f) {
     s.torque_slope *= f.inertia / f.time;
     s.inertia *= f.inertia;
     s.gravity *= f.length / (f.time * f.time);
+}
+
+/// Operating speeds and the cross coupling that level I adds.
+void scale_operation(model::Case &scene, const Factors &f) {
+    if (auto &operation = scene.operation) {
+        operation->from *= f.speed;
+        operation->to *= f.speed;
+        if (operation->trip)
+            *operation->trip *= f.speed;
+    }
+    if (auto &level1 = scene.level1) {
+        level1->z *= f.length;
+        for (auto *stiffness : {&level1->to, &level1->anticipated})
+            if (*stiffness)
+                **stiffness *= f.stiffness;
+    }
 }
 
 /// R m R^T.
@@ -119,11 +146,14 @@ model::Case in_units(model::Case scene, const Units &units) {
         i.z *= f.length;
         i.mr *= f.mass * f.length;
     }
+    for (model::Probe &p : r.probes)
+        p.z *= f.length;
     if (scene.speeds) {
         scene.speeds->from *= f.speed;
         scene.speeds->to *= f.speed;
     }
     scale(scene.simulate, f);
+    scale_operation(scene, f);
     for (model::PendulumDesign &d : scene.balance.designs) {
         d.arm *= f.length;
         d.pivot *= f.length;

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/balance.h"
 
@@ -121,9 +122,10 @@ std::string nowhere(double y) {
                        y);
 }
 
-std::string bands_panel(const BalanceResult &result, const std::vector<Row> &rows, double width) {
+std::string bands_panel(const model::Case &scene, const BalanceResult &result,
+                        const std::vector<Row> &rows, Range x) {
     const auto count = static_cast<double>(rows.size());
-    std::string script = critical_lines(result, count);
+    std::string script = operation_band(scene, x) + critical_lines(result, count);
     std::string names;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const double base = count - 1 - static_cast<double>(i);
@@ -144,14 +146,14 @@ std::string bands_panel(const BalanceResult &result, const std::vector<Row> &row
             script += nowhere(base + 0.58);
         if (rows[i].bands->rigid_bands)
             script += bars(*rows[i].bands->rigid_bands, base + 0.2, base + 0.36, rigid_colour);
-        script += end_labels(*rows[i].bands, base + 0.86, width);
+        script += end_labels(*rows[i].bands, base + 0.86, x.high - x.low);
     }
     return script +
            fmt::format(
                "set yrange [0:{0}]\nset ytics ({1}) noenhanced\nset grid noytics\n"
                "set key at graph 1,1.02 right bottom horizontal maxrows 1 samplen 1.2 font ',9'\n"
                "plot {2}\n",
-               count, names, bands_key(result));
+               count, names, bands_key(result) + operation_key(scene, x));
 }
 
 /// Linear near zero, logarithmic in modulus beyond `unit`.
@@ -207,7 +209,7 @@ std::vector<std::vector<PlotPoint>> eigenvalue_lines(const BalanceResult &result
     return lines;
 }
 
-std::string signature_panel(const BalanceResult &result) {
+std::string signature_panel(const model::Case &scene, const BalanceResult &result, Range x) {
     const double mass = result.rigid ? result.rigid->mass : 1;
     const double unit = unit_of(result, mass);
     double largest = 10 * unit;
@@ -219,7 +221,7 @@ std::string signature_panel(const BalanceResult &result) {
            data_block("minus", eigenvalue_lines(result, mass, unit, Sign::minus)) +
            data_block("plus", eigenvalue_lines(result, mass, unit, Sign::plus)) +
            fmt::format(
-               "unset object\nunset label\nunset arrow\nset yrange [{0}:{1}]\nset ytics ({2}) "
+               "unset object\nunset label\nunset arrow\n{6}set yrange [{0}:{1}]\nset ytics ({2}) "
                "enhanced\nset ylabel '{3}'\nset xlabel 'Spin speed (rpm)'\n"
                "set key at graph 1,1.02 right bottom horizontal samplen 2\n"
                "set arrow from graph 0,first 0 to graph 1,first 0 nohead lc rgb '#555555' lw 1 "
@@ -229,7 +231,7 @@ std::string signature_panel(const BalanceResult &result) {
                "$plus with linespoints pt 7 ps 0.3 lw 2 lc rgb '{5}' title 'positive'\n",
                -top, top, folded_tics(unit, largest),
                result.rigid ? "Eigenvalues × mass of the rotor" : "Eigenvalues (1/kg)",
-               balanced_colour, unbalanced_colour);
+               balanced_colour, unbalanced_colour, operation_band(scene, x));
 }
 
 } // namespace
@@ -243,7 +245,8 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
     figure.width = 1080;
     figure.height = static_cast<int>(bands_height) + 520;
     const double pixel = 1.0 / figure.height;
-    const Range x = range_of(result.speeds);
+    const Range speeds = range_of(result.speeds);
+    const Range x{speeds.low * rpm, speeds.high * rpm};
     const double split = 1 - (100 + bands_height) * pixel;
     figure.script =
         figure_head(
@@ -252,11 +255,11 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
             "balanced position, and motions in time; numbers: ends in rpm",
             figure.height) +
         fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
-                    x.low * rpm, x.high * rpm) +
+                    x.low, x.high) +
         panel_margins(0.19, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
-        bands_panel(result, rows, (x.high - x.low) * rpm) + "set format x '%g'\n" +
-        panel_margins(0.19, 0.965, 70 * pixel, split - 55 * pixel) + signature_panel(result) +
-        "unset multiplot\n";
+        bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
+        panel_margins(0.19, 0.965, 70 * pixel, split - 55 * pixel) +
+        signature_panel(scene, result, x) + "unset multiplot\n";
     return figure;
 }
 

@@ -1,5 +1,7 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/campbell_panel.h"
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace whirl::report {
 
@@ -22,72 +23,6 @@ namespace {
 constexpr Whirl senses[] = {Whirl::forward, Whirl::backward, Whirl::mixed};
 constexpr double label_strip = 0.07;  ///< of the speed range, right of the curves, for mode names
 constexpr double log_dec_limit = 6.3; ///< higher decrements (damping ratio > 0.7) are cut off
-
-template <class T>
-std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i) {
-    return i < list.size() ? list[i] : std::nullopt;
-}
-
-/// What a panel shows over the spin speed, and where.
-struct Panel {
-    std::string name; ///< prefix of its data blocks
-    bool damping = false;
-    Range x;                    ///< rpm
-    Range y;                    ///< Hz, or logarithmic decrement
-    double bottom = 0, top = 1; ///< fractions of the figure
-    double pixels_wide = 1, pixels_high = 1;
-
-    [[nodiscard]] std::optional<double> value(const CampbellMode &mode, std::size_t i) const {
-        const auto value = entry(damping ? mode.log_dec : mode.frequency, i);
-        return value && !damping ? *value * hertz : value;
-    }
-    [[nodiscard]] double across(double rpm_value) const {
-        return (rpm_value - x.low) / (x.high - x.low);
-    }
-    [[nodiscard]] double up(double value) const { return (value - y.low) / (y.high - y.low); }
-};
-
-/// Polylines of the stretches between neighbouring speeds that belong to a class.
-std::vector<std::vector<PlotPoint>>
-stretches(const Panel &panel, const CampbellResult &result,
-          const std::function<bool(const CampbellMode &, std::size_t)> &belongs) {
-    std::vector<std::vector<PlotPoint>> lines;
-    for (const CampbellMode &mode : result.modes) {
-        std::vector<PlotPoint> line;
-        for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
-            const auto here = panel.value(mode, i);
-            const auto next = panel.value(mode, i + 1);
-            if (here && next && belongs(mode, i)) {
-                if (line.empty())
-                    line.push_back({result.speeds[i] * rpm, here});
-                line.push_back({result.speeds[i + 1] * rpm, next});
-            } else if (!line.empty()) {
-                lines.push_back(std::move(line));
-                line.clear();
-            }
-        }
-        if (!line.empty())
-            lines.push_back(std::move(line));
-    }
-    return lines;
-}
-
-/// Sparse markers, staggered from mode to mode; a lone point always gets one.
-std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
-    std::vector<PlotPoint> points;
-    const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
-    for (std::size_t m = 0; m < result.modes.size(); ++m) {
-        const CampbellMode &mode = result.modes[m];
-        for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
-            const auto value = panel.value(mode, i);
-            const bool lone = (i == 0 || !panel.value(mode, i - 1)) &&
-                              (i + 1 >= result.speeds.size() || !panel.value(mode, i + 1));
-            if (value && mode.whirl[i] == sense && (lone || (i + m * step / 3) % step == step / 2))
-                points.push_back({result.speeds[i] * rpm, value});
-        }
-    }
-    return points;
-}
 
 bool has_sense(const CampbellResult &result, Whirl sense) {
     return std::any_of(result.modes.begin(), result.modes.end(), [&](const CampbellMode &mode) {
@@ -230,28 +165,57 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
     LabelPlacer placer = occupied(panel, scene, result);
     std::string script;
     std::vector<PlotPoint> points;
+    std::vector<PlotPoint> heavy;
+    int unnamed = 0;
     for (const auto &crossing : result.crossings) {
         const double x = panel.across(crossing.speed * rpm);
         const double y = panel.up(crossing.frequency * hertz);
         if (y <= 0 || y >= 1)
             continue;
-        points.push_back({crossing.speed * rpm, crossing.frequency * hertz});
+        (crossing.damping.heavy() ? heavy : points)
+            .push_back({crossing.speed * rpm, crossing.frequency * hertz});
         if (crossing.frequency * hertz < named_above)
             continue;
         const std::string text = fmt::format("{:.0f} rpm", crossing.speed * rpm);
         const auto box =
             placer.place(x, y, (7.2 * static_cast<double>(text.size()) + 4) / panel.pixels_wide,
                          17 / panel.pixels_high);
-        const double middle = box.y + box.height / 2;
-        script += fmt::format("set label {} at graph {},{} left font ',10'\n", plot_text(text),
-                              box.x, middle);
+        if (!box) {
+            ++unnamed;
+            continue;
+        }
+        const double middle = box->y + box->height / 2;
+        script += fmt::format("set label {} at graph {},{} left font ',10' textcolor '{}'\n",
+                              plot_text(text), box->x, middle,
+                              crossing.damping.heavy() ? heavy_colour : "#000000");
         if (std::abs(middle - y) * panel.pixels_high > 22)
             script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
                                   "lc rgb '#999999'\n",
-                                  x, y, std::clamp(x, box.x, box.x + box.width),
-                                  middle > y ? box.y : box.y + box.height);
+                                  x, y, std::clamp(x, box->x, box->x + box->width),
+                                  middle > y ? box->y : box->y + box->height);
     }
-    return script + data_block(panel.name + "crossings", {points});
+    if (unnamed > 0)
+        script +=
+            fmt::format("set label '{} more crossings: see the report' at graph 0.012,0.965 left "
+                        "font ',10' textcolor '#555555'\n",
+                        unnamed);
+    return script + data_block(panel.name + "crossings", {points}) +
+           data_block(panel.name + "heavy", {heavy});
+}
+
+/// Black where a margin counts, grey where damping is so heavy that none is needed.
+std::string crossing_plots(const Panel &panel, const CampbellResult &result, bool key) {
+    const auto heavy = [](const results::Crossing &crossing) { return crossing.damping.heavy(); };
+    const auto all = result.crossings.size();
+    const auto grey = static_cast<std::size_t>(
+        std::count_if(result.crossings.begin(), result.crossings.end(), heavy));
+    const auto title = [key](bool any, const char *text) {
+        return key && any ? fmt::format("title '{}'", text) : std::string("notitle");
+    };
+    return fmt::format("${0}heavy with points pt 6 ps 1.7 lw 1.6 lc rgb '{1}' {2}, ${0}crossings "
+                       "with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {3}, ",
+                       panel.name, heavy_colour, title(grey > 0, "heavily damped"),
+                       title(grey < all, "crossing"));
 }
 
 std::string axes(const Panel &panel, bool first, bool last) {
@@ -278,7 +242,8 @@ std::string axes(const Panel &panel, bool first, bool last) {
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,
                  bool first, bool last, double named_above) {
     const double end = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
-    std::string script = panel_margins(0.075, 0.905, panel.bottom, panel.top);
+    std::string script = panel_margins(0.088, 0.892, panel.bottom, panel.top);
+    script += operation_band(scene, {panel.x.low, end});
     script +=
         axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
     std::string plots = curve_plots(panel, result, first);
@@ -287,16 +252,16 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     } else {
         script +=
             multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
-        plots += fmt::format("${}crossings with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {}, ",
-                             panel.name,
-                             first && !result.crossings.empty() ? "title 'crossing'" : "notitle");
+        plots += crossing_plots(panel, result, first);
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
-                                  panel.top + 64 * pixel)
+                                  panel.top + 78 * pixel)
                     : "unset key\n";
     plots.resize(plots.size() - 2);
-    return script + "plot " + plots + "\nunset label\nunset arrow\n";
+    if (first)
+        plots += operation_key(scene, {panel.x.low, end});
+    return script + "plot " + plots + "\nunset label\nunset arrow\nunset object\n";
 }
 
 /// The panels this result needs, from top to bottom, without their places in the figure.
@@ -343,7 +308,7 @@ Figure campbell_figure(const model::Case &scene, const CampbellResult &result) {
     std::vector<Panel> panels = panels_of(result);
     Figure figure;
     figure.width = 1080;
-    const double head = 150;
+    const double head = 172; // two rows of the key
     const double foot = 62;
     const double gap = 34;
     const double first = 500;

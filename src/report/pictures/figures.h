@@ -14,6 +14,7 @@ struct AnisotropyChart;
 struct BalanceResult;
 struct CampbellMode;
 struct CampbellResult;
+struct Level1;
 struct ModeShape;
 struct ModesResult;
 struct PendulumBalance;
@@ -73,6 +74,9 @@ struct ModeCurves {
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
 [[nodiscard]] Figure stability_figure(const model::Case &scene,
                                       const results::StabilityResult &result);
+
+/// Logarithmic decrement over added cross coupling, its root and what is anticipated marked.
+[[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1);
 
 /// Motion over time: amplitudes at the balancers, below them the angles of balls or pendulums in
 /// the rotor (for balls that lag: their speed over that of the rotor), and the speed where it

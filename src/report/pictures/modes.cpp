@@ -39,7 +39,7 @@ std::string outline(const model::Rotor &rotor) {
         box(disc.z - half, disc.z + half, radius, radius);
     }
     data += "EOD\n$bearings << EOD\n";
-    for (const auto &bearing : rotor.bearings)
+    for (const auto &bearing : rotor.supports())
         data += fmt::format("{} -1.12\n", bearing.z);
     return data + "NaN NaN\nEOD\n";
 }

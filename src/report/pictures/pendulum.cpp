@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/pendulum.h"
 
@@ -59,6 +60,7 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
         motion_points("collided", balancer, true, true) +
         motion_points("collided_unstable", balancer, false, true) +
         panel_margins(0.075, 0.74, 70 * pixel, 1 - 75 * pixel) +
+        operation_band(scene, {x.low * rpm, x.high * rpm}) +
         fmt::format(
             "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{0:.9g}:{1:.9g}]\n"
             "set yrange [0:{2}]\nset xlabel 'Spin speed (rpm)'\nset ylabel 'Efficiency n'\n"
@@ -73,9 +75,9 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
             "$collided with points pt 5 ps 0.6 lc rgb '#3C97CF' title 'stable, pendulums collide', "
             "$collided_unstable with points pt 2 ps 0.6 lc rgb '#A8527F' title 'unstable, "
             "pendulums collide', {5:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
-            "1/(1 + ρ)'\nunset multiplot\n",
+            "1/(1 + ρ)'{6}\nunset multiplot\n",
             x.low * rpm, x.high * rpm, highest, balancer.threshold * balancer.omega_0 * rpm,
-            0.95 * highest, balancer.limit);
+            0.95 * highest, balancer.limit, operation_key(scene, {x.low * rpm, x.high * rpm}));
     return figure;
 }
 

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/balance.h"
@@ -70,7 +71,7 @@ std::string rotor_panel(const model::Case &scene) {
                              disc.z - half, -radius, disc.z + half, radius);
     }
     std::vector<PlotPoint> bearings;
-    for (const auto &bearing : rotor.bearings)
+    for (const auto &bearing : rotor.supports())
         bearings.push_back({bearing.z, -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
     return discs + data_block("outline", {upper}) + data_block("bearings", {bearings}) +
            fmt::format("set yrange [{}:{}]\nunset ytics\nset border 0\nset xtics nomirror\n"
@@ -127,8 +128,10 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
                     "0,1.03 left\n",
                     speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
                     plot_text("one plane; best (dashed) " + place_text(map.best))) +
-        best_marks(map.best.z, speeds.front(), speeds.back()) + heat_plot("one") +
-        "\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z (m)'\n" +
+        best_marks(map.best.z, speeds.front(), speeds.back()) +
+        operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) + heat_plot("one") +
+        "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z "
+        "(m)'\n" +
         panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
         panel_margins(0.575, 0.985, 1 - 585 * pixel, 1 - 100 * pixel) +
         fmt::format(

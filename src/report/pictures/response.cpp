@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/response.h"
 
@@ -56,7 +57,9 @@ std::vector<PlotPoint> phase_points(const std::vector<double> &speeds,
     return points;
 }
 
-std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend) {
+/// @param further  entries of the legend, each after a comma
+std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend,
+                 const std::string &further = "") {
     std::string data;
     std::string plots;
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -72,7 +75,7 @@ std::string draw(const std::string &panel, const std::vector<Curve> &curves, boo
     if (curves.empty())
         plots = "NaN notitle, ";
     plots.resize(plots.size() - 2);
-    return data + "plot " + plots + "\n";
+    return data + "plot " + plots + further + "\n";
 }
 
 /// Logarithmic axis over the curves, at most six powers of ten down from the largest value, so that
@@ -95,11 +98,17 @@ std::string logarithmic_axis(const std::vector<Curve> &curves) {
                        std::pow(10, std::floor(std::log10(high)) + 1));
 }
 
-std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
+/// rpm
+Range speed_axis(const ResponseResult &result) {
     const Range x = range_of(result.speeds);
+    return {x.low * rpm, x.high * rpm};
+}
+
+std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
+    const Range x = speed_axis(result);
     return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\nset key at graph 1.02,1 left top "
                        "reverse Left vertical samplen 3\n",
-                       x.low * rpm, x.high * rpm, plot_text(label),
+                       x.low, x.high, plot_text(label),
                        last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel");
 }
 
@@ -183,13 +192,15 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     figure.width = 1080;
     figure.height = force.empty() ? 780 : 1040;
     const double pixel = 1.0 / figure.height;
+    const Range x = speed_axis(result);
     figure.script =
         figure_head("Unbalance response: " + title_of(scene),
                     fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
                     figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(amplitude) +
-        panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
-        panel_axes(result, "Amplitude (µm)", false) + draw("a", amplitude, true) +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
+        logarithmic_axis(amplitude) + panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        panel_axes(result, "Amplitude (µm)", false) +
+        draw("a", amplitude, true, operation_key(scene, x)) +
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
         panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
@@ -229,14 +240,16 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     figure.width = 1080;
     figure.height = 1040;
     const double pixel = 1.0 / figure.height;
+    const Range x = speed_axis(result);
     figure.script =
         figure_head("Motion under the weight: " + title_of(scene),
                     fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
                                 readable(of.gravity, 5), circle.size(), of.stations.size()),
                     figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + logarithmic_axis(circle) +
-        panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
-        panel_axes(result, "Circle at twice the spin speed (µm)", false) + draw("a", circle, true) +
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
+        logarithmic_axis(circle) + panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        panel_axes(result, "Circle at twice the spin speed (µm)", false) +
+        draw("a", circle, true, operation_key(scene, x)) +
         "unset label\nunset logscale y\nset format y '%g'\nset autoscale y\nset ytics auto\n" +
         panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
         panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +

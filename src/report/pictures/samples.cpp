@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/samples.h"
 
@@ -91,7 +92,7 @@ std::string marks_of(const SampledAnswer &answer) {
     return text;
 }
 
-std::string panel_of(const SampledAnswer &answer, std::size_t index) {
+std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std::size_t index) {
     const std::vector<double> values = shown_values(answer);
     const Histogram histogram = histogram_of(values);
     const auto [low, high] = histogram.range;
@@ -102,7 +103,9 @@ std::string panel_of(const SampledAnswer &answer, std::size_t index) {
     const int most = *std::max_element(histogram.counts.begin(), histogram.counts.end());
     const double margin = 0.06 * (high - low);
     const std::string name = fmt::format("samples{}", index);
-    return data_block(name, {bars}) + marks_of(answer) +
+    const std::string operation =
+        answer.unit == "rad/s" ? operation_band(scene, {low - margin, high + margin}) : "";
+    return data_block(name, {bars}) + marks_of(answer) + operation +
            fmt::format(
                "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',10' offset 0,0.4\n"
                "set ylabel 'samples' font ',10' offset 1.5,0\n"
@@ -116,11 +119,14 @@ std::string panel_of(const SampledAnswer &answer, std::size_t index) {
            "unset object\nunset arrow\nunset label\nunset title\n";
 }
 
-std::string subtitle_of(const SamplesResult &result, std::size_t drawn, std::size_t all) {
+std::string subtitle_of(const model::Case &scene, const SamplesResult &result, std::size_t drawn,
+                        std::size_t all) {
     std::string text = fmt::format(
         "{} samples{}; lines: quantiles, shaded: their intervals of 95 %; dashed: the "
         "case as it is",
         result.count, result.failed > 0 ? fmt::format(", {} of them failed", result.failed) : "");
+    if (scene.operation)
+        text += "; green: operating speeds";
     if (drawn < all)
         text += fmt::format("; the first {} of {} answers", drawn, all);
     return text;
@@ -145,7 +151,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
     const int row_height = 290;
     figure.height = head + static_cast<int>(rows) * row_height;
     figure.script = figure_head("Uncertain entries: " + title_of(scene),
-                                subtitle_of(result, drawn.size(), all), figure.height) +
+                                subtitle_of(scene, result, drawn.size(), all), figure.height) +
                     "set grid y lc rgb '#E4E4E4' lt 1 lw 0.6\nunset key\nset format x '%g'\n";
     const double across = 1.0 / static_cast<double>(columns);
     const double down = static_cast<double>(row_height) / figure.height;
@@ -156,7 +162,7 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
         const double upper = top - static_cast<double>(row) * down;
         figure.script += panel_margins(left + 0.2 * across, left + 0.94 * across,
                                        upper - 0.8 * down, upper - 0.2 * down) +
-                         panel_of(*drawn[i], i);
+                         panel_of(scene, *drawn[i], i);
     }
     if (drawn.empty())
         figure.script += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";

@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "balancers/kind.h"
+#include "report/pictures/scene_parts.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/show.h"
@@ -14,8 +15,6 @@ namespace whirl::report {
 
 namespace {
 
-constexpr double sheet_width = 1080;
-constexpr double side = 70;      ///< free space left and right, pixels
 constexpr double text_size = 13; ///< pixels
 constexpr double letter = 7.3;   ///< mean width of a letter at that size, pixels
 constexpr double line = 17;      ///< from text line to text line, pixels
@@ -26,183 +25,18 @@ struct Callout {
     std::string text;
 };
 
-/// Places of the sheet for z and radii.
-class Sheet {
-  public:
-    Sheet(const model::Case &scene, double largest_radius) {
-        const double length = std::max(scene.rotor.shaft.length(), 1e-12);
-        _z_scale = (sheet_width - 2 * side) / length;
-        const double wanted = 130; // pixels for the largest radius, at most
-        _r_scale = std::min(_z_scale, wanted / std::max(largest_radius, 1e-12));
-        if (_r_scale < _z_scale) { // a thick rotor: shrink both
-            _z_scale = _r_scale;
-        } else if (largest_radius * _r_scale < 18) { // a slender one: enlarge the radii
-            _enlarged = std::ceil(24 / std::max(largest_radius * _r_scale, 1e-9));
-            _r_scale *= _enlarged;
-        }
-        _left = (sheet_width - length * _z_scale) / 2;
-        radius = largest_radius * _r_scale;
-    }
-    [[nodiscard]] double across(double z) const { return _left + z * _z_scale; }
-    [[nodiscard]] double pixels(double r) const { return r * _r_scale; }
-    [[nodiscard]] double enlarged() const { return _enlarged; }
-
-    double axis = 0;   ///< of the rotor, pixels from the top
-    double radius = 0; ///< largest, pixels
-
-  private:
-    double _left = 0, _z_scale = 1, _r_scale = 1, _enlarged = 1;
-};
-
-double disc_radius(const model::Disc &disc) {
-    if (disc.outer > 0)
-        return disc.outer / 2;
-    return disc.mass > 0 ? std::sqrt(2 * std::max(disc.Ip, 0.0) / disc.mass) : 0; // Ip = m r^2/2
-}
-
 double largest_radius(const model::Rotor &rotor) {
     double radius = 0;
-    for (const auto &segment : rotor.shaft.segments)
+    for (const auto &segment : rotor.shaft.segments) {
         radius = std::max({radius, segment.outer_start / 2, segment.outer_end / 2});
+        for (const model::Layer &layer : segment.layers)
+            radius = std::max(radius, layer.outer / 2);
+    }
     for (const auto &disc : rotor.discs)
         radius = std::max(radius, disc_radius(disc));
     for (const auto &balancer : rotor.balancers)
         radius = std::max(radius, balancers::kind_of(balancer)->outline().radius());
     return radius;
-}
-
-DrawShape area(std::vector<DrawPoint> points, std::string fill, std::string stroke) {
-    return {std::move(points), std::move(fill), std::move(stroke), 1, false, true};
-}
-
-DrawShape stroke(std::vector<DrawPoint> points, std::string colour, double width, bool dashed) {
-    return {std::move(points), "", std::move(colour), width, dashed, false};
-}
-
-DrawShape circle(double x, double y, double radius, std::string fill, std::string colour) {
-    std::vector<DrawPoint> points;
-    for (int i = 0; i < 24; ++i)
-        points.push_back({x + radius * std::cos(i * pi / 12), y + radius * std::sin(i * pi / 12)});
-    return area(std::move(points), std::move(fill), std::move(colour));
-}
-
-void draw_shaft(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft) {
-    double z = 0;
-    for (const auto &segment : shaft.segments) {
-        const double a = sheet.across(z);
-        const double b = sheet.across(z + segment.length);
-        const auto section = [&](double start, double end) {
-            const double r = sheet.pixels(start / 2);
-            const double s = sheet.pixels(end / 2);
-            return std::vector<DrawPoint>{
-                {a, sheet.axis - r}, {b, sheet.axis - s}, {b, sheet.axis + s}, {a, sheet.axis + r}};
-        };
-        drawing.shapes.push_back(
-            area(section(segment.outer_start, segment.outer_end), "#C9D3DC", "#33404C"));
-        if (segment.inner_start > 0 || segment.inner_end > 0) {
-            DrawShape bore =
-                area(section(segment.inner_start, segment.inner_end), "#FFFFFF", "#33404C");
-            bore.dashed = true;
-            drawing.shapes.push_back(bore);
-        }
-        z += segment.length;
-    }
-}
-
-void draw_disc(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
-               const model::Disc &disc) {
-    const double x = sheet.across(disc.z);
-    const double outer = sheet.pixels(disc_radius(disc));
-    const bool known = disc.outer > 0;
-    const double half =
-        std::max(disc.width > 0 ? (sheet.across(disc.z + disc.width) - x) / 2 : 3.0, 2.0);
-    const double inner = sheet.pixels(shaft_radius(shaft, disc.z));
-    for (const double up : {-1.0, 1.0}) {
-        DrawShape half_disc = area({{x - half, sheet.axis + up * inner},
-                                    {x + half, sheet.axis + up * inner},
-                                    {x + half, sheet.axis + up * std::max(outer, inner + 4)},
-                                    {x - half, sheet.axis + up * std::max(outer, inner + 4)}},
-                                   known ? "#8FB3CF" : "#DCE7F0", "#1F4E79");
-        half_disc.dashed = !known; // a disc by mass and inertia: drawn at its equivalent radius
-        drawing.shapes.push_back(half_disc);
-    }
-}
-
-void draw_spring(Drawing &drawing, double x, double top, double bottom) {
-    std::vector<DrawPoint> points{{x, top}};
-    const int turns = std::clamp(static_cast<int>((bottom - top) / 8), 4, 40);
-    for (int i = 0; i < turns; ++i)
-        points.push_back({x + (i % 2 == 0 ? 5 : -5), top + (bottom - top) * (i + 0.5) / turns});
-    points.push_back({x, bottom});
-    drawing.shapes.push_back(stroke(std::move(points), "#333333", 1.4, false));
-}
-
-/// Triangle below the shaft on a spring, on its pedestal where there is one, on hatched ground.
-void draw_bearing(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
-                  const model::Bearing &bearing, double ground) {
-    const double x = sheet.across(bearing.z);
-    const double top = sheet.axis + sheet.pixels(shaft_radius(shaft, bearing.z));
-    drawing.shapes.push_back(
-        area({{x, top}, {x + 10, top + 15}, {x - 10, top + 15}}, "#FFFFFF", "#333333"));
-    double from = top + 15;
-    if (bearing.pedestal) {
-        const double middle = (from + ground) / 2;
-        draw_spring(drawing, x, from, middle - 6);
-        drawing.shapes.push_back(area({{x - 14, middle - 6},
-                                       {x + 14, middle - 6},
-                                       {x + 14, middle + 6},
-                                       {x - 14, middle + 6}},
-                                      "#BBBBBB", "#333333"));
-        from = middle + 6;
-    }
-    draw_spring(drawing, x, from, ground);
-    drawing.shapes.push_back(stroke({{x - 17, ground}, {x + 17, ground}}, "#333333", 1.6, false));
-    for (int i = -3; i <= 3; ++i)
-        drawing.shapes.push_back(
-            stroke({{x + i * 5, ground}, {x + i * 5 - 5, ground + 6}}, "#333333", 0.8, false));
-}
-
-/// A box around all its parts, and these above and below the axis.
-void draw_balancer(Drawing &drawing, const Sheet &sheet, const model::Balancer &balancer) {
-    const balancers::Outline outline = balancers::kind_of(balancer)->outline();
-    const double x = sheet.across(balancer.z);
-    const auto box = [x](double half, double from, double to, const char *fill) {
-        return area({{x - half, from}, {x + half, from}, {x + half, to}, {x - half, to}}, fill,
-                    "#8A5A00");
-    };
-    const double reach = sheet.pixels(outline.radius()) + 6;
-    drawing.shapes.push_back(box(7, sheet.axis - reach, sheet.axis + reach, ""));
-    drawing.shapes.back().width = 1.6;
-    for (const double up : {-1.0, 1.0}) {
-        const auto height = [&](double r) { return sheet.axis + up * sheet.pixels(r); };
-        for (const auto &[from, to] : outline.sections)
-            drawing.shapes.push_back(box(4.5, height(from), height(to), "#F0B429"));
-        for (const auto &[from, to] : outline.arms)
-            drawing.shapes.push_back(
-                stroke({{x, height(from)}, {x, height(to)}}, "#8A5A00", 1.6, false));
-        for (const double point : outline.points)
-            drawing.shapes.push_back(circle(x, height(point), 4.5, "#F0B429", "#8A5A00"));
-    }
-}
-
-/// A lens across the shaft: the section's inertias differ between its two axes.
-void draw_anisotropy(Drawing &drawing, const Sheet &sheet, const model::Anisotropy &anisotropy) {
-    const double x = sheet.across(anisotropy.z);
-    std::vector<DrawPoint> lens;
-    for (int i = 0; i < 32; ++i)
-        lens.push_back({x + 5 * std::cos(i * pi / 16), sheet.axis + 20 * std::sin(i * pi / 16)});
-    drawing.shapes.push_back(area(std::move(lens), "#E7C6DA", "#8B3A6B"));
-}
-
-/// An arrow from above that ends at the surface of the shaft, whatever its direction.
-void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
-                const model::Probe &probe) {
-    const double x = sheet.across(probe.z);
-    const double tip = sheet.axis - sheet.pixels(shaft_radius(shaft, probe.z));
-    drawing.shapes.push_back(
-        area({{x, tip}, {x - 4, tip - 9}, {x + 4, tip - 9}}, "#5B3A8B", "#5B3A8B"));
-    drawing.shapes.push_back(
-        stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4, false));
 }
 
 /// Callouts in as few rows as keep them apart, with a thin line to their parts. Rows grow away
@@ -272,6 +106,11 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
     for (std::size_t i = 0; i < rotor.planes.size(); ++i)
         callouts.push_back({sheet.across(rotor.planes[i].z), sheet.axis - sheet.radius - 10,
                             name_or(rotor.planes[i].name, "plane", i, rotor.planes.size())});
+    const auto seals = rotor.seals();
+    for (std::size_t i = 0; i < seals.size(); ++i)
+        callouts.push_back({sheet.across(seals[i].z),
+                            top(shaft_radius(rotor.shaft, seals[i].z)) - 9,
+                            name_or(seals[i].name, "seal", i, seals.size())});
     for (std::size_t i = 0; i < rotor.probes.size(); ++i)
         callouts.push_back({sheet.across(rotor.probes[i].z), sheet.axis - sheet.radius - 10,
                             name_or(rotor.probes[i].name, "probe", i, rotor.probes.size())});
@@ -308,12 +147,12 @@ void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
 std::vector<Callout> bearing_callouts(const model::Rotor &rotor, const Sheet &sheet,
                                       double ground) {
     std::vector<Callout> callouts;
-    for (std::size_t i = 0; i < rotor.bearings.size(); ++i)
+    const auto bearings = rotor.supports();
+    for (std::size_t i = 0; i < bearings.size(); ++i)
         callouts.push_back(
-            {sheet.across(rotor.bearings[i].z), ground + 7,
-             fmt::format("{}: {}",
-                         name_or(rotor.bearings[i].name, "bearing", i, rotor.bearings.size()),
-                         stiffness_text(rotor.bearings[i]))});
+            {sheet.across(bearings[i].z), ground + 7,
+             fmt::format("{}: {}", name_or(bearings[i].name, "bearing", i, bearings.size()),
+                         stiffness_text(bearings[i]))});
     return callouts;
 }
 
@@ -340,7 +179,9 @@ Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
         {{sheet.across(0) - 18, sheet.axis}, {sheet.across(rotor.shaft.length()) + 18, sheet.axis}},
         "#6B7885", 0.8, true));
     const double ground = sheet.axis + sheet.radius + 62;
-    for (const auto &bearing : rotor.bearings)
+    for (const auto &seal : rotor.seals())
+        draw_seal(drawing, sheet, rotor.shaft, seal);
+    for (const auto &bearing : rotor.supports())
         draw_bearing(drawing, sheet, rotor.shaft, bearing, ground);
     const int rows = draw_callouts(drawing, bearing_callouts(rotor, sheet, ground), ground + 28, 1);
     const double ruler = ground + 34 + line * rows;

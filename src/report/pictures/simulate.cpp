@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/simulate.h"
 
@@ -166,7 +167,9 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < speed.size(); ++k)
             points.push_back({result.series.time[k], speed[k] * rpm});
-        figure.script += "set yrange [*:*]\nset ytics auto\n" + panel(745, 895) +
+        const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
+        figure.script += operation_band(scene, {*low * rpm, *high * rpm}, SpeedAxis::y) +
+                         "set yrange [*:*]\nset ytics auto\n" + panel(745, 895) +
                          axes("Speed (rpm)", true) + draw("s", {{"rotor", {points}}}, 1);
     }
     figure.script += "unset multiplot\n";

@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "results/stability.h"
 
@@ -49,12 +50,15 @@ std::string bars(const Bands &bands, double row, const char *colour) {
     return text;
 }
 
-std::string growth_panel(const StabilityResult &result) {
+std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         points.push_back({result.speeds[i] * rpm, result.growth[i]});
     // Ends are exact, so the curve may start and stop there even between grid speeds.
-    std::string text = data_block("growth", {points});
+    const Range x{result.speeds.front() * rpm, result.speeds.size() > 1
+                                                   ? result.speeds.back() * rpm
+                                                   : result.speeds.front() * rpm + 1};
+    std::string text = data_block("growth", {points}) + operation_band(scene, x);
     if (result.family)
         text += shaded(result.family->unstable, shade_some);
     text += shaded(result.unstable, shade);
@@ -79,22 +83,22 @@ std::string growth_panel(const StabilityResult &result) {
             high = std::max(high, growth);
         }
     const bool flat = high <= low;
-    text += fmt::format("set xrange [{}:{}]\n", result.speeds.front() * rpm,
-                        result.speeds.size() > 1 ? result.speeds.back() * rpm
-                                                 : result.speeds.front() * rpm + 1);
+    text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
     if (flat)
         text += "set yrange [-1:1]\n";
     return text +
            "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
-           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 2\n"
+           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n"
            "plot $growth using 1:2 with lines lw 2 lc rgb '#222222' title 'growth'" +
-           keys + "\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
+           keys + operation_key(scene, x) +
+           "\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
 }
 
-std::string family_panel(const StabilityResult &result) {
+std::string family_panel(const model::Case &scene, const StabilityResult &result) {
     const auto &family = *result.family;
-    return bars(family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
+    return operation_band(scene, {result.speeds.front() * rpm, result.speeds.back() * rpm}) +
+           bars(family.anisotropy.empty() ? Bands{} : family.unstable, 4, "#E58AA6") +
            bars(family.always_unstable, 3, "#B0305C") + bars(family.critical_speeds, 2, "#0072B2") +
            bars(family.additional_speeds, 1, "#D55E00") +
            "set yrange [0.3:4.7]\nset ytics ('unstable, some' 4, 'unstable, every' 3, 'critical' "
@@ -106,7 +110,7 @@ std::string axis_title(const model::MapAxis &axis) {
     return axis.path == "speed" ? "Spin speed (rpm)" : axis.path;
 }
 
-std::string map_panel(const results::StabilityMap &map) {
+std::string map_panel(const model::Case &scene, const results::StabilityMap &map) {
     const auto scale = [](const model::MapAxis &axis) { return axis.path == "speed" ? rpm : 1.0; };
     double largest = 0;
     std::string text = "$map << EOD\n";
@@ -120,7 +124,14 @@ std::string map_panel(const results::StabilityMap &map) {
     }
     if (largest == 0)
         largest = 1;
-    return text + "EOD\n" +
+    const auto lines = [&](const model::MapAxis &of, const std::vector<double> &at,
+                           SpeedAxis axis) {
+        return of.path == "speed"
+                   ? operation_lines(scene, {at.front() * rpm, at.back() * rpm}, axis)
+                   : std::string();
+    };
+    return text + "EOD\n" + lines(map.x, map.x_values, SpeedAxis::x) +
+           lines(map.y, map.y_values, SpeedAxis::y) +
            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\nset cbrange [{}:{}]\n"
                        "set palette defined (-1 '#2166AC', -0.001 '#E8F1F8', 0 '#FFFFFF', 0.001 "
                        "'#FBE3EA', 1 '#B0305C')\nset cblabel 'Growth (1/s)'\n"
@@ -138,24 +149,24 @@ Figure stability_figure(const model::Case &scene, const StabilityResult &result)
     Figure figure;
     figure.width = 1180;
     const int panels = 1 + (result.family ? 1 : 0) + (result.map ? 1 : 0);
-    figure.height = 520 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
+    figure.height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
     const auto share = [&figure](double pixels) { return pixels / figure.height; };
     figure.script = figure_head("Stability: " + title_of(scene),
                                 panels > 1 ? "over spin speed, and what the case asks for below"
                                            : "over spin speed",
                                 figure.height);
-    double top = 1 - share(105);
+    double top = 1 - share(130); // three rows of the key
     double bottom = top - share(345);
-    figure.script += panel_margins(0.125, 0.95, bottom, top) + growth_panel(result);
+    figure.script += panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
     if (result.family) {
         top = bottom - share(75);
         bottom = top - share(165);
-        figure.script += panel_margins(0.125, 0.95, bottom, top) + family_panel(result);
+        figure.script += panel_margins(0.125, 0.95, bottom, top) + family_panel(scene, result);
     }
     if (result.map) {
         top = bottom - share(95);
         bottom = top - share(410);
-        figure.script += panel_margins(0.125, 0.85, bottom, top) + map_panel(*result.map);
+        figure.script += panel_margins(0.125, 0.85, bottom, top) + map_panel(scene, *result.map);
     }
     figure.script += "unset multiplot\n";
     return figure;

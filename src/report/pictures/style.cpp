@@ -111,10 +111,11 @@ double overlap(const LabelPlacer::Box &a, const LabelPlacer::Box &b) {
 
 } // namespace
 
-LabelPlacer::Box LabelPlacer::place(double x, double y, double width, double height) {
+std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double width,
+                                                   double height) {
     const double off = 0.45 * height;
-    Box best;
-    double least = 1e300;
+    std::optional<Box> best;
+    double least = HUGE_VAL;
     for (int ring = 0; ring < 4; ++ring)
         for (int side = 0; side < 8; ++side) {
             const double reach = off + ring * 0.9 * height;
@@ -131,9 +132,11 @@ LabelPlacer::Box LabelPlacer::place(double x, double y, double width, double hei
                                : s < -0.1 ? -height
                                           : -height / 2),
                           width, height};
+            const bool outside = box.x < 0 || box.x + width > 1 || box.y < 0 || box.y + height > 1;
+            if (outside || std::any_of(_labels.begin(), _labels.end(),
+                                       [&](const Box &other) { return overlap(box, other) > 0; }))
+                continue;
             double cost = 1e-6 * (ring * 8 + side);
-            if (box.x < 0 || box.x + width > 1 || box.y < 0 || box.y + height > 1)
-                cost += 1;
             for (const Box &other : _boxes)
                 cost += overlap(box, other) / (width * height);
             if (cost < least) {
@@ -141,7 +144,8 @@ LabelPlacer::Box LabelPlacer::place(double x, double y, double width, double hei
                 best = box;
             }
         }
-    block(best);
+    if (best)
+        _labels.push_back(*best);
     return best;
 }
 

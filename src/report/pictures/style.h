@@ -18,6 +18,9 @@ struct LineStyle {
     int point = 7;      ///< gnuplot's point type
 };
 
+/// Of critical speeds that are damped so heavily that they count as none (AF < 2.5).
+inline constexpr const char *heavy_colour = "#A0A0A0";
+
 [[nodiscard]] LineStyle whirl_style(results::Whirl whirl);
 /// The index-th of a row of styles that differ in colour, dash and marker.
 [[nodiscard]] LineStyle series_style(std::size_t index);
@@ -59,10 +62,12 @@ class LabelPlacer {
     };
     void block(const Box &box) { _boxes.push_back(box); }
     /// Least covered place of a label of this size around (x, y); the place is taken from then on.
-    Box place(double x, double y, double width, double height);
+    /// Nothing where any place leaves the picture or lies on another label.
+    std::optional<Box> place(double x, double y, double width, double height);
 
   private:
     std::vector<Box> _boxes;
+    std::vector<Box> _labels;
 };
 
 } // namespace whirl::report

@@ -51,7 +51,7 @@ multiples.forEach(k => {
 });
 if (result.crossings.length) traces.push({x: result.crossings.map(c => c.speed * rpm), y: result.crossings.map(c => c.frequency * hertz),
   text: result.crossings.map(c => `crossing of ${result.modes[c.mode].label} with ${c.multiple}×<br>${short(c.speed * rpm, 9)} rpm = ${short(c.speed, 10)} rad/s`),
-  hoverinfo: "text", mode: "markers", name: "crossing", marker: {symbol: "circle-open", size: 13, color: "#000", line: {width: 2}}});
+  hoverinfo: "text", mode: "markers", name: "crossing", marker: {symbol: "circle-open", size: 13, color: result.crossings.map(c => c.heavily_damped ? heavy : "#000"), line: {width: 2}}});
 draw(traces, {annotations: notes, height: damped ? 860 : 620,
   xaxis: axis("Spin speed (rpm)", {anchor: damped ? "y2" : "y", range: [speeds[0], speeds[last] + 0.05 * (speeds[last] - speeds[0]) || 1]}),
   yaxis: axis("Whirl frequency (Hz)", {range: [0, top], domain: damped ? [0.38, 1] : [0, 1]}),

@@ -5,13 +5,28 @@ const look = {
   forward: {color: "#0072B2", dash: "solid", symbol: "circle"},
   backward: {color: "#D55E00", dash: "dash", symbol: "circle-open"},
   mixed: {color: "#007D5A", dash: "dashdot", symbol: "triangle-up-open"}};
+const heavy = "#A0A0A0"; // damped so heavily that it counts as no critical speed
 const colours = ["#0072B2", "#D55E00", "#007D5A", "#A8527F", "#B77F00", "#3C97CF", "#000000", "#7A7A7A"];
 const dashes = ["solid", "dash", "dot", "dashdot"];
 const short = (value, digits) => value === null || value === undefined ? "–" : Number(value.toPrecision(digits)).toString();
 const axis = (title, more) => Object.assign({title: {text: title}, gridcolor: "#E4E4E4", zerolinecolor: "#999",
   linecolor: "#333", mirror: true, ticks: "outside"}, more || {});
+// A light band over the operating speeds, and a line at the trip speed, where spin speed goes to the right.
+function operating(layout) {
+  const at = result.operation, across = (from, to, more) => Object.assign({type: "rect", xref: "x", yref: "paper", layer: "below",
+    x0: from * rpm, x1: to * rpm, y0: 0, y1: 1, line: {width: 0}}, more);
+  if (!at || !layout.xaxis || !layout.xaxis.title.text.startsWith("Spin speed")) return {};
+  const name = (speed, text, anchor) => ({x: speed * rpm, xref: "x", y: 0, yref: "paper", xanchor: anchor, yanchor: "bottom", text,
+    showarrow: false, textangle: -90, font: {size: 11, color: "#7A5200"}});
+  const shapes = [across(at.from, at.to, {fillcolor: "#E3EFDA"})], names = [name(at.from, "operating speeds", "left")];
+  if (at.trip !== null) {
+    shapes.push(across(at.trip, at.trip, {type: "line", line: {width: 1.5, color: "#7A5200"}}));
+    names.push(name(at.trip, "trip", "left"));
+  }
+  return {shapes: shapes.concat(layout.shapes || []), annotations: (layout.annotations || []).concat(names)};
+}
 function draw(traces, layout) {
   Plotly.newPlot("plot", traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
     hovermode: "closest", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
-    legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout), {responsive: true, displaylogo: false});
+    legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout, operating(layout)), {responsive: true, displaylogo: false});
 }

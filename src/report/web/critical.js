@@ -2,6 +2,6 @@ const traces = Object.keys(look).map(sense => {
   const list = result.critical_speeds.filter(c => c.whirl === sense);
   return {x: list.map(c => c.speed * rpm), y: list.map(() => sense), mode: "markers", name: sense, hoverinfo: "text",
     text: list.map(c => `${sense}: ${short(c.speed, 10)} rad/s = ${short(c.speed * rpm, 10)} rpm<br>error ${short(c.error, 2)}`),
-    marker: {color: look[sense].color, symbol: look[sense].symbol, size: 13, line: {width: 2}}};
+    marker: {color: list.map(c => c.heavily_damped ? heavy : look[sense].color), symbol: look[sense].symbol, size: 13, line: {width: 2}}};
 }).filter(t => t.x.length);
 draw(traces, {height: 300, xaxis: axis("Spin speed (rpm)", {rangemode: "tozero"}), yaxis: axis("", {type: "category"}), margin: {l: 90, r: 30, t: 30, b: 60}});

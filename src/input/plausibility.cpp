@@ -1,0 +1,149 @@
+#include "input/plausibility.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace whirl::input {
+
+namespace {
+
+/// What no machine has more or less of.
+struct Usual {
+    double least, most;
+    const char *unit;
+    const char *example;
+};
+constexpr double no_limit = std::numeric_limits<double>::infinity(); // a shaft made rigid
+constexpr Usual of_modulus{1e8, no_limit, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
+constexpr Usual of_density{200, 25000, "kg/m3", "steel has 7850 kg/m3, \"7.85 g/cm3\""};
+constexpr double massless = 1e-3; // kg/m3: a shaft made so
+constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a unit: \"1200 mm\""};
+constexpr Usual of_diameter{1e-4, 10, "m", "diameters are in m unless they have a unit: \"50 mm\""};
+
+/// Collects remarks, each once.
+class Remarks {
+  public:
+    explicit Remarks(model::Case &scene) : _scene(scene) {}
+
+    void add(const std::string &text) {
+        auto &all = _scene.remarks;
+        if (std::find(all.begin(), all.end(), text) == all.end())
+            all.push_back(text);
+    }
+    void check(const std::string &what, double value, const Usual &usual) {
+        if (value < usual.least || value > usual.most)
+            add(fmt::format("{} of {:.6g} {} is unlike any machine's; {}", what, value, usual.unit,
+                            usual.example));
+    }
+
+  private:
+    model::Case &_scene;
+};
+
+void check_shaft(const model::Shaft &shaft, Remarks &remarks) {
+    remarks.check("a shaft length", shaft.length(), of_length);
+    for (const model::Segment &segment : shaft.segments) {
+        remarks.check("a modulus E", segment.material.E, of_modulus);
+        if (segment.material.rho > massless)
+            remarks.check("a density", segment.material.rho, of_density);
+        remarks.check("a shaft diameter", std::max(segment.outer_start, segment.outer_end),
+                      of_diameter);
+    }
+}
+
+/// Speed of the surface of the thickest segment and of discs, as wide as their inertia says, m/s.
+double surface_speed(const model::Rotor &rotor, double speed) {
+    double radius = 0;
+    for (const model::Segment &segment : rotor.shaft.segments)
+        radius = std::max({radius, segment.outer_start / 2, segment.outer_end / 2});
+    for (const model::Disc &disc : rotor.discs)
+        if (disc.mass > 0)
+            radius = std::max(radius, std::sqrt(2 * disc.Ip / disc.mass));
+    return radius * speed;
+}
+
+void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) {
+    if (!scene.speeds)
+        return;
+    constexpr double fastest = 1000; // m/s: discs of steel burst below
+    for (const auto &[key, speed] :
+         {std::pair{"speeds.from", scene.speeds->from}, std::pair{"speeds.to", scene.speeds->to}}) {
+        const Node *node = find_path(tree, key);
+        const double surface = surface_speed(scene.rotor, std::abs(speed));
+        if (node && node->is_number() && surface > fastest)
+            remarks.add(fmt::format("{} = {:.6g} is in rad/s, {:.6g} rpm: the rotor's surface "
+                                    "moves at {:.0f} m/s; with "
+                                    "a unit, \"{:.6g} rpm\", it is that speed",
+                                    key, speed, speed * 30 / std::numbers::pi, surface, speed));
+    }
+}
+
+/// Beyond a turn, without a unit.
+void check_angle(const Node &tree, const std::string &path, Remarks &remarks) {
+    const Node *node = find_path(tree, path);
+    if (node && node->is_number() && std::abs(node->number) > 2 * std::numbers::pi + 1e-9)
+        remarks.add(fmt::format("{} = {:.6g} is in rad, more than a turn; with a unit, \"{:.6g} "
+                                "deg\", it is that angle",
+                                path, node->number, node->number));
+}
+
+void check_angles(const model::Rotor &rotor, const Node &tree, Remarks &remarks) {
+    const auto all = [&](const char *list, std::size_t count, const char *key) {
+        for (std::size_t i = 0; i < count; ++i)
+            check_angle(tree, fmt::format("{}[{}].{}", list, i, key), remarks);
+    };
+    all("imbalance", rotor.imbalances.size(), "phase");
+    all("anisotropy", rotor.anisotropies.size(), "angle");
+    all("balancer", rotor.balancers.size(), "imbalance_phase");
+    all("probe", rotor.probes.size(), "angle");
+}
+
+void check_tables(const model::Case &scene, Remarks &remarks) {
+    if (!scene.speeds)
+        return;
+    const double low = std::min(scene.speeds->from, scene.speeds->to);
+    const double high = std::max(scene.speeds->from, scene.speeds->to);
+    for (std::size_t i = 0; i < scene.rotor.bearings.size(); ++i) {
+        const model::Bearing &bearing = scene.rotor.bearings[i];
+        if (!bearing.depends_on_speed() ||
+            (low >= bearing.speeds.front() && high <= bearing.speeds.back()))
+            continue;
+        remarks.add(
+            fmt::format("[speeds] reach from {:.6g} to {:.6g} rad/s, the table of "
+                        "bearing[{}] from {:.6g} to {:.6g}: outside of it the bearing is as "
+                        "at its end",
+                        low, high, i, bearing.speeds.front(), bearing.speeds.back()));
+    }
+}
+
+template <class Items> void check_names(const char *what, const Items &items, Remarks &remarks) {
+    std::set<std::string> seen;
+    for (const auto &item : items)
+        if (!item.name.empty() && !seen.insert(item.name).second)
+            remarks.add(fmt::format("{} \"{}\" stands more than once: results name them alike",
+                                    what, item.name));
+}
+
+} // namespace
+
+void add_remarks(model::Case &scene, const Node &tree) {
+    Remarks remarks(scene);
+    const model::Rotor &rotor = scene.rotor;
+    check_shaft(rotor.shaft, remarks);
+    check_speeds(scene, tree, remarks);
+    check_angles(rotor, tree, remarks);
+    check_tables(scene, remarks);
+    check_names("disc", rotor.discs, remarks);
+    check_names("bearing", rotor.bearings, remarks);
+    check_names("balancer", rotor.balancers, remarks);
+    check_names("plane", rotor.planes, remarks);
+    if (rotor.bearings.empty())
+        remarks.add("the rotor has no bearings: it floats freely");
+}
+
+} // namespace whirl::input

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "modes/following/pair_guess.h"
+#include "modes/following/symmetric_problem.h"
+
+#include <complex>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Eigenpairs found independently, to begin with.
+struct StartingPairs {
+    std::vector<std::pair<std::complex<double>, Eigen::VectorXcd>> whirls;
+    std::vector<double> real; ///< eigenvalues without whirl
+    double radius = 0;        ///< all of less modulus are given
+};
+
+/// Follows the slowest eigenpairs of a symmetric problem over the speeds of a sweep.
+///
+/// Where pairs are known at some speeds, polynomials through them (in the speed, entry by entry)
+/// guess the pairs at others; each guess is refined with the full matrices until the residual
+/// leaves nothing. That none is missing: eigenvalues are counted at the ends and at some speeds
+/// between by the argument of the determinant (same_number). From a speed where all within a radius
+/// are known none can come in from beyond faster than eigenvalues move with speed: without damping
+/// by less than twice the change of the speed, as Ip <= 2 Id (theory.md). So much smaller is the
+/// radius at speeds that are not counted; where fewer modes than wanted are left in it, there is a
+/// count.
+class Continuation {
+  public:
+    using Start = std::function<StartingPairs(double speed, int wanted)>;
+
+    /// @param problem         kept by reference
+    /// @param discretization  for the largest Ip / Id
+    Continuation(const SymmetricProblem &problem, const assembly::Discretization &discretization,
+                 Start start);
+
+    /// Solves at speeds that rise or fall. Speeds at which pairs could not be followed are left
+    /// out: modes are then to be found otherwise.
+    /// @param wanted  whirl modes at each
+    void follow(const std::vector<double> &speeds, int wanted);
+
+    /// Pairs at one of the speeds, or between two of them; none where they are not followed, or
+    /// may be fewer than wanted.
+    [[nodiscard]] const FollowedSpeed *at(double speed, int wanted);
+    /// At a speed that was asked for before.
+    [[nodiscard]] const FollowedSpeed *known(double speed) const;
+
+    [[nodiscard]] const SymmetricProblem &problem() const { return _problem; }
+
+  private:
+    struct Run {
+        std::map<double, FollowedSpeed> at; ///< pairs in one order
+        /// The same with fewer pairs, followed before, and the places of pairs there.
+        std::map<double, FollowedSpeed> before;
+        std::vector<std::optional<std::size_t>> places;
+    };
+    const SymmetricProblem &_problem;
+    Start _start;
+    double _fastest; ///< change of an eigenvalue in units of that of the speed
+    double _creep;   ///< s, of internal damping: the same for each 1/s of the eigenvalue
+    std::vector<Run> _runs, _before;
+    int _wanted = 0;
+
+    [[nodiscard]] std::optional<FollowedSpeed> begin(double speed, int wanted) const;
+    [[nodiscard]] std::optional<FollowedSpeed> step(const Run &run, double speed) const;
+    [[nodiscard]] Run joining(const FollowedSpeed &start);
+    std::size_t run_from(const std::vector<double> &speeds, std::size_t first, int wanted);
+    [[nodiscard]] bool bridged(Run &run, double from, double to, int depth) const;
+    void fill(Run &run, const std::vector<double> &speeds, std::size_t from, std::size_t to) const;
+    [[nodiscard]] std::size_t complete(Run &run, const std::vector<double> &speeds,
+                                       std::size_t first, std::size_t last, int wanted) const;
+    [[nodiscard]] const FollowedSpeed *between(Run &run, double speed) const;
+    [[nodiscard]] bool covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
+    [[nodiscard]] bool count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
+};
+
+/// Whether as many eigenvalues are missing within `radius` at one speed as within another at the
+/// other: the argument of the ratio of both determinants around the circles, with all eigenvalues
+/// known of both divided out, which turns slowly.
+[[nodiscard]] bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a,
+                               double radius_a, const FollowedSpeed &b, double radius_b);
+
+/// A circle with at least `wanted` whirl modes in it, in the widest gap between moduli of pairs; 0
+/// where there is none.
+[[nodiscard]] double widest_gap(const FollowedSpeed &at, int wanted);
+
+} // namespace whirl::modes

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "modes/following/symmetric_problem.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace whirl::modes {
+
+/// An eigenpair of a symmetric problem at one speed, with what the vector makes of the matrices.
+struct SymmetricPair {
+    std::complex<double> value;      ///< l, 1/s
+    Eigen::VectorXcd vector;         ///< x
+    std::complex<double> rate;       ///< dl/dspeed
+    std::complex<double> derivative; ///< x^T Q'(l) x
+    double error = 0;                ///< of l, relative: what the residual leaves
+    double rounding = 0;             ///< of l, relative: what rounding of the entries can cause
+    bool solved = false;             ///< by inverse iteration, not by a good guess alone
+    Eigen::VectorXcd Mx, Kx;
+};
+
+/// Finds eigenpairs of the problem at one speed from guesses.
+class EigenpairRefinement {
+  public:
+    EigenpairRefinement(const SymmetricProblem &problem, double speed)
+        : _problem(problem), _speed(speed) {}
+
+    /// The Rayleigh quotient of the vector next to the value, and its error. With the same left and
+    /// right vector the error is of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual
+    /// r = Q(l) x; (K + |l|^2 M)^-1 over the distance to the other eigenvalues takes the place of
+    /// Q^-1.
+    /// @param distance  to the next eigenvalues, relative (distance_from_others)
+    void assess(SymmetricPair &pair, double distance);
+
+    /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
+    /// where the guess is good enough.
+    /// @returns false where it does not settle
+    [[nodiscard]] bool refine(SymmetricPair &pair, double distance);
+
+    /// The eigenpair nearest a value, from no vector.
+    [[nodiscard]] SymmetricPair nearest(std::complex<double> value);
+
+    /// Argument of det Q(z), the eigenvalues given divided out.
+    [[nodiscard]] double phase(std::complex<double> z, const std::vector<SymmetricPair> &without);
+
+  private:
+    using Complex = std::complex<double>;
+    const SymmetricProblem &_problem;
+    double _speed;
+    SymmetricProblem::Products _of;
+    Complex _xMx, _xDx, _xKx;
+    Eigen::VectorXcd _residual;
+
+    void multiply(const Eigen::VectorXcd &x);
+    [[nodiscard]] Complex rayleigh(Complex near) const;
+    [[nodiscard]] double error(Complex l, double distance);
+    [[nodiscard]] linalg::SymmetricFactor &factorize(Complex l);
+    void inverse_step(SymmetricPair &pair);
+    void fill(SymmetricPair &pair) const;
+};
+
+/// From an eigenvalue to the two next ones among these: product of the distances relative to it,
+/// each at most 1. (Next to two eigenvalues that nearly meet Q^-1 grows with both.)
+[[nodiscard]] double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i);
+
+} // namespace whirl::modes

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "modes/biorthogonal.h"
+#include "modes/following/continuation.h"
+#include "modes/general_spectrum.h"
+#include "modes/whirl_mode.h"
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// The modes within the radius in which all pairs are known.
+[[nodiscard]] GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem,
+                                              const FollowedSpeed &followed);
+
+/// Modes from guesses of their eigenvalues and shapes, one for each; none where they cannot be
+/// found from these.
+[[nodiscard]] std::vector<WhirlMode> modes_near(const SymmetricProblem &problem, double speed,
+                                                const std::vector<WhirlMode> &guesses);
+
+/// Left and right vectors of modes that are all among the pairs, with the products the pairs carry.
+[[nodiscard]] ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followed,
+                                 const std::vector<WhirlMode> &modes);
+
+/// Modes found independently as pairs to begin with.
+[[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form);
+
+} // namespace whirl::modes

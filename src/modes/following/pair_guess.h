@@ -1,0 +1,37 @@
+#pragma once
+
+#include "modes/following/eigenpair_refinement.h"
+#include "modes/following/symmetric_problem.h"
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Eigenpairs of one speed that are followed from others.
+struct FollowedSpeed {
+    double speed = 0;                 ///< rad/s
+    std::vector<SymmetricPair> pairs; ///< in the same order at all speeds of one continuation
+    double radius = 0;                ///< all eigenvalues of less modulus are among them, 1/s
+    bool counted = false;             ///< they were counted, or found by a route that does
+
+    [[nodiscard]] int within(double radius) const;
+};
+
+/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it.
+/// @param known  by speed, at least one
+[[nodiscard]] SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed,
+                                  std::size_t i);
+
+/// Pairs from guesses at one speed, those with products as they are; none where one does not
+/// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
+/// problem stay real, of two conjugates the upper one is meant.
+[[nodiscard]] std::optional<std::vector<SymmetricPair>>
+pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses);
+
+/// The eigenpair nearest a real number, of two conjugates the upper one.
+[[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,
+                                          double value);
+
+} // namespace whirl::modes

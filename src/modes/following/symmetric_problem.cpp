@@ -1,0 +1,230 @@
+#include "modes/following/symmetric_problem.h"
+
+#include "assembly/system.h"
+#include "linalg/check.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = SymmetricProblem::Complex;
+using RealSparse = SymmetricProblem::Sparse;
+constexpr Complex i_times(0, 1);
+
+/// The part of a real matrix on pairs (x, y) that stays within a plane, or that couples them: with
+/// y = i y' and the rows of y times -i the second becomes i times a symmetric matrix.
+struct Planes {
+    RealSparse within, across;
+};
+
+std::optional<Planes> planes_of(const linalg::Matrix &matrix) {
+    const RealSparse A = matrix.view();
+    std::vector<Eigen::Triplet<double>> within;
+    std::vector<Eigen::Triplet<double>> across;
+    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
+        for (RealSparse::InnerIterator entry(A, column); entry; ++entry) {
+            const auto row = static_cast<int>(entry.row());
+            const auto col = static_cast<int>(column);
+            if (row % 2 == col % 2)
+                within.emplace_back(row, col, entry.value());
+            else
+                across.emplace_back(row, col, row % 2 == 0 ? entry.value() : -entry.value());
+        }
+    Planes out{RealSparse(A.rows(), A.cols()), RealSparse(A.rows(), A.cols())};
+    out.within.setFromTriplets(within.begin(), within.end());
+    out.across.setFromTriplets(across.begin(), across.end());
+    for (const RealSparse *part : {&out.within, &out.across})
+        if ((*part - RealSparse(part->transpose())).norm() > 1e-14 * part->norm())
+            return std::nullopt;
+    return out;
+}
+
+/// In the order of SymmetricProblem::Part; empty where the form is not symmetric so.
+std::vector<RealSparse> planar_parts(const assembly::Discretization &d) {
+    const assembly::DampedPlanarSystem s = assembly::assemble_damped_planar(d, 0);
+    return {s.M.view(), s.C.view(),  s.Cx.view(), -s.G.view(),
+            s.K.view(), s.Kx.view(), -s.Kc.view()};
+}
+
+std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
+    const assembly::FixedSystem s = assembly::assemble_fixed(d, 0);
+    std::vector<Planes> planes;
+    for (const linalg::Matrix *A : {&s.M, &s.C, &s.G, &s.K, &s.Kc}) {
+        const std::optional<Planes> part = planes_of(*A);
+        if (!part)
+            return {};
+        planes.push_back(*part);
+    }
+    const bool as_expected = planes[0].across.norm() == 0 && planes[2].within.norm() == 0 &&
+                             planes[4].within.norm() == 0;
+    if (!as_expected)
+        return {};
+    return {planes[0].within, planes[1].within, planes[1].across, planes[2].across,
+            planes[3].within, planes[3].across, planes[4].across};
+}
+
+bool positive_definite(const RealSparse &A) {
+    return Eigen::SimplicialLLT<RealSparse>(A).info() == Eigen::Success;
+}
+
+} // namespace
+
+std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretization &d,
+                                                       results::Form form) {
+    const bool planar = form == results::Form::planar_damped;
+    if ((!planar && form != results::Form::general) || d.rotor().bearings_depend_on_speed())
+        return nullptr;
+    std::vector<RealSparse> matrices = planar ? planar_parts(d) : general_parts(d);
+    if (matrices.empty() || !positive_definite(matrices[stiffness]) ||
+        !positive_definite(matrices[mass]))
+        return nullptr;
+    return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
+}
+
+SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
+    : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
+      _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()) {
+    Sparse all(_size, _size);
+    all.setIdentity();
+    for (Sparse A : matrices) {
+        A.prune(0.0); // hierarchical functions hardly couple
+        all += A.cwiseAbs();
+    }
+    _Q = all.cast<Complex>();
+    _Q.makeCompressed();
+    for (int part = 0; part < parts; ++part)
+        add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
+    _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
+}
+
+void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
+    Sparse A = _scales.asDiagonal() * matrix * _scales.asDiagonal();
+    A.prune(0.0);
+    Rows &rows = _parts[static_cast<std::size_t>(part)];
+    for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
+        const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
+        const int *last = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j + 1];
+        for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+            rows.column.push_back(static_cast<int>(entry.row()));
+            rows.value.push_back(entry.value());
+            rows.place.push_back(static_cast<int>(
+                std::lower_bound(first, last, rows.column.back()) - _Q.innerIndexPtr()));
+        }
+        if (static_cast<int>(rows.column.size()) > rows.start.back()) {
+            rows.row.push_back(j);
+            rows.start.push_back(static_cast<int>(rows.column.size()));
+        }
+    }
+}
+
+double SymmetricProblem::energy(const Eigen::VectorXcd &b, double size) const {
+    const int exponent = std::ilogb(size);
+    auto known = _energies.find(exponent);
+    if (known == _energies.end()) {
+        const double s = std::ldexp(1.0, exponent);
+        _Q.coeffs().setZero();
+        add(stiffness, 1);
+        add(mass, s * s);
+        _factor->factorize(_Q);
+        known = _energies.emplace(exponent, linalg::RealEnergy(*_factor)).first;
+    }
+    return known->second(b);
+}
+
+Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
+    Eigen::VectorXcd out = shape.cwiseQuotient(_scales);
+    if (conjugates())
+        out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
+    return out;
+}
+
+Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
+    Eigen::VectorXcd out = vector.cwiseProduct(_scales);
+    if (conjugates())
+        out(Eigen::seqN(1, _size / 2, 2)) *= i_times;
+    return out;
+}
+
+Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) const {
+    return from_form(to_form(vector).conjugate());
+}
+
+Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {
+    return from_form(vector); // the inverse of diagonal matrices
+}
+
+void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Products &out) const {
+    const auto times = [&](Part part, Eigen::VectorXcd &y, Complex factor) {
+        const Rows &A = _parts[static_cast<std::size_t>(part)];
+        const Complex *in = x.data();
+        for (std::size_t r = 0; r < A.row.size(); ++r) {
+            double re = 0;
+            double im = 0;
+            for (int p = A.start[r]; p < A.start[r + 1]; ++p) {
+                const Complex &value = in[A.column[static_cast<std::size_t>(p)]];
+                re += A.value[static_cast<std::size_t>(p)] * value.real();
+                im += A.value[static_cast<std::size_t>(p)] * value.imag();
+            }
+            y(A.row[r]) += Complex(factor.real() * re - factor.imag() * im,
+                                   factor.real() * im + factor.imag() * re);
+        }
+    };
+    for (Eigen::VectorXcd *y : {&out.M, &out.D, &out.K, &out.D1, &out.K1})
+        y->setZero(_size);
+    times(mass, out.M, 1);
+    times(damping, out.D, 1);
+    times(damping_turned, out.D, i_times);
+    times(gyroscopic, out.D1, i_times);
+    times(stiffness, out.K, 1);
+    times(stiffness_turned, out.K, i_times);
+    times(circulatory, out.K1, i_times);
+    out.D += speed * out.D1;
+    out.K += speed * out.K1;
+}
+
+double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
+    const Eigen::VectorXd size = x.cwiseAbs();
+    const auto form = [&](Part part) {
+        const Rows &A = _parts[static_cast<std::size_t>(part)];
+        double sum = 0;
+        for (std::size_t r = 0; r < A.row.size(); ++r) {
+            double row = 0;
+            for (int p = A.start[r]; p < A.start[r + 1]; ++p)
+                row += std::abs(A.value[static_cast<std::size_t>(p)]) *
+                       size(A.column[static_cast<std::size_t>(p)]);
+            sum += row * size(A.row[r]);
+        }
+        return sum;
+    };
+    const double turn = std::abs(speed);
+    return form(stiffness) + form(stiffness_turned) + turn * form(circulatory) +
+           l * (form(damping) + form(damping_turned) + turn * form(gyroscopic) + l * form(mass));
+}
+
+void SymmetricProblem::add(Part part, Complex factor) const {
+    const Rows &A = _parts[static_cast<std::size_t>(part)];
+    Complex *Q = _Q.valuePtr();
+    for (std::size_t p = 0; p < A.value.size(); ++p)
+        Q[A.place[p]] += Complex(factor.real() * A.value[p], factor.imag() * A.value[p]);
+}
+
+linalg::SymmetricFactor &SymmetricProblem::factorize(Complex l, double speed) const {
+    _Q.coeffs().setZero();
+    add(mass, l * l);
+    add(damping, l);
+    add(damping_turned, i_times * l);
+    add(gyroscopic, i_times * speed * l);
+    add(stiffness, 1);
+    add(stiffness_turned, i_times);
+    add(circulatory, i_times * speed);
+    _factor->factorize(_Q);
+    return *_factor;
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "linalg/complex_factors.h"
+#include "results/formulation.h"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Q(l) = l^2 M + l (D + speed D1) + K + speed K1 of a rotor, complex and symmetric, every matrix
+/// kept as a real and an imaginary part with its own entries. So are the form planar_damped as it
+/// stands, and the general form with y = i y' where its matrices are their transposes in the mirror
+/// y -> -y: bearings with kxy = -kyx, or that do not couple the planes. Unknowns are scaled so that
+/// K has ones on its diagonal: all count alike, whatever their units.
+class SymmetricProblem {
+  public:
+    using Complex = std::complex<double>;
+    using Sparse = Eigen::SparseMatrix<double>;
+    enum Part {
+        mass,
+        damping,
+        damping_turned,
+        gyroscopic,
+        stiffness,
+        stiffness_turned,
+        circulatory
+    };
+    static constexpr int parts = 7;
+
+    /// None where the form is another one or not symmetric so, where bearings change with the
+    /// speed, where the stiffness is not positive definite, or where something moves without mass.
+    [[nodiscard]] static std::unique_ptr<SymmetricProblem>
+    of(const assembly::Discretization &discretization, results::Form form);
+
+    [[nodiscard]] int size() const { return _size; }
+    [[nodiscard]] results::Form form() const { return _form; }
+    /// With an eigenvalue its conjugate is one: the general form.
+    [[nodiscard]] bool conjugates() const { return _form == results::Form::general; }
+
+    /// A vector of the form's unknowns as one of this problem, and back.
+    [[nodiscard]] Eigen::VectorXcd from_form(const Eigen::VectorXcd &shape) const;
+    [[nodiscard]] Eigen::VectorXcd to_form(const Eigen::VectorXcd &vector) const;
+    /// The vector that goes with the conjugate eigenvalue.
+    [[nodiscard]] Eigen::VectorXcd conjugate(const Eigen::VectorXcd &vector) const;
+    /// A covector: its product with a vector stays what it is.
+    [[nodiscard]] Eigen::VectorXcd covector_to_form(const Eigen::VectorXcd &vector) const;
+
+    /// A vector times the matrices; D1 and K1 are what a unit of speed changes.
+    struct Products {
+        Eigen::VectorXcd M, D, K, D1, K1;
+    };
+    void multiply(const Eigen::VectorXcd &x, double speed, Products &out) const;
+
+    /// |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|: what the entries add up to in x^T Q(l) x.
+    [[nodiscard]] double absolute_form(double l, double speed, const Eigen::VectorXcd &x) const;
+
+    /// L D L^T of Q(l) at a speed; the same object each time.
+    /// @throws linalg::SolverError where a pivot is zero
+    linalg::SymmetricFactor &factorize(Complex l, double speed) const;
+    /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below `size` (1/s).
+    [[nodiscard]] double energy(const Eigen::VectorXcd &b, double size) const;
+
+  private:
+    /// Real symmetric matrix by its rows that are not empty.
+    struct Rows {
+        std::vector<int> row, start{0}, column;
+        std::vector<double> value;
+        std::vector<int> place; ///< of each entry on the common pattern
+    };
+    int _size = 0;
+    results::Form _form = results::Form::general;
+    std::vector<Rows> _parts;
+    Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
+    mutable linalg::SymmetricFactor::Sparse _Q;
+    mutable std::unique_ptr<linalg::SymmetricFactor> _factor;
+    mutable std::map<int, linalg::RealEnergy> _energies; ///< by the exponent of two
+
+    SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
+    void add_part(Part part, const Sparse &A);
+    void add(Part part, Complex factor) const;
+};
+
+} // namespace whirl::modes

@@ -1,0 +1,153 @@
+#include "operation/margins.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::operation {
+
+namespace {
+
+using results::CriticalSpeed;
+using results::MarginSide;
+using results::ResponsePeak;
+using results::SeparationMargin;
+using results::Whirl;
+
+constexpr double counted_from = results::Damping::least_amplification;
+constexpr double most_below = 16; ///< %
+constexpr double more_above = 10; ///< %
+constexpr double half_power = 17; ///< %
+constexpr double most_above = most_below + more_above;
+
+bool counts(const std::optional<double> &amplification) {
+    return !amplification || *amplification >= counted_from;
+}
+
+/// The peaks that are judged: what probes see, where there are any.
+std::vector<const ResponsePeak *> judged(const std::vector<ResponsePeak> &peaks) {
+    const bool probes = std::any_of(peaks.begin(), peaks.end(),
+                                    [](const ResponsePeak &peak) { return peak.of == "probe"; });
+    std::vector<const ResponsePeak *> out;
+    for (const ResponsePeak &peak : peaks)
+        if (peak.speed > 0 && peak.of == (probes ? "probe" : "station"))
+            out.push_back(&peak);
+    return out;
+}
+
+/// A peak without limit has none; one whose half-power points are not both known no factor.
+bool has_factor(const ResponsePeak &peak) { return std::isinf(peak.value) || peak.amplification; }
+
+/// Peak and eigenvalue of one resonance are apart by less than the width of the resonance.
+bool together(const ResponsePeak &peak, const CriticalSpeed &critical) {
+    constexpr double rounding = 1e-3; // of sharp resonances: far narrower than they are apart
+    double sharpness = 1 / rounding;
+    for (const auto &factor : {peak.amplification, critical.damping.amplification})
+        if (factor)
+            sharpness = std::min(sharpness, *factor);
+    return std::abs(std::log(peak.speed / critical.speed)) <= 1 / sharpness;
+}
+
+/// The critical speed that a peak belongs to, or none.
+const CriticalSpeed *nearest(const ResponsePeak &peak,
+                             const std::vector<const CriticalSpeed *> &critical_speeds) {
+    const CriticalSpeed *best = nullptr;
+    for (const CriticalSpeed *critical : critical_speeds)
+        if (together(peak, *critical) &&
+            (!best || std::abs(peak.speed - critical->speed) < std::abs(peak.speed - best->speed)))
+            best = critical;
+    return best;
+}
+
+SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical,
+                         const model::Operation &operation) {
+    SeparationMargin out = margin_of(
+        peak.speed, std::isinf(peak.value) ? std::nullopt : peak.amplification, operation);
+    out.source = "response";
+    out.of = peak.of;
+    out.z = peak.z;
+    out.name = peak.name;
+    if (critical)
+        out.whirl = critical->whirl;
+    return out;
+}
+
+SeparationMargin of_damping(const CriticalSpeed &critical, const model::Operation &operation) {
+    SeparationMargin out = margin_of(critical.speed, critical.damping.amplification, operation);
+    out.source = "damping";
+    out.whirl = critical.whirl;
+    return out;
+}
+
+} // namespace
+
+double required_margin(std::optional<double> amplification, MarginSide side) {
+    if (!counts(amplification) || side == MarginSide::inside)
+        return 0;
+    const double by_factor = half_power * (amplification ? 1 - 1 / (*amplification - 1.5) : 1.0);
+    return side == MarginSide::below ? std::min(by_factor, most_below)
+                                     : std::min(more_above + by_factor, most_above);
+}
+
+SeparationMargin margin_of(double speed, std::optional<double> amplification,
+                           const model::Operation &operation) {
+    SeparationMargin out;
+    out.speed = speed;
+    out.amplification = amplification;
+    if (speed < operation.from) {
+        out.side = MarginSide::below;
+        out.found = 100 * (operation.from - speed) / operation.from;
+    } else if (speed > operation.to) {
+        out.side = MarginSide::above;
+        out.found = 100 * (speed - operation.to) / operation.to;
+    }
+    if (out.side == MarginSide::inside) {
+        out.passes = !counts(amplification);
+        return out;
+    }
+    out.required = required_margin(amplification, out.side);
+    const bool reached = out.side == MarginSide::above && speed <= operation.trip.value_or(0);
+    out.passes = out.found >= *out.required && !(reached && counts(amplification));
+    return out;
+}
+
+std::vector<SeparationMargin> separation_margins(const model::Operation &operation,
+                                                 const std::vector<CriticalSpeed> &critical_speeds,
+                                                 const std::vector<ResponsePeak> &peaks,
+                                                 bool backward_too) {
+    constexpr double one = 1e-9; // the same motion in two directions counts once
+    std::vector<const CriticalSpeed *> excited;
+    for (const CriticalSpeed &critical : critical_speeds)
+        if (critical.speed > 0 && (backward_too || critical.whirl != Whirl::backward))
+            if (excited.empty() || critical.speed > excited.back()->speed * (1 + one))
+                excited.push_back(&critical);
+    std::vector<SeparationMargin> out;
+    std::vector<const ResponsePeak *> largest(excited.size(), nullptr);
+    for (const ResponsePeak *peak : judged(peaks)) {
+        if (!has_factor(*peak))
+            continue;
+        const CriticalSpeed *critical = nearest(*peak, excited);
+        if (!critical) {
+            out.push_back(of_peak(*peak, nullptr, operation));
+            continue;
+        }
+        const auto place = std::find(excited.begin(), excited.end(), critical) - excited.begin();
+        const ResponsePeak *&known = largest[static_cast<std::size_t>(place)];
+        if (!known || peak->value > known->value)
+            known = peak;
+    }
+    for (std::size_t i = 0; i < excited.size(); ++i)
+        if (largest[i])
+            out.push_back(of_peak(*largest[i], excited[i], operation));
+        else if (excited[i]->whirl != Whirl::backward)
+            out.push_back(of_damping(*excited[i], operation));
+    std::erase_if(out, [](const SeparationMargin &m) { return !counts(m.amplification); });
+    std::stable_sort(out.begin(), out.end(),
+                     [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    return out;
+}
+
+double highest_relevant_speed(const model::Operation &operation) {
+    return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
+}
+
+} // namespace whirl::operation

@@ -1,0 +1,70 @@
+#include "report/common/margins.h"
+
+#include "report/common/words.h"
+
+namespace whirl::report {
+
+using results::SeparationMargin;
+
+namespace {
+
+std::string where(const SeparationMargin &margin) {
+    return margin.z ? margin.of + ", " + place(margin.name, *margin.z) : "";
+}
+
+std::string verdict(const SeparationMargin &margin) { return margin.passes ? "passes" : "fails"; }
+
+std::string side(const SeparationMargin &margin) {
+    return results::margin_side_name(margin.side) + " the range";
+}
+
+const Columns<SeparationMargin> columns{
+    {"speed", "", {}, {}, &SeparationMargin::speed},
+    {"",
+     "",
+     {"rpm", "{:.8g}"},
+     {"rpm", "{:.8g}"},
+     [](const auto &margin) { return margin.speed * rpm; }},
+    {"whirl", "", {"Whirl"}, {"whirl"}, &SeparationMargin::whirl},
+    {"amplification",
+     "",
+     {"Amplification factor", "{:.4g}"},
+     {"AF", "{:.4g}"},
+     &SeparationMargin::amplification},
+    {"source", "", {"from"}, {"from"}, &SeparationMargin::source},
+    {"of", "", {}, {}, &SeparationMargin::of},
+    {"z", "", {}, {}, &SeparationMargin::z},
+    {"name", "", {}, {}, &SeparationMargin::name},
+    {"", "", {"Peak at"}, {"peak at"}, where},
+    {"side", "", {}, {}, [](const auto &margin) { return results::margin_side_name(margin.side); }},
+    {"", "", {"Lies"}, {"lies"}, side},
+    {"found", "", {"Margin found (%)", "{:.4g}"}, {"found %", "{:.4g}"}, &SeparationMargin::found},
+    {"required",
+     "",
+     {"Margin required (%)", "{:.4g}"},
+     {"required %", "{:.4g}"},
+     &SeparationMargin::required},
+    {"passes", "", {}, {}, &SeparationMargin::passes},
+    {"", "", {"Verdict"}, {""}, verdict}};
+
+} // namespace
+
+void add_margins(Json &json, const Margins &margins) {
+    if (margins)
+        json["margins"] = json_rows(columns, *margins);
+}
+
+std::string margins_page(const std::vector<SeparationMargin> &margins) {
+    return margins.empty() ? "<p>No critical speed with an amplification factor of 2.5 or more.</p>"
+                           : page_table(columns, margins);
+}
+
+std::string margins_text(const Margins &margins) {
+    if (!margins)
+        return "";
+    return std::string("\n") + margins_heading + ":\n" +
+           (margins->empty() ? "  no critical speed with an amplification factor of 2.5 or more\n"
+                             : text_table(columns, *margins));
+}
+
+} // namespace whirl::report

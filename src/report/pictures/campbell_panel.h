@@ -1,0 +1,45 @@
+#pragma once
+
+#include "report/pictures/style.h"
+#include "results/campbell.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace whirl::report {
+
+/// An entry that the list may not have.
+template <class T>
+std::optional<T> entry(const std::vector<std::optional<T>> &list, std::size_t i) {
+    return i < list.size() ? list[i] : std::nullopt;
+}
+
+/// What a panel shows over the spin speed, and where.
+struct Panel {
+    std::string name; ///< prefix of its data blocks
+    bool damping = false;
+    Range x;                    ///< rpm
+    Range y;                    ///< Hz, or logarithmic decrement
+    double bottom = 0, top = 1; ///< fractions of the figure
+    double pixels_wide = 1, pixels_high = 1;
+
+    [[nodiscard]] std::optional<double> value(const results::CampbellMode &mode,
+                                              std::size_t i) const;
+    [[nodiscard]] double across(double rpm_value) const {
+        return (rpm_value - x.low) / (x.high - x.low);
+    }
+    [[nodiscard]] double up(double value) const { return (value - y.low) / (y.high - y.low); }
+};
+
+/// Polylines of the stretches between neighbouring speeds that belong to a class.
+[[nodiscard]] std::vector<std::vector<PlotPoint>>
+stretches(const Panel &panel, const results::CampbellResult &result,
+          const std::function<bool(const results::CampbellMode &, std::size_t)> &belongs);
+
+/// Sparse markers, staggered from mode to mode; a lone point always gets one.
+[[nodiscard]] std::vector<PlotPoint>
+markers(const Panel &panel, const results::CampbellResult &result, results::Whirl sense);
+
+} // namespace whirl::report

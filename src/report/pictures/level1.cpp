@@ -1,0 +1,88 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/level1.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+namespace {
+
+/// The unit of stiffness in which the largest one is neither long nor short.
+struct Unit {
+    double size = 1; ///< N/m
+    const char *name = "N/m";
+};
+Unit unit_of(double largest) {
+    for (const Unit &unit : {Unit{1e9, "GN/m"}, Unit{1e6, "MN/m"}, Unit{1e3, "kN/m"}})
+        if (largest >= unit.size)
+            return unit;
+    return {};
+}
+
+/// Where the curve passes zero: a circle and its number.
+std::string root_mark(double q, double largest, const Unit &unit) {
+    const bool right = q < 0.7 * largest;
+    return fmt::format("set label 1 'Q_0 = {0} {4}' at first {1:.9g},0 {2} offset {3},1 point pt 6 "
+                       "ps 1.7 lw 1.6 font ',11' front enhanced\n",
+                       readable(q, 6), q, right ? "left" : "right", right ? 1 : -1, unit.name);
+}
+
+std::string anticipated_line(double q) {
+    return fmt::format("set arrow from first {0:.9g},graph 0 to first {0:.9g},graph 1 nohead back "
+                       "lw 1.3 dt (9,7) lc rgb '#7A5200'\nset label 2 'anticipated' at first "
+                       "{0:.9g},graph 0.96 left offset 0.7,0 font ',10' textcolor '#7A5200'\n",
+                       q);
+}
+
+} // namespace
+
+Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
+    Figure figure;
+    figure.width = 1080;
+    figure.height = 520;
+    const double pixel = 1.0 / figure.height;
+    const Unit unit =
+        unit_of(std::max(level1.q.empty() ? 0 : level1.q.back(), level1.anticipated.value_or(0)));
+    std::vector<PlotPoint> points;
+    double low = 0;
+    double high = 0;
+    for (std::size_t i = 0; i < level1.q.size(); ++i) {
+        points.push_back({level1.q[i] / unit.size, level1.log_dec[i]});
+        if (std::isfinite(level1.log_dec[i])) {
+            low = std::min(low, level1.log_dec[i]);
+            high = std::max(high, level1.log_dec[i]);
+        }
+    }
+    const double margin = high > low ? 0.08 * (high - low) : 0.1;
+    double largest = points.empty() || points.back().x <= 0 ? 1 : points.back().x;
+    largest = std::max(largest, 1.02 * level1.anticipated.value_or(0) / unit.size);
+    figure.script =
+        figure_head("Level-I stability: " + title_of(scene),
+                    fmt::format("at {} rpm, cross coupling Q added at z = {} m",
+                                readable(level1.speed * rpm, 6), readable(level1.z, 5)),
+                    figure.height) +
+        panel_margins(0.1, 0.96, 70 * pixel, 1 - 80 * pixel) + data_block("logdec", {points}) +
+        fmt::format("set xrange [0:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
+                    "set xlabel 'Added cross coupling Q = k_{{xy}} = −k_{{yx}} ({})' enhanced\n"
+                    "set ylabel 'Logarithmic decrement'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+                    "set xzeroaxis lt 1 lw 1.2 lc rgb '#555555'\nunset key\n"
+                    "set object rectangle from graph 0,graph 0 to graph 1,first 0 behind fs solid "
+                    "noborder fc rgb '#FBE3EA'\n"
+                    "set label 3 'grows' at graph 0.01,first {:.9g} left font ',10' textcolor "
+                    "'#B0305C'\n",
+                    largest, low - margin, high + margin, unit.name, low - 0.4 * margin);
+    if (const auto &root = level1.critical_cross_coupling; root && *root / unit.size <= largest)
+        figure.script += root_mark(*root / unit.size, largest, unit);
+    if (level1.anticipated)
+        figure.script += anticipated_line(*level1.anticipated / unit.size);
+    figure.script += "plot $logdec using 1:2 with lines lw 2.2 lc rgb '#0072B2' notitle\nunset "
+                     "multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

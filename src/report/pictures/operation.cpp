@@ -1,0 +1,81 @@
+#include "report/pictures/operation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::report {
+
+namespace {
+
+constexpr const char *band_colour = "#E3EFDA";
+constexpr const char *trip_colour = "#7A5200";
+
+/// Where a speed lies at the low or the high end of the other axis.
+std::string at(double speed, SpeedAxis axis, int end) {
+    return axis == SpeedAxis::x ? fmt::format("first {:.9g},graph {}", speed, end)
+                                : fmt::format("graph {},first {:.9g}", end, speed);
+}
+
+/// Arrows are not cut at the border: nothing beyond the axis.
+std::string line_at(double speed, Range range, SpeedAxis axis, const char *look) {
+    if (speed < range.low || speed > range.high)
+        return "";
+    return fmt::format("set arrow from {} to {} nohead {} lw 1.4\n", at(speed, axis, 0),
+                       at(speed, axis, 1), look);
+}
+
+/// The part of the band that the axis shows.
+std::optional<Range> shown_band(const model::Case &scene, Range range) {
+    if (!scene.operation)
+        return std::nullopt;
+    const Range band{std::max(scene.operation->from * rpm, range.low),
+                     std::min(scene.operation->to * rpm, range.high)};
+    return band.high > band.low ? std::optional(band) : std::nullopt;
+}
+
+bool trip_shown(const model::Case &scene, Range range) {
+    const auto trip = scene.operation ? scene.operation->trip : std::nullopt;
+    return trip && *trip * rpm >= range.low && *trip * rpm <= range.high;
+}
+
+} // namespace
+
+std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis) {
+    std::string out;
+    if (const auto band = shown_band(scene, range))
+        out +=
+            fmt::format("set object rectangle from {} to {} behind fs solid noborder fc rgb '{}'\n",
+                        at(band->low, axis, 0), at(band->high, axis, 1), band_colour);
+    if (trip_shown(scene, range))
+        out += line_at(*scene.operation->trip * rpm, range, axis,
+                       fmt::format("back lc rgb '{}'", trip_colour).c_str());
+    return out;
+}
+
+std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis) {
+    if (!scene.operation)
+        return "";
+    const model::Operation &running = *scene.operation;
+    std::string out;
+    for (const double speed : {running.from, running.to, running.trip.value_or(running.to)})
+        out += line_at(speed * rpm, range, axis, "front lc rgb '#FFC83D' dt (9,5)");
+    if (shown_band(scene, range) && axis == SpeedAxis::y)
+        out += fmt::format("set label 'operating speeds' at graph 0.015,first {:.9g} left offset "
+                           "0,-0.6 font ',9' front textcolor '#FFC83D'\n",
+                           shown_band(scene, range)->high);
+    return out;
+}
+
+std::string operation_key(const model::Case &scene, Range range) {
+    std::string out;
+    if (shown_band(scene, range))
+        out += fmt::format(", keyentry with boxes fs solid fc rgb '{0}' lc rgb '{0}' title "
+                           "'operating speeds'",
+                           band_colour);
+    if (trip_shown(scene, range))
+        out += fmt::format(", keyentry with lines lw 1.4 lc rgb '{}' title 'trip'", trip_colour);
+    return out;
+}
+
+} // namespace whirl::report

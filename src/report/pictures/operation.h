@@ -1,0 +1,26 @@
+#pragma once
+
+#include "model/case.h"
+#include "report/pictures/style.h"
+
+#include <string>
+
+namespace whirl::report {
+
+/// Which axis of a panel has the spin speed, rpm.
+enum class SpeedAxis { x, y };
+
+/// The operating speeds of the case behind the curves of the next plot: a light band, and a line at
+/// the trip speed. Nothing where the case names none or they lie outside the axis. The commands
+/// last until `unset object` and `unset arrow`.
+/// @param range  of the axis, rpm
+[[nodiscard]] std::string operation_band(const model::Case &scene, Range range,
+                                         SpeedAxis axis = SpeedAxis::x);
+
+/// The same over a picture that fills its panel: lines at both ends and at the trip speed.
+[[nodiscard]] std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis);
+
+/// Entries of a legend for what operation_band draws, each after a comma and a blank; or nothing.
+[[nodiscard]] std::string operation_key(const model::Case &scene, Range range);
+
+} // namespace whirl::report

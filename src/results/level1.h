@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace whirl::results {
+
+/// Stability at the maximum continuous speed with cross coupling kxy = q, kyx = -q added at one
+/// place (operation/level1.h).
+struct Level1 {
+    double z = 0;                  ///< m
+    double speed = 0;              ///< rad/s
+    std::vector<double> q;         ///< N/m, ascending from 0
+    std::vector<double> log_dec;   ///< of the first forward mode
+    std::vector<double> frequency; ///< of the same, rad/s
+    /// With which that motion stops dying out, N/m; none: it grows without, or never does.
+    std::optional<double> critical_cross_coupling;
+    double error = 0; ///< relative, of the latter, estimated by finer elements; NaN: not known
+    std::optional<double> critical_frequency;  ///< of the motion there, rad/s
+    std::optional<double> anticipated;         ///< as in the case, N/m
+    std::optional<double> anticipated_log_dec; ///< with that
+};
+
+} // namespace whirl::results

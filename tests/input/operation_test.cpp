@@ -1,0 +1,65 @@
+#include "scratch_case.h"
+
+#include <numbers>
+
+namespace whirl::tests {
+namespace {
+
+constexpr double rpm = std::numbers::pi / 30;
+
+TEST(Operation, IsReadInAnyUnit) {
+    const model::Case scene = load_text(
+        sound_case + "[operation]\nfrom = \"3000 rpm\"\nto = 400\ntrip = \"70 Hz\"\n"
+                     "[level1]\nz = \"20 cm\"\nto = \"2 MN/m\"\ncount = 5\nanticipated = 1e5\n");
+    ASSERT_TRUE(scene.operation.has_value());
+    // Units are exact factors; the numbers are rounded once or twice.
+    EXPECT_DOUBLE_EQ(scene.operation->from, 3000 * rpm);
+    EXPECT_DOUBLE_EQ(scene.operation->to, 400);
+    EXPECT_DOUBLE_EQ(*scene.operation->trip, 140 * std::numbers::pi);
+    ASSERT_TRUE(scene.level1.has_value());
+    EXPECT_DOUBLE_EQ(scene.level1->z, 0.2);
+    EXPECT_DOUBLE_EQ(*scene.level1->to, 2e6);
+    EXPECT_EQ(scene.level1->count, 5);
+    EXPECT_DOUBLE_EQ(*scene.level1->anticipated, 1e5);
+}
+
+TEST(Operation, IsNotThereUnlessNamed) {
+    EXPECT_FALSE(load_text(sound_case).operation.has_value());
+    EXPECT_FALSE(load_text(sound_case).level1.has_value());
+    const model::Case scene = load_text(sound_case + "[operation]\nfrom = 0\nto = 1\ntrip = 1\n");
+    EXPECT_EQ(scene.operation->trip, 1);
+    EXPECT_FALSE(load_text(sound_case + "[operation]\nfrom = 0\nto = 1\n").operation->trip);
+}
+
+TEST(Seals, StandBehindTheBearingsInTheOrderOfTheFile) {
+    const model::Rotor rotor =
+        load_text(sound_case + "[[seal]]\nname = \"eye\"\nz = 0.25\nkxx = 5\nkxy = 3\nkyx = -1\n"
+                               "c = 2\nm = \"500 g\"\n[[bearing]]\nz = 0\nk = 1\n"
+                               "[[seal]]\nz = 0.75\ntable = \"s.csv\"\nm = 2\n"
+                               "[[bearing]]\nz = 1\nk = 2\n",
+                  {}, {{"s.csv", "speed, kxx, kxy, cxx\n100, 1, 2, 3\n200, 3, 4, 5\n"}})
+            .rotor;
+    ASSERT_EQ(rotor.supports().size(), 2U);
+    EXPECT_EQ(rotor.supports()[1].rows[0].k(1, 1), 2);
+    ASSERT_EQ(rotor.seals().size(), 2U);
+    const model::Bearing &eye = rotor.seals()[0];
+    EXPECT_EQ(eye.name, "eye");
+    EXPECT_EQ(eye.z, 0.25);
+    EXPECT_EQ(eye.mass, 0.5);
+    EXPECT_EQ(eye.rows[0].k, (Eigen::Matrix2d() << 5, 3, -1, 0).finished());
+    EXPECT_EQ(eye.rows[0].c, (2 * Eigen::Matrix2d::Identity()));
+    const model::Bearing &other = rotor.seals()[1];
+    EXPECT_EQ(other.mass, 2);
+    EXPECT_EQ(other.at(150).k, (Eigen::Matrix2d() << 2, 3, -3, 0).finished());
+}
+
+TEST(Seals, AreTheSameFromEveryDirectionUnlessTheySayOtherwise) {
+    const model::Rotor rotor =
+        load_text(sound_case + "[[seal]]\nz = 0.25\nk = 5\nkxy = 3\nc = 2\ncxy = 1\n").rotor;
+    EXPECT_EQ(rotor.seals()[0].rows[0].k, (Eigen::Matrix2d() << 5, 3, -3, 5).finished());
+    EXPECT_EQ(rotor.seals()[0].rows[0].c, (Eigen::Matrix2d() << 2, 1, -1, 2).finished());
+    EXPECT_TRUE(rotor.bearings_rotation_invariant());
+}
+
+} // namespace
+} // namespace whirl::tests

@@ -1,0 +1,78 @@
+#include "scratch_case.h"
+
+namespace whirl::tests {
+namespace {
+
+const std::string base = sound_case + "[[bearing]]\nz = 0\nk = 1e6\n";
+
+/// Remarks of a case, in one text.
+std::string remarks_of(const std::string &text, const std::vector<std::string> &overrides = {},
+                       std::vector<std::pair<std::string, std::string>> files = {}) {
+    std::string out;
+    for (const std::string &remark : load_text(text, overrides, std::move(files)).remarks)
+        out += remark + "\n";
+    return out;
+}
+
+TEST(Plausibility, NothingIsSaidOfAnOrdinaryRotor) {
+    EXPECT_EQ(remarks_of(base, {"speeds.to=\"12000 rpm\""}), "");
+    // Made rigid or massless on purpose.
+    EXPECT_EQ(remarks_of(base, {"material.steel.E=1e18", "material.steel.rho=1e-9"}), "");
+}
+
+TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> slips{
+        {{"material.steel.E=211"}, "a modulus E of 211 Pa"},
+        {{"material.steel.rho=7.81"}, "a density of 7.81 kg/m3"},
+        {{"shaft.segments[0].length=1200"}, "a shaft length of 1200 m"},
+        {{"shaft.segments[0].outer=50"}, "a shaft diameter of 50 m"},
+        {{"disc=[{z = 0.5, mass = 10, Id = 0.1, Ip = 0.2}]", "speeds.to=12000"},
+         "speeds.to = 12000 is in rad/s, 114592 rpm"},
+        {{"imbalance=[{z = 0.5, mr = 1e-4, phase = 90}]"}, "imbalance[0].phase = 90 is in rad"},
+        {{"bearing="}, "the rotor has no bearings"},
+        {{"disc=[{name = \"fan\", z = 0.2, mass = 1}, {name = \"fan\", z = 0.5, mass = 1}]"},
+         "disc \"fan\" stands more than once"}};
+    for (const auto &[overrides, start] : slips) {
+        const std::string said = remarks_of(base, overrides);
+        EXPECT_EQ(said.find(start), 0U) << start << ": " << said;
+        EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
+    }
+    EXPECT_EQ(remarks_of(base, {"imbalance=[{z = 0.5, mr = 1e-4, phase = \"90 deg\"}]"}), "");
+}
+
+const std::string on_a_table =
+    sound_case + "[[bearing]]\nz = 0\ntable = \"t.csv\"\n[speeds]\nfrom = 10\nto = 90\n";
+
+TEST(Plausibility, TablesWithoutAUnitOrTooShortAreNamed) {
+    EXPECT_EQ(remarks_of(on_a_table, {}, {{"t.csv", "speed [rad/s],k\n10,1e6\n90,2e6\n"}}), "");
+    EXPECT_EQ(remarks_of(on_a_table, {}, {{"t.csv", "speed,k\n10 rad/s,1e6\n90 rad/s,2e6\n"}}), "");
+    const std::string bare = remarks_of(on_a_table, {}, {{"t.csv", "speed,k\n10,1e6\n90,2e6\n"}});
+    EXPECT_EQ(bare.find("the speeds of t.csv have no unit"), 0U) << bare;
+    const std::string few =
+        remarks_of(on_a_table, {}, {{"t.csv", "speed [rad/s],k\n20,1e6\n80,2e6\n"}});
+    EXPECT_NE(few.find("the table of bearing[0] from 20 to 80"), std::string::npos) << few;
+}
+
+std::string refusal_with(const std::string &table) {
+    try {
+        (void)load_text(on_a_table, {}, {{"t.csv", table}});
+    } catch (const model::BadInput &error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Plausibility, EmptyCellsAndDecimalCommasAreRefusedWithAHint) {
+    const std::string empty = refusal_with("speed [rad/s],k,c\n10,1e6,5\n90,2e6,\n");
+    EXPECT_NE(empty.find("t.csv:3: c: expected a damping in N s/m"), std::string::npos) << empty;
+    EXPECT_NE(empty.find("got an empty cell"), std::string::npos) << empty;
+    const std::string comma = refusal_with("speed [rad/s],k\n10,1,5e6\n90,2e6\n");
+    EXPECT_NE(comma.find("a decimal comma?"), std::string::npos) << comma;
+    const std::string semicolons = refusal_with("speed [rad/s];k\n10;1e6\n");
+    EXPECT_NE(semicolons.find("got semicolons"), std::string::npos) << semicolons;
+    const std::string text = refusal(base, {"bearing.z=\"0,5 m\""});
+    EXPECT_NE(text.find("write the decimal point as"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace whirl::tests

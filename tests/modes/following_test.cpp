@@ -1,0 +1,195 @@
+// Modes of damped rotors followed from speed to speed: against the dense state matrix, which shares
+// the matrices but no solver, and against the route that takes each speed alone.
+
+#include "assembly/discretization.h"
+#include "assembly/system.h"
+#include "modes/following/eigenpair_refinement.h"
+#include "modes/following/symmetric_problem.h"
+#include "modes/spectrum.h"
+#include "results/formulation.h"
+#include "support/dense_eigenvalues.h"
+#include "support/random.h"
+#include "support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = std::complex<double>;
+using results::Form;
+
+/// Damped, the same from every direction or orthotropic, from light dampers to strong ones.
+model::Rotor sample_rotor(tests::Random &random, bool isotropic) {
+    model::Rotor rotor;
+    rotor.shaft = tests::uniform_shaft(random(0.6, 1.5), random(0.04, 0.1), tests::steel());
+    rotor.shaft.segments[0].elements = 3;
+    rotor.shaft.internal_damping = random.coin() ? random(1e-6, 2e-5) : 0;
+    const double length = rotor.shaft.length();
+    for (const double place : {random(0.1, 0.4), random(0.6, 0.9)})
+        rotor.discs.push_back(
+            tests::disc_at(place * length, random(5, 40), random(0.05, 0.2), random(0.1, 0.35)));
+    for (const double z : {0.0, length}) {
+        model::Bearing bearing =
+            tests::isotropic_bearing(z, std::pow(10, random(6, 8)), std::pow(10, random(1, 5)));
+        model::BearingCoefficients &row = bearing.rows[0];
+        if (!isotropic)
+            row.k(1, 1) *= random(1.1, 2);
+        if (random.coin()) {
+            row.k(0, 1) = random(-0.03, 0.03) * row.k(0, 0);
+            row.k(1, 0) = -row.k(0, 1);
+        }
+        if (random.coin())
+            bearing.pedestal = model::Pedestal{random(1, 10), 1e8, random(0, 500)};
+        rotor.bearings.push_back(bearing);
+    }
+    return rotor;
+}
+
+std::vector<double> sweep(double to, int count) {
+    std::vector<double> speeds;
+    for (int i = 0; i < count; ++i)
+        speeds.push_back(to * i / (count - 1));
+    return speeds;
+}
+
+std::vector<Complex> dense(const assembly::Discretization &d, double speed) {
+    const assembly::FixedSystem system = assembly::assemble_fixed(d, 0);
+    const auto full = [](const linalg::Matrix &A) { return Eigen::MatrixXd(A.view()); };
+    return tests::dense_eigenvalues(full(system.M), full(system.C) + speed * full(system.G),
+                                    full(system.K) + speed * full(system.Kc));
+}
+
+bool followed(const Spectrum &spectrum) {
+    return std::all_of(spectrum.modes.begin(), spectrum.modes.end(),
+                       [](const WhirlMode &mode) { return mode.followed >= 0; });
+}
+
+/// Every mode is an eigenvalue of the state matrix, and all slower whirls of that are modes.
+void expect_complete(const Spectrum &found, const std::vector<Complex> &all) {
+    // dgeev knows eigenvalues to a part of the largest one, some 1e6 1/s here: 1e-10 1/s and more
+    // where they are sensitive.
+    constexpr double of_dense = 1e-6;
+    ASSERT_FALSE(found.modes.empty());
+    for (const WhirlMode &mode : found.modes) {
+        double nearest = 1;
+        for (const Complex &value : all)
+            nearest =
+                std::min(nearest, std::abs(value - mode.eigenvalue) / std::abs(mode.eigenvalue));
+        EXPECT_LT(nearest, of_dense) << mode.eigenvalue << " at " << found.speed;
+    }
+    if (!followed(found))
+        return; // the other route promises less
+    const double last = found.modes.back().eigenvalue.imag() * (1 + of_dense);
+    const auto slower = std::count_if(all.begin(), all.end(), [&](const Complex &value) {
+        return value.imag() > real_axis * std::abs(value) && value.imag() <= last &&
+               std::abs(value) < found.complete_radius;
+    });
+    EXPECT_EQ(std::ssize(found.modes), slower) << found.speed;
+}
+
+} // namespace
+
+TEST(FollowedModes, AreAllOfTheStateMatrix) {
+    tests::Random random(11);
+    int speeds_followed = 0;
+    int speeds_seen = 0;
+    for (int draw = 0; draw < 40; ++draw) {
+        SCOPED_TRACE(draw);
+        const bool isotropic = draw % 2 == 0;
+        const model::Rotor rotor = sample_rotor(random, isotropic);
+        const SpectrumSolver solver(rotor, isotropic ? Form::planar_damped : Form::general, 4);
+        const std::vector<double> speeds = sweep(1500, 31);
+        solver.follow(speeds, 8);
+        for (std::size_t k = 0; k < speeds.size(); k += 6) {
+            // On the speeds of the sweep and between them.
+            const double speed = speeds[k] + (k % 4 == 0 ? 0 : 13.7);
+            const Spectrum found = solver.at(std::min(speed, speeds.back()), 8);
+            expect_complete(found, dense(solver.discretization(), found.speed));
+            speeds_followed += followed(found) ? 1 : 0;
+            ++speeds_seen;
+        }
+    }
+    EXPECT_GT(speeds_followed, speeds_seen / 2); // else it is the other route that was tested
+}
+
+TEST(FollowedModes, AreThoseOfEachSpeedAlone) {
+    tests::Random random(12);
+    for (int draw = 0; draw < 20; ++draw) {
+        SCOPED_TRACE(draw);
+        const bool isotropic = draw % 2 == 0;
+        const model::Rotor rotor = sample_rotor(random, isotropic);
+        const Form form = isotropic ? Form::planar_damped : Form::general;
+        const SpectrumSolver solver(rotor, form, 4);
+        const SpectrumSolver alone(rotor, form, 4);
+        const std::vector<double> speeds = sweep(1200, 25);
+        solver.follow(speeds, 8);
+        for (std::size_t k = 0; k < speeds.size(); k += 3) {
+            const Spectrum found = solver.at(speeds[k], 8);
+            const Spectrum expected = alone.at(speeds[k], 8);
+            ASSERT_EQ(found.modes.size(), expected.modes.size()) << speeds[k];
+            for (const WhirlMode &mode : found.modes) {
+                const WhirlMode *partner = nullptr;
+                for (const WhirlMode &other : expected.modes)
+                    if (partner == nullptr || std::abs(other.eigenvalue - mode.eigenvalue) <
+                                                  std::abs(partner->eigenvalue - mode.eigenvalue))
+                        partner = &other;
+                const double stated =
+                    2 * mode.residual + mode.rounding + partner->residual + partner->rounding;
+                EXPECT_LE(std::abs(partner->eigenvalue - mode.eigenvalue),
+                          stated * std::abs(mode.eigenvalue))
+                    << mode.eigenvalue << " at " << speeds[k];
+            }
+        }
+    }
+}
+
+TEST(FollowedModes, ErrorOfARayleighQuotientIsStated) {
+    tests::Random random(13);
+    int worse = 0;
+    int seen = 0;
+    double largest = 0;
+    for (int draw = 0; draw < 50; ++draw) {
+        SCOPED_TRACE(draw);
+        const bool isotropic = draw % 2 == 0;
+        const model::Rotor rotor = sample_rotor(random, isotropic);
+        const Form form = isotropic ? Form::planar_damped : Form::general;
+        const SpectrumSolver solver(rotor, form, 4);
+        const auto problem = SymmetricProblem::of(solver.discretization(), form);
+        ASSERT_NE(problem, nullptr);
+        const double speed = random(50, 1000);
+        EigenpairRefinement refinement(*problem, speed);
+        std::vector<SymmetricPair> pairs;
+        for (const WhirlMode &mode : solver.at(speed, 8).modes) {
+            SymmetricPair pair;
+            pair.value = isotropic ? mode.rotating_value : mode.eigenvalue;
+            pair.vector = problem->from_form(mode.shape);
+            ASSERT_TRUE(refinement.refine(pair, 1));
+            pairs.push_back(pair);
+        }
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            for (const double size : {1e-2, 1e-3, 1e-4}) {
+                SymmetricPair off = pairs[i];
+                const SymmetricPair &other = pairs[(i + 1) % pairs.size()];
+                const double length = off.vector.norm();
+                off.vector += size * length / other.vector.norm() * other.vector;
+                for (Complex &entry : off.vector)
+                    entry += size * length * Complex(random(-0.1, 0.1), random(-0.1, 0.1));
+                refinement.assess(off, distance_from_others(pairs, i));
+                const double error = std::abs(off.value - pairs[i].value) / std::abs(off.value);
+                worse += error > 2 * off.error + pairs[i].rounding ? 1 : 0;
+                largest = std::max(largest, error / (off.error + pairs[i].rounding));
+                ++seen;
+            }
+    }
+    EXPECT_GT(seen, 1000);
+    EXPECT_EQ(worse, 0) << "of " << seen << ", at worst " << largest << " times the stated error";
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,188 @@
+#include "operation/margins.h"
+
+#include "analyses/critical.h"
+#include "analyses/response.h"
+#include "support/rigid_jeffcott.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace whirl;
+using operation::margin_of;
+using operation::required_margin;
+using operation::separation_margins;
+using results::MarginSide;
+using results::SeparationMargin;
+using results::Whirl;
+
+constexpr auto unlimited = std::nullopt;
+
+// By hand: 17 (1 - 1/(AF - 1.5)), and 10 more above; 16 and 26 from AF = 18.5 on.
+TEST(RequiredMargin, ByHand) {
+    const std::vector<std::array<double, 3>> table{
+        {2.5, 0, 10}, {3.5, 8.5, 18.5}, {4, 10.2, 20.2}, {5.5, 12.75, 22.75},
+        {10, 15, 25}, {18.5, 16, 26},   {100, 16, 26}};
+    for (const auto &[factor, below, above] : table) {
+        // Printed with all digits but for AF = 10: 17 (1 - 1/8.5) = 15.
+        EXPECT_NEAR(required_margin(factor, MarginSide::below), below, 1e-13) << factor;
+        EXPECT_NEAR(required_margin(factor, MarginSide::above), above, 1e-13) << factor;
+    }
+    EXPECT_EQ(required_margin(2.4999, MarginSide::below), 0);
+    EXPECT_EQ(required_margin(2.4999, MarginSide::above), 0);
+    EXPECT_EQ(required_margin(unlimited, MarginSide::below), 16);
+    EXPECT_EQ(required_margin(unlimited, MarginSide::above), 26);
+}
+
+TEST(Margin, IsAShareOfTheNearerEnd) {
+    const model::Operation at{1000, 2000, {}};
+    const SeparationMargin below = margin_of(900, 3.5, at); // 10 % against 8.5 %
+    EXPECT_EQ(below.side, MarginSide::below);
+    EXPECT_DOUBLE_EQ(below.found, 10);
+    EXPECT_TRUE(below.passes);
+    EXPECT_FALSE(margin_of(900, 4, at).passes);              // 10.2 % required
+    const SeparationMargin above = margin_of(2400, 3.5, at); // 20 % against 18.5 %
+    EXPECT_EQ(above.side, MarginSide::above);
+    EXPECT_DOUBLE_EQ(above.found, 20);
+    EXPECT_TRUE(above.passes);
+    EXPECT_FALSE(margin_of(2400, 4, at).passes); // 20.2 %
+}
+
+TEST(Margin, NeverPassesInsideTheRangeOrBelowTheTripSpeed) {
+    const model::Operation at{1000, 2000, 2900};
+    for (const double speed : {1000.0, 1500.0, 2000.0}) {
+        const SeparationMargin inside = margin_of(speed, 2.5, at);
+        EXPECT_EQ(inside.side, MarginSide::inside);
+        EXPECT_FALSE(inside.required.has_value());
+        EXPECT_FALSE(inside.passes);
+        EXPECT_TRUE(margin_of(speed, 2.4, at).passes); // critically damped
+    }
+    EXPECT_FALSE(margin_of(2800, 3.5, at).passes); // 40 % are more than 18.5 %
+    EXPECT_TRUE(margin_of(2950, 3.5, at).passes);
+    EXPECT_TRUE(margin_of(2800, 2.4, at).passes);
+}
+
+results::CriticalSpeed critical(double speed, Whirl whirl, double factor) {
+    results::CriticalSpeed out;
+    out.speed = speed;
+    out.whirl = whirl;
+    out.damping.amplification = factor;
+    return out;
+}
+
+results::ResponsePeak peak(const char *of, double z, double speed, double value, double factor) {
+    results::ResponsePeak out;
+    out.of = of;
+    out.z = z;
+    out.speed = speed;
+    out.value = value;
+    out.amplification = factor;
+    return out;
+}
+
+const model::Operation running{1000, 2000, {}};
+
+TEST(Margins, TakeTheLargestPeakOfACriticalSpeedElseItsDamping) {
+    const std::vector<results::CriticalSpeed> speeds{critical(500, Whirl::forward, 10),
+                                                     critical(3000, Whirl::forward, 8)};
+    const std::vector<results::ResponsePeak> peaks{peak("station", 0, 505, 1e-6, 9),
+                                                   peak("station", 1, 510, 3e-6, 11),
+                                                   peak("bearing", 0, 507, 900, 12)};
+    const auto margins = separation_margins(running, speeds, peaks, false);
+    ASSERT_EQ(margins.size(), 2U);
+    EXPECT_EQ(margins[0].source, "response");
+    EXPECT_EQ(margins[0].speed, 510);
+    EXPECT_EQ(margins[0].amplification, 11);
+    EXPECT_EQ(margins[0].z, 1);
+    EXPECT_EQ(margins[0].whirl, Whirl::forward);
+    EXPECT_EQ(margins[1].source, "damping");
+    EXPECT_EQ(margins[1].speed, 3000);
+    EXPECT_EQ(margins[1].amplification, 8);
+}
+
+TEST(Margins, AreThoseOfProbesWhereThereAreAny) {
+    const auto margins = separation_margins(
+        running, {critical(500, Whirl::forward, 10)},
+        {peak("station", 0, 505, 5e-6, 9), peak("probe", 1, 510, 3e-6, 11)}, false);
+    ASSERT_EQ(margins.size(), 1U);
+    EXPECT_EQ(margins[0].of, "probe");
+    EXPECT_EQ(margins[0].amplification, 11);
+}
+
+TEST(Margins, LeaveOutHeavilyDampedOnesAndBackwardWhirlThatNothingExcites) {
+    const std::vector<results::CriticalSpeed> speeds{critical(300, Whirl::backward, 10),
+                                                     critical(500, Whirl::forward, 2.4),
+                                                     critical(700, Whirl::forward, 2.5)};
+    for (const bool backward_too : {false, true}) {
+        const auto margins = separation_margins(running, speeds, {}, backward_too);
+        ASSERT_EQ(margins.size(), 1U);
+        EXPECT_EQ(margins[0].speed, 700);
+    }
+    // With a peak of its own it is excited; on equal bearings it cannot be.
+    const std::vector<results::ResponsePeak> peaks{peak("station", 0, 301, 1e-6, 9)};
+    EXPECT_EQ(separation_margins(running, speeds, peaks, true).front().whirl, Whirl::backward);
+    EXPECT_FALSE(separation_margins(running, speeds, peaks, false).front().whirl.has_value());
+}
+
+/// The damping ratio -Re/|lambda| of m l^2 + c l + k is zeta: AF = 1/(2 zeta).
+TEST(Margins, JeffcottRotorByDamping) {
+    tests::RigidJeffcott rotor;
+    model::Case scene = rotor.scene();
+    scene.operation = model::Operation{400, 600, 660};
+    const auto result = analyses::critical_speeds(scene);
+    ASSERT_TRUE(result.margins.has_value());
+    ASSERT_EQ(result.margins->size(), 1U); // a thin disc tilts at no forward critical speed
+    const SeparationMargin &margin = result.margins->front();
+    const double speed = rotor.natural() * std::sqrt(1 - 0.01);
+    // Rounding of an eigenvalue problem of two unknowns.
+    EXPECT_NEAR(*margin.amplification, 5, 1e-10);
+    EXPECT_NEAR(margin.speed, speed, 1e-10 * speed);
+    EXPECT_NEAR(margin.found, 100 * (400 - speed) / 400, 1e-9);
+    EXPECT_NEAR(*margin.required, 17 * (1 - 1 / 3.5), 1e-9);
+    EXPECT_TRUE(margin.passes);
+    EXPECT_EQ(margin.source, "damping");
+}
+
+/// |w| = e W^2/|w_n^2 - W^2 + 2 i zeta w_n W| has its peak at w_n/sqrt(1 - 2 zeta^2), and falls to
+/// 1/sqrt(2) of it where (8 zeta^2 (1 - zeta^2) - 1) s^2 + (2 - 4 zeta^2) s - 1 = 0, s = (W/w_n)^2.
+TEST(Margins, JeffcottRotorByHalfPowerPoints) {
+    tests::RigidJeffcott rotor;
+    model::Case scene = rotor.scene();
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-4)};
+    scene.speeds = model::SpeedRange{50, 700, 14};
+    scene.operation = model::Operation{400, 600, {}};
+    const double square = rotor.ratio() * rotor.ratio();
+    const double a = 8 * square * (1 - square) - 1;
+    const double b = 2 - 4 * square;
+    const double low = (-b + std::sqrt(b * b + 4 * a)) / (2 * a);
+    const double high = (-b - std::sqrt(b * b + 4 * a)) / (2 * a);
+    const double top = 1 / std::sqrt(1 - 2 * square);
+    const double factor = top / (std::sqrt(high) - std::sqrt(low));
+    const auto response = analyses::unbalance_response(scene).margins;
+    const auto by_critical = analyses::critical_speeds(scene).margins;
+    for (const auto &margins : {response, by_critical}) {
+        ASSERT_TRUE(margins.has_value());
+        ASSERT_EQ(margins->size(), 1U);
+        const SeparationMargin &margin = margins->front();
+        EXPECT_EQ(margin.source, "response");
+        EXPECT_TRUE(margin.whirl.has_value()); // it belongs to the critical speed
+        // Peaks are found to 1e-9, half-power points likewise.
+        EXPECT_NEAR(margin.speed / (top * rotor.natural()), 1, 1e-8);
+        EXPECT_NEAR(*margin.amplification / factor, 1, 1e-7);
+    }
+}
+
+TEST(Margins, AHeavilyDampedCriticalSpeedStaysInTheListOfCriticalSpeeds) {
+    tests::RigidJeffcott rotor;
+    rotor.c *= 2.5; // zeta 0.25, AF 2
+    model::Case scene = rotor.scene();
+    scene.operation = model::Operation{200, 600, {}};
+    const auto result = analyses::critical_speeds(scene);
+    EXPECT_TRUE(result.margins->empty());
+    EXPECT_TRUE(std::any_of(result.critical_speeds.begin(), result.critical_speeds.end(),
+                            [](const auto &c) { return c.damping.heavy(); }));
+    scene.operation.reset();
+    EXPECT_FALSE(analyses::critical_speeds(scene).margins.has_value());
+}
+
+} // namespace

@@ -1,0 +1,181 @@
+// Critical speeds against operating speeds, and stability under added cross coupling.
+
+#include "oracles/answers.h"
+#include "oracles/dense_rotor.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::oracles {
+
+namespace {
+
+using Cplx = std::complex<double>;
+
+/// Place where a function with values of two signs at the ends is zero: bisection.
+double zero_between(const std::function<double(double)> &f, double low, double high) {
+    const bool rises = f(low) < 0;
+    for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
+        const double middle = (low + high) / 2;
+        ((f(middle) < 0) == rises ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+/// A critical speed by the probe that reads most there.
+struct ProbePeak {
+    double speed = 0, value = 0, amplification = 0;
+};
+
+/// The peak of a probe between two speeds, with its half-power points.
+ProbePeak probe_peak(const CaseRotor &rotor, const Probe &probe, double low, double high) {
+    const auto reading = [&](double speed) { return probe_reading(rotor, speed, probe); };
+    ProbePeak out;
+    out.speed = top_between(reading, low, high);
+    out.value = reading(out.speed);
+    const auto over = [&](double speed) { return reading(speed) - out.value / std::sqrt(2.0); };
+    double below = out.speed;
+    double above = out.speed;
+    while (over(below) > 0)
+        below *= 0.98;
+    while (over(above) > 0)
+        above *= 1.02;
+    out.amplification =
+        out.speed / (zero_between(over, out.speed, above) - zero_between(over, below, out.speed));
+    return out;
+}
+
+/// The lowest peak of the probes in the range of the case; of the probe that reads most.
+ProbePeak lowest_peak(const CaseRotor &rotor) {
+    constexpr int steps = 300;
+    ProbePeak best;
+    for (const Probe &probe : rotor.probes) {
+        const auto at = [&](int i) {
+            return rotor.speed_from + (rotor.speed_to - rotor.speed_from) * i / steps;
+        };
+        double before = 0;
+        double here = 0;
+        for (int i = 1; i <= steps; ++i) {
+            const double next = probe_reading(rotor, at(i), probe);
+            if (here > before && here > next) {
+                const ProbePeak peak = probe_peak(rotor, probe, at(i - 2), at(i));
+                if (peak.value > best.value)
+                    best = peak;
+                break;
+            }
+            before = here;
+            here = next;
+        }
+    }
+    return best;
+}
+
+/// 17 (1 - 1/(AF - 1.5)) % of the minimum operating speed, at most 16 %, for peaks below it.
+double number_of(const std::string &key, const ProbePeak &peak, const Operation &operation) {
+    if (key == "speed")
+        return peak.speed;
+    if (key == "amplification")
+        return peak.amplification;
+    if (key == "found")
+        return 100 * (operation.from - peak.speed) / operation.from;
+    if (key == "required")
+        return std::min(16.0, 17 * (1 - 1 / (peak.amplification - 1.5)));
+    no_answer("margins: no oracle for " + key);
+}
+
+/// The rotor at its highest operating speed.
+struct Running {
+    explicit Running(const CaseRotor &rotor)
+        : dense(dense_rotor(rotor.at_speed(rotor.operation.to))), speed(rotor.operation.to),
+          at(dense.deflection(rotor.operation.level1_z)) {}
+    DenseRotor dense;
+    double speed;
+    Eigen::Index at; ///< x there; y lies planar() further
+
+    /// q with which the forward one of the two motions at the place goes round at w for ever: with
+    /// H the receptance there and F = -q J u, u = H F, J = [0 1; -1 0], 1/q is an eigenvalue of -H
+    /// J.
+    [[nodiscard]] Cplx coupling(double w) const {
+        const Eigen::Index n = dense.planar();
+        const Eigen::MatrixXcd Z =
+            dense.K + speed * dense.Kc - w * w * dense.M + Cplx(0, w) * (dense.C + speed * dense.G);
+        Eigen::MatrixXcd unit = Eigen::MatrixXcd::Zero(2 * n, 2);
+        unit(at, 0) = unit(n + at, 1) = 1;
+        const Eigen::MatrixXcd u = Z.partialPivLu().solve(unit);
+        Eigen::Matrix2cd H;
+        H << u(at, 0), u(at, 1), u(n + at, 0), u(n + at, 1);
+        Eigen::Matrix2cd J;
+        J << 0, 1, -1, 0;
+        const Eigen::Vector2cd inverse =
+            Eigen::ComplexEigenSolver<Eigen::Matrix2cd>(-H * J, false).eigenvalues();
+        return 1.0 / (inverse[0].real() > inverse[1].real() ? inverse[0] : inverse[1]);
+    }
+    /// The eigenvalue nearest to one, with coupling q.
+    [[nodiscard]] Cplx eigenvalue(double q, Cplx near) const {
+        DenseRotor coupled = dense;
+        const Eigen::Index n = dense.planar();
+        coupled.K(at, n + at) += q;
+        coupled.K(n + at, at) -= q;
+        const auto all = whirl_eigenvalues(coupled, speed);
+        return *std::min_element(all.begin(), all.end(), [near](Cplx a, Cplx b) {
+            return std::abs(a - near) < std::abs(b - near);
+        });
+    }
+};
+
+/// The slowest whirl that some coupling keeps going.
+double border_frequency(const Running &running) {
+    const auto imaginary = [&](double w) { return running.coupling(w).imag(); };
+    constexpr int steps = 200;
+    for (int i = 1; i < steps; ++i) {
+        const double low = running.speed * i / steps;
+        const double high = running.speed * (i + 1) / steps;
+        if (imaginary(low) < 0 && imaginary(high) >= 0)
+            return zero_between(imaginary, low, high);
+    }
+    no_answer("level1: no whirl that cross coupling keeps going");
+}
+
+double log_dec(const Running &running, double w, double from, double to) {
+    constexpr int steps = 100;
+    Cplx l(0, w);
+    for (int i = 1; i <= steps; ++i)
+        l = running.eigenvalue(from + (to - from) * i / steps, l);
+    return -2 * std::numbers::pi * l.real() / l.imag();
+}
+
+} // namespace
+
+Answer answer_operation(const Request &request) {
+    const CaseRotor &rotor = request.rotor;
+    if (!rotor.classical)
+        no_answer("operating speeds: two-node elements only");
+    const std::string margins = "/margins/0/";
+    if (request.path.rfind(margins, 0) == 0)
+        return {
+            "dense two-node elements, half-power points",
+            {number_of(request.path.substr(margins.size()), lowest_peak(rotor), rotor.operation)},
+            {},
+            {}};
+    const Running running(rotor);
+    const double w = border_frequency(running);
+    const double q = running.coupling(w).real();
+    Answer out{"dense two-node elements, receptance at the place", {}, {}, {}};
+    if (request.path == "/level1/critical_cross_coupling")
+        out.values = {q};
+    else if (request.path == "/level1/critical_frequency")
+        out.values = {w};
+    else if (request.path == "/level1/anticipated_log_dec")
+        out.values = {log_dec(running, w, q, rotor.operation.anticipated)};
+    else if (request.path == "/level1/log_dec/0")
+        out.values = {log_dec(running, w, q, 0)};
+    else
+        no_answer("operating speeds: no oracle for " + request.path);
+    return out;
+}
+
+} // namespace whirl::oracles

@@ -1,0 +1,114 @@
+#include "report/pictures/operation.h"
+#include "results/critical.h"
+#include "results/stability.h"
+#include "sample_results.h"
+#include "whole_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace whirl::report {
+
+namespace {
+
+model::Case running_case() {
+    model::Case scene = sample_case();
+    scene.operation = model::Operation{100, 200, 220};
+    return scene;
+}
+
+results::CriticalResult sample_critical() {
+    results::CriticalResult result;
+    result.critical_speeds.resize(2);
+    result.critical_speeds[0].speed = 90;
+    result.critical_speeds[0].damping.amplification = 4;
+    result.critical_speeds[1].speed = 150;
+    result.critical_speeds[1].damping.amplification = 2;
+    results::SeparationMargin margin;
+    margin.speed = 90;
+    margin.whirl = results::Whirl::forward;
+    margin.amplification = 4;
+    margin.source = "damping";
+    margin.side = results::MarginSide::below;
+    margin.found = 10;
+    margin.required = 10.2;
+    result.margins = {margin};
+    return result;
+}
+
+} // namespace
+
+TEST(OperationBand, IsCutAtTheAxis) {
+    const model::Case scene = running_case();
+    const double all = 1000 * rpm;
+    EXPECT_NE(operation_band(scene, {0, all})
+                  .find(fmt::format("first {:.9g},graph 0 to first "
+                                    "{:.9g},graph 1 behind",
+                                    100 * rpm, 200 * rpm)),
+              std::string::npos);
+    EXPECT_NE(
+        operation_band(scene, {0, 150 * rpm}).find(fmt::format("to first {:.9g},", 150 * rpm)),
+        std::string::npos);
+    EXPECT_EQ(operation_band(scene, {0, 90 * rpm}), "");
+    EXPECT_EQ(operation_key(scene, {0, 90 * rpm}), "");
+    EXPECT_EQ(operation_band(model::Case{}, {0, all}), "");
+    EXPECT_NE(operation_key(scene, {0, all}).find("'trip'"), std::string::npos);
+    EXPECT_EQ(operation_key(scene, {0, 210 * rpm}).find("'trip'"), std::string::npos);
+    EXPECT_NE(operation_band(scene, {0, all}, SpeedAxis::y).find("graph 0,first"),
+              std::string::npos);
+}
+
+class OperationReport : public ScratchFolder {};
+
+TEST_F(OperationReport, MarginsAreInTextPageAndData) {
+    const model::Case scene = running_case();
+    const results::CriticalResult result = sample_critical();
+    const Files files = write_report(scene, result, folder);
+    const nlohmann::json json = expect_whole_report(files, folder, "critical");
+    EXPECT_EQ(json.at("operation").at("from"), 100);
+    EXPECT_EQ(json.at("operation").at("trip"), 220);
+    ASSERT_EQ(json.at("margins").size(), 1U);
+    const nlohmann::json &margin = json.at("margins")[0];
+    EXPECT_EQ(margin.at("side"), "below");
+    EXPECT_EQ(margin.at("required"), 10.2);
+    EXPECT_EQ(margin.at("passes"), false);
+    EXPECT_TRUE(margin.at("z").is_null());
+    const std::string text = describe(scene, result).text();
+    EXPECT_NE(text.find("Separation margins"), std::string::npos);
+    EXPECT_NE(text.find("fails"), std::string::npos);
+    EXPECT_NE(content_of(folder / "report.html").find("Margin required"), std::string::npos);
+}
+
+TEST_F(OperationReport, WithoutOperatingSpeedsThereAreNone) {
+    results::CriticalResult result = sample_critical();
+    result.margins.reset();
+    const model::Case scene = sample_case();
+    const Files files = write_report(scene, result, folder);
+    const nlohmann::json json = expect_whole_report(files, folder, "critical");
+    EXPECT_FALSE(json.contains("margins"));
+    EXPECT_FALSE(json.contains("operation"));
+    EXPECT_EQ(describe(scene, result).text().find("Separation"), std::string::npos);
+}
+
+/// A motion that no longer swings leaves a gap, and no root is null.
+TEST_F(OperationReport, AddedCouplingWithoutARoot) {
+    results::StabilityResult result;
+    result.speeds = {0, 100};
+    result.growth = {-1, -1};
+    result.verdict = {results::Verdict::stable, results::Verdict::stable};
+    results::Level1 &level1 = result.level1.emplace();
+    level1.speed = 200;
+    level1.q = {0, 1e6};
+    level1.log_dec = {0.3, std::numeric_limits<double>::quiet_NaN()};
+    level1.frequency = level1.log_dec;
+    const model::Case scene = running_case();
+    const Files files = write_report(scene, result, folder);
+    const nlohmann::json json = expect_whole_report(files, folder, "stability");
+    EXPECT_TRUE(json.at("level1").at("critical_cross_coupling").is_null());
+    EXPECT_TRUE(json.at("level1").at("log_dec")[1].is_null());
+    EXPECT_EQ(describe(scene, result).text().find("nan"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder / "level1.csv"));
+}
+
+} // namespace whirl::report
