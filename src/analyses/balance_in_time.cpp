@@ -32,7 +32,8 @@ class PositionGrowth {
             _from = model.from;
             _solver = std::make_unique<stability::MotionSolver>(
                 scene.rotor, model.form, model.order,
-                balancers::arrangement_at_balance(scene.rotor), model.harmonics);
+                balancers::arrangement_at_balance(scene.rotor), model.harmonics, nullptr,
+                model.top);
         } catch (const model::BadInput &) {        // no such position: nothing to say
         } catch (const model::AnalysisFailure &) { // no spectrum: nothing either
         }

@@ -23,7 +23,8 @@ struct Collocation {
 /// Made once.
 [[nodiscard]] const Collocation &collocation();
 
-/// Step times frequency up to which a step of a harmonic motion is exact to 1e-13, rad.
-constexpr double resolved_angle = 1.8;
+/// Step times frequency up to which a step of a harmonic motion is exact to 2e-12, rad; of
+/// half that frequency to rounding.
+constexpr double resolved_angle = 2.2;
 
 } // namespace whirl::periodic

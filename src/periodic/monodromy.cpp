@@ -141,9 +141,7 @@ Blocks forces(const System &system, double speed, double from, double length) {
     Blocks out;
     for (int i = 0; i < stages; ++i) {
         const double time = from + collocation().nodes(i) * length;
-        const System::Turning at = system.turning(speed, 2 * speed * time);
-        out.emplace_back(at.stiffness.rows(), 2 * at.stiffness.cols());
-        out.back() << at.stiffness, at.damping;
+        out.push_back(system.turning(speed, 2 * speed * time));
     }
     return out;
 }
@@ -238,10 +236,10 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
 std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
     System::Steady steady = system.steady(speed);
     if (speed == 0) {
-        const System::Turning still = system.turning(0, 0);
+        const MatrixXd still = system.turning(0, 0);
         const MatrixXd &P = system.places();
-        steady.K += P * still.stiffness * P.transpose();
-        steady.D += P * still.damping * P.transpose();
+        steady.K += P * still.leftCols(P.cols()) * P.transpose();
+        steady.D += P * still.rightCols(P.cols()) * P.transpose();
     }
     linalg::QuadraticOptions options;
     options.method = linalg::QuadraticMethod::dense;

@@ -12,8 +12,8 @@ namespace whirl::periodic {
 /// What half a turn, after which the supports stand as before, makes of (q, q'): 2n x 2n. Implicit
 /// steps of one length (collocation.h). In each, the steady part of the rotor is the same: it is
 /// condensed to the few places of the supports once, where a small system is left for every step.
-/// Motions of frequencies up to steps * resolved_angle * |speed| / pi are exact to rounding; much
-/// faster ones die out.
+/// Motions of frequencies up to steps * resolved_angle * |speed| / pi are exact to 2e-12 a step,
+/// slower ones to rounding; much faster ones die out.
 /// @param speed  not zero, rad/s
 /// @throws linalg::SolverError where the steps meet a singular matrix
 [[nodiscard]] Eigen::MatrixXd monodromy(const System &system, double speed, int steps);

@@ -94,11 +94,15 @@ System::Steady System::steady(double speed) const {
     return {_M, _C + speed * _Cs, _K + speed * (_Ks + speed * _Kss)};
 }
 
-System::Turning System::turning(double speed, double angle) const {
-    const auto at = [angle](const Pair &pair) -> Eigen::MatrixXd {
-        return std::cos(angle) * pair.cosine + std::sin(angle) * pair.sine;
-    };
-    return {at(_turning_K) + speed * at(_turning_Ks), at(_turning_C)};
+Eigen::MatrixXd System::turning(double speed, double angle) const {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const Eigen::Index m = _places.cols();
+    Eigen::MatrixXd out(m, 2 * m);
+    out.leftCols(m) = c * (_turning_K.cosine + speed * _turning_Ks.cosine) +
+                      s * (_turning_K.sine + speed * _turning_Ks.sine);
+    out.rightCols(m) = c * _turning_C.cosine + s * _turning_C.sine;
+    return out;
 }
 
 } // namespace whirl::periodic

@@ -31,12 +31,9 @@ class System {
     };
     [[nodiscard]] Steady steady(double speed) const;
 
-    /// Of the bearings the rest.
-    struct Turning {
-        Eigen::MatrixXd stiffness, damping; ///< m x m
-    };
+    /// Of the bearings the rest, [Kt Ct], m x 2m.
     /// @param angle  2 * speed * t, rad
-    [[nodiscard]] Turning turning(double speed, double angle) const;
+    [[nodiscard]] Eigen::MatrixXd turning(double speed, double angle) const;
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
     [[nodiscard]] const Eigen::MatrixXd &places() const { return _places; } ///< P, n x m

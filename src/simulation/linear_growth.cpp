@@ -67,7 +67,7 @@ std::optional<double> linear_growth(const model::Case &scene, double speed,
             balances(scene.rotor, angles) ? of_masses(scene.rotor, angles)
                                           : balancers::arrangement_at_balance(scene.rotor);
         const stability::MotionSolver solver(scene.rotor, model.form, model.order, arrangement,
-                                             model.harmonics);
+                                             model.harmonics, nullptr, model.top);
         return stability::growth_of(solver.at(speed));
     } catch (const model::BadInput &) { // no balanced position
         return std::nullopt;
