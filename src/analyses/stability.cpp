@@ -5,6 +5,7 @@
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "ends/band_ends.h"
+#include "ends/speed_families.h"
 #include "linalg/check.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -19,7 +20,6 @@
 #include "stability/hill_motions.h"
 #include "stability/permissible.h"
 #include "stability/rotor_at_speeds.h"
-#include "stability/speed_families.h"
 
 #include <fmt/format.h>
 
@@ -146,8 +146,8 @@ results::ArrangementFamily family_of(const model::Case &scene,
                                  static_cast<double>(arrangements.size()));
     }
     out.unstable = stability::joined(std::move(some));
-    out.critical_speeds = stability::intervals_of(critical);
-    out.additional_speeds = stability::intervals_of(additional);
+    out.critical_speeds = ends::intervals_of(critical);
+    out.additional_speeds = ends::intervals_of(additional);
     for (const model::Balancer &balancer : scene.rotor.balancers) {
         const auto interval = balancers::anisotropy_interval(balancer);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result

@@ -46,8 +46,8 @@ Section Beam::at(double xi) const {
         sum.rhoA += layer.material.rho * ring.area();
         sum.rhoI += layer.material.rho * ring.moment();
     }
-    // Not nothing, for some unknowns of higher orders have no other inertia and the mass matrix must
-    // stay positive definite: frequencies differ by that times (diameter / wavelength)^2.
+    // Not nothing, for some unknowns of higher orders have no other inertia and the mass matrix
+    // must stay positive definite: frequencies differ by that times (diameter / wavelength)^2.
     constexpr double left = 1e-9;
     if (!rotary_inertia)
         sum.rhoI *= left;

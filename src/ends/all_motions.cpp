@@ -2,10 +2,12 @@
 
 #include "balancers/linear_element.h"
 #include "modes/zero_modes.h"
+#include "stability/motion_reach.h"
 #include "synchronous/parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::ends {
 
@@ -56,37 +58,13 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
 
 void AllMotions::set_reach(double from, double to) {
     constexpr int samples = 5;
-    constexpr std::size_t fewest = 8;
-    const double top = std::max(std::abs(from), std::abs(to));
-    double least = 2.1 * top;
-    std::vector<double> sizes; // of all motions at speeds all over the range
-    for (int k = 0; k < samples; ++k) {
-        std::vector<double> here;
+    std::vector<std::vector<double>> sizes(samples);
+    for (int k = 0; k < samples; ++k)
         for (const Root &root : at(from + (to - from) * (k + 0.5) / samples).roots)
             if (root.value.imag() >= 0)
-                here.push_back(std::abs(root.value));
-        std::sort(here.begin(), here.end());
-        if (!here.empty())
-            least = std::max(least, here[std::min(here.size(), fewest) - 1]);
-        sizes.insert(sizes.end(), here.begin(), here.end());
-    }
-    std::sort(sizes.begin(), sizes.end());
-    // The widest gap up to twice as far.
-    double below = least;
-    double widest = 1;
-    _reach = 2 * least;
-    for (const double size : sizes) {
-        if (size <= least)
-            continue;
-        const double above = std::min(size, 2 * least);
-        if (above / below > widest) {
-            widest = above / below;
-            _reach = std::sqrt(above * below);
-        }
-        if (size >= 2 * least)
-            break;
-        below = size;
-    }
+                sizes[static_cast<std::size_t>(k)].push_back(std::abs(root.value));
+    _reach =
+        stability::motion_reach(std::move(sizes), 2.1 * std::max(std::abs(from), std::abs(to)));
 }
 
 Spectrum AllMotions::at(double speed, int piece) const {

@@ -3,6 +3,7 @@
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "modes/following/sorted_modes.h"
+#include "modes/following/winding.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -274,40 +275,11 @@ double PlanarDamped::complete_radius(AtSpeed &problem, const std::vector<Pair> &
     }
     if (radius == 0)
         return 0;
-    // What is left turns slowly around the circle; an arc over which it turns by more is halved.
-    constexpr int arcs = 12;
-    constexpr double slow = 0.9;
-    constexpr double turn = 2 * std::numbers::pi;
-    const auto at = [&](double angle) { return problem.phase(std::polar(radius, angle), pairs); };
-    struct Arc {
-        double from, to, phase_from, phase_to;
-    };
-    std::vector<Arc> open;
-    const double first = at(0.1);
-    double last = first;
-    for (int arc = 0; arc < arcs; ++arc) {
-        const double end = 0.1 + turn * (arc + 1) / arcs;
-        const double phase = arc + 1 == arcs ? first : at(end);
-        open.push_back({0.1 + turn * arc / arcs, end, last, phase});
-        last = phase;
-    }
-    double winding = 0;
-    while (!open.empty()) {
-        const Arc arc = open.back();
-        open.pop_back();
-        const double change = std::remainder(arc.phase_to - arc.phase_from, turn);
-        if (std::abs(change) <= slow) {
-            winding += change;
-            continue;
-        }
-        if (arc.to - arc.from < 1e-6)
-            return 0; // an eigenvalue on the circle
-        const double middle = (arc.from + arc.to) / 2;
-        const double phase = at(middle);
-        open.push_back({arc.from, middle, arc.phase_from, phase});
-        open.push_back({middle, arc.to, phase, arc.phase_to});
-    }
-    return std::abs(winding) < 1 ? radius : 0;
+    // What is left turns slowly around the circle.
+    const auto turned =
+        winding([&](double angle) { return problem.phase(std::polar(radius, angle), pairs); },
+                {0.1, 2 * std::numbers::pi, 12, true});
+    return turned && std::abs(*turned) < 1 ? radius : 0;
 }
 
 GeneralSpectrum::Modes PlanarDamped::modes(double speed, int wanted) const {

@@ -42,8 +42,8 @@ class PlanarShapes {
     Eigen::MatrixXd _shapes;
 };
 
-/// Planar shapes of a motion over N planar unknowns: of x and y, real and imaginary, of all terms of
-/// a series. N x 4 for each term.
+/// Planar shapes of a motion over N planar unknowns: of x and y, real and imaginary, of all terms
+/// of a series. N x 4 for each term.
 /// @param vector  terms one after the other, each of `term` real unknowns
 [[nodiscard]] Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N,
                                            Eigen::Index term);

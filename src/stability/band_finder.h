@@ -47,9 +47,8 @@ class BandFinder {
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
     bool _good = false; ///< the shapes are good for the speeds asked for
 
-    [[nodiscard]] static std::optional<BandsFound> confirmed(const MotionsAt &reduced,
-                                                             const MotionsAt &at,
-                                                             const std::vector<double> &speeds);
+    [[nodiscard]] static std::optional<BandsFound>
+    confirmed(const MotionsAt &reduced, const MotionsAt &at, const std::vector<double> &speeds);
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);
 };

@@ -3,6 +3,7 @@
 #include "linalg/check.h"
 #include "periodic/collocation.h"
 #include "stability/hill_motions.h"
+#include "stability/motion_reach.h"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace whirl::stability {
 
@@ -95,40 +97,17 @@ const periodic::System &PeriodicMotions::system(double speed) const {
     return *_system;
 }
 
-/// All that may meet at the largest speed, as much more as leaves eight, and on into the widest gap
-/// up to twice as far.
+/// All that may meet at the largest speed at the least.
 void PeriodicMotions::set_reach() const {
     constexpr int samples = 5;
-    constexpr std::size_t fewest = 8;
-    double least = slow_enough * _top;
-    std::vector<double> all;
+    std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k) {
         const double speed = _top * (k + 0.5) / samples;
-        std::vector<double> here;
         for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
             if (motion.value.imag() >= 0)
-                here.push_back(motion.frequency);
-        std::sort(here.begin(), here.end());
-        if (!here.empty())
-            least = std::max(least, here[std::min(here.size(), fewest) - 1]);
-        all.insert(all.end(), here.begin(), here.end());
+                sizes[static_cast<std::size_t>(k)].push_back(motion.frequency);
     }
-    std::sort(all.begin(), all.end());
-    double below = least;
-    double widest = 1;
-    _reach = 2 * least;
-    for (const double size : all) {
-        if (size <= least)
-            continue;
-        const double above = std::min(size, 2 * least);
-        if (above / below > widest) {
-            widest = above / below;
-            _reach = std::sqrt(above * below);
-        }
-        if (size >= 2 * least)
-            break;
-        below = size;
-    }
+    _reach = motion_reach(std::move(sizes), slow_enough * _top);
 }
 
 double PeriodicMotions::reach(double speed) const {

@@ -1,57 +1,30 @@
 #include "linalg/check.h"
 #include "modes/following/continuation.h"
+#include "modes/following/winding.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace whirl::modes {
 
 bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
                  const FollowedSpeed &b, double radius_b) try {
-    constexpr double slow = 0.9; // an arc over which the ratio turns by more is halved
     constexpr double turn = 2 * std::numbers::pi;
     // Eigenvalues in conjugate pairs: one half of the circle is the image of the other.
-    const double whole = problem.conjugates() ? turn / 2 : turn;
-    const int arcs = problem.conjugates() ? 6 : 12;
-    const double start = problem.conjugates() ? 0 : 0.1;
+    const CircleWay way =
+        problem.conjugates() ? CircleWay{0, turn / 2, 6, false} : CircleWay{0.1, turn, 12, true};
     EigenpairRefinement at_a(problem, a.speed);
     EigenpairRefinement at_b(problem, b.speed);
     const auto phase = [&](double angle) {
         return at_b.phase(std::polar(radius_b, angle), b.pairs) -
                at_a.phase(std::polar(radius_a, angle), a.pairs);
     };
-    struct Arc {
-        double from, to, phase_from, phase_to;
-    };
-    std::vector<Arc> open;
-    const double first = phase(start);
-    double last = first;
-    for (int arc = 0; arc < arcs; ++arc) {
-        const double end = start + whole * (arc + 1) / arcs;
-        const bool closed = arc + 1 == arcs && !problem.conjugates();
-        const double there = closed ? first : phase(end);
-        open.push_back({start + whole * arc / arcs, end, last, there});
-        last = there;
-    }
-    double winding = 0;
-    while (!open.empty()) {
-        const Arc arc = open.back();
-        open.pop_back();
-        const double change = std::remainder(arc.phase_to - arc.phase_from, turn);
-        if (std::abs(change) <= slow) {
-            winding += change;
-            continue;
-        }
-        if (arc.to - arc.from < 1e-6)
-            return false; // an eigenvalue on the circle
-        const double middle = (arc.from + arc.to) / 2;
-        const double there = phase(middle);
-        open.push_back({arc.from, middle, arc.phase_from, there});
-        open.push_back({middle, arc.to, there, arc.phase_to});
-    }
-    return std::abs(winding) < whole / 4;
+    const std::optional<double> turned = winding(phase, way);
+    return turned && std::abs(*turned) < way.length / 4;
 } catch (const linalg::SolverError &) {
     return false; // a pivot that happens to be zero
 }

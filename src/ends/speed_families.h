@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace whirl::stability {
+namespace whirl::ends {
 
 /// Intervals in which corresponding speeds lie among sorted lists, one list an arrangement of the
 /// balls. Lists may lack speeds (outside the range, or two that coincide): each is laid on the
@@ -11,4 +11,4 @@ namespace whirl::stability {
 [[nodiscard]] std::vector<std::pair<double, double>>
 intervals_of(const std::vector<std::vector<double>> &lists);
 
-} // namespace whirl::stability
+} // namespace whirl::ends

@@ -1,8 +1,8 @@
-#include "stability/speed_families.h"
+#include "ends/speed_families.h"
 
 #include <gtest/gtest.h>
 
-namespace whirl::stability {
+namespace whirl::ends {
 namespace {
 
 using Intervals = std::vector<std::pair<double, double>>;
@@ -26,4 +26,4 @@ TEST(SpeedFamilies, AListThatLacksASpeedIsLaidWhereItFits) {
 }
 
 } // namespace
-} // namespace whirl::stability
+} // namespace whirl::ends

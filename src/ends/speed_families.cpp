@@ -1,11 +1,11 @@
-#include "stability/speed_families.h"
+#include "ends/speed_families.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-namespace whirl::stability {
+namespace whirl::ends {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::vector<std::pair<double, double>> intervals_of(const std::vector<std::vecto
     return out;
 }
 
-} // namespace whirl::stability
+} // namespace whirl::ends
