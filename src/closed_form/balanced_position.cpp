@@ -46,6 +46,4 @@ std::complex<double> second_harmonic(const std::vector<double> &angles) {
     return mean_harmonic(angles, 2.0);
 }
 
-double two_ball_second_harmonic(double capacity) { return 2.0 / (capacity * capacity) - 1.0; }
-
 } // namespace whirl::closed_form

@@ -47,11 +47,4 @@ CompositeRotor composite_rotor(const BareRotor &rotor, const BallSet &balls,
     return composite;
 }
 
-bool possible_inertias(double first, double second, double polar) {
-    // Thin discs and rods sit on the limit itself.
-    const double allowance = 1e-12 * (first + second + polar);
-    return first >= 0.0 && second >= 0.0 && polar >= 0.0 && first + second + allowance >= polar &&
-           first + polar + allowance >= second && second + polar + allowance >= first;
-}
-
 } // namespace whirl::closed_form

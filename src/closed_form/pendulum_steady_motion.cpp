@@ -1,4 +1,4 @@
-#include "closed_form/pendulum_balancer.h"
+#include "closed_form/pendulum_steady_equations.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -10,48 +10,13 @@ namespace whirl::closed_form {
 
 namespace {
 
-/// Shaft deflection, in arm lengths, at which a branch counts as gone to infinity.
-constexpr double furthest = 10.0;
-
-/// Both steady equations in the unknowns (xi, eta) at one speed: per axis
-/// force(x) = (1 - R^2) x - R_m R^2 x/sqrt(R_a^2 + x^2), coupled by R H.
-struct SteadyEquations {
-    double linear;   ///< 1 - R^2
-    double pendulum; ///< R_m R^2
-    double pivot;    ///< R_a
-    double coupling; ///< R H
-    Eigen::Vector2d load;
-
-    SteadyEquations(const PendulumRotor &rotor, double R)
-        : linear(1.0 - R * R), pendulum(rotor.mass_ratio * R * R), pivot(rotor.pivot_ratio),
-          coupling(R * rotor.external_damping),
-          load(pendulum * rotor.imbalance.real(), pendulum * rotor.imbalance.imag()) {}
-
-    [[nodiscard]] double force(double x) const {
-        return linear * x - pendulum * x / std::hypot(pivot, x);
-    }
-    [[nodiscard]] double slope(double x) const {
-        const double length = std::hypot(pivot, x);
-        return linear - pendulum * pivot * pivot / (length * length * length);
-    }
-    [[nodiscard]] Eigen::Vector2d residual(const Eigen::Vector2d &at) const {
-        return {force(at[0]) - coupling * at[1] - load[0],
-                coupling * at[0] + force(at[1]) - load[1]};
-    }
-    [[nodiscard]] Eigen::Matrix2d jacobian(const Eigen::Vector2d &at) const {
-        Eigen::Matrix2d matrix;
-        matrix << slope(at[0]), -coupling, coupling, slope(at[1]);
-        return matrix;
-    }
-};
-
 struct Range {
     double low;
     double high;
 };
 
 /// Exact range of force over [a, b]: the slope vanishes at most at +-turning.
-Range force_range(const SteadyEquations &equations, double a, double b) {
+Range force_range(const PendulumSteadyEquations &equations, double a, double b) {
     Range range{std::min(equations.force(a), equations.force(b)),
                 std::max(equations.force(a), equations.force(b))};
     if (equations.linear <= 0.0)
@@ -70,7 +35,7 @@ Range force_range(const SteadyEquations &equations, double a, double b) {
 }
 
 /// Newton's method from `start`; converged roots only.
-bool polish(const SteadyEquations &equations, Eigen::Vector2d &at) {
+bool polish(const PendulumSteadyEquations &equations, Eigen::Vector2d &at) {
     for (int iteration = 0; iteration < 60; ++iteration) {
         const Eigen::Vector2d step =
             Eigen::MatrixXd(equations.jacobian(at)).fullPivLu().solve(equations.residual(at));
@@ -89,7 +54,7 @@ struct Box {
 };
 
 /// False where one equation cannot vanish in the box.
-bool may_hold_root(const SteadyEquations &equations, const Box &box) {
+bool may_hold_root(const PendulumSteadyEquations &equations, const Box &box) {
     const Range x = force_range(equations, box.low[0], box.high[0]);
     const Range y = force_range(equations, box.low[1], box.high[1]);
     const double c = equations.coupling;
@@ -99,7 +64,7 @@ bool may_hold_root(const SteadyEquations &equations, const Box &box) {
            y.high + c * box.high[0] >= equations.load[1];
 }
 
-std::vector<Eigen::Vector2d> all_roots(const SteadyEquations &equations) {
+std::vector<Eigen::Vector2d> all_roots(const PendulumSteadyEquations &equations) {
     // |(1 - R^2) + i R H| |position| <= R_m R^2 (sqrt 2 + |imbalance|).
     const double stiffness = std::hypot(equations.linear, equations.coupling);
     const double bound = std::min(1e3, 1.001 * (1.5 * equations.pendulum + equations.load.norm()) /
@@ -172,7 +137,10 @@ double growth_of(const PendulumRotor &rotor, double R, const PendulumMotion &mot
     return state.eigenvalues().real().maxCoeff();
 }
 
-PendulumMotion motion_at(const PendulumRotor &rotor, double R, const Eigen::Vector2d &position) {
+} // namespace
+
+PendulumMotion steady_motion_at(const PendulumRotor &rotor, double R,
+                                const Eigen::Vector2d &position) {
     PendulumMotion motion;
     motion.position = {position[0], position[1]};
     motion.phi = std::atan(position[1] / rotor.pivot_ratio);
@@ -184,89 +152,12 @@ PendulumMotion motion_at(const PendulumRotor &rotor, double R, const Eigen::Vect
     return motion;
 }
 
-/// One step of arclength continuation; unknowns (xi, eta, R). False where Newton's method fails.
-bool continue_branch(const PendulumRotor &rotor, Eigen::Vector3d &at, Eigen::Vector3d &tangent,
-                     double step) {
-    Eigen::Vector3d next = at + step * tangent;
-    for (int iteration = 0; iteration < 12; ++iteration) {
-        const SteadyEquations equations(rotor, next[2]);
-        // Derivative by R, by difference: only the direction of the branch depends on it.
-        constexpr double delta = 1e-6;
-        const Eigen::Vector2d ahead =
-            SteadyEquations(rotor, next[2] + delta).residual(next.head<2>());
-        const Eigen::Vector2d behind =
-            SteadyEquations(rotor, next[2] - delta).residual(next.head<2>());
-        Eigen::Matrix3d matrix;
-        matrix.topLeftCorner<2, 2>() = equations.jacobian(next.head<2>());
-        matrix.topRightCorner<2, 1>() = (ahead - behind) / (2.0 * delta);
-        matrix.row(2) = tangent.transpose();
-        const Eigen::PartialPivLU<Eigen::MatrixXd> lu(matrix);
-        Eigen::Vector3d residual;
-        residual << equations.residual(next.head<2>()), tangent.dot(next - at) - step;
-        const Eigen::Vector3d correction = lu.solve(residual);
-        next -= correction;
-        if (!next.allFinite())
-            return false;
-        if (correction.norm() < 1e-11 * (1.0 + next.norm())) {
-            tangent = lu.solve(Eigen::Vector3d::UnitZ()).normalized();
-            at = next;
-            return true;
-        }
-    }
-    return false;
-}
-
-/// True where a step went over to another branch. Close branches point the same way, so the turn of
-/// the tangent does not tell them apart, but they lie on different sides of the centre: the
-/// position, never zero under an imbalance, would change by as much as itself.
-bool changed_branch(const Eigen::Vector3d &at, const Eigen::Vector3d &tangent,
-                    const Eigen::Vector3d &next, const Eigen::Vector3d &direction) {
-    return direction.dot(tangent) < 0.95 ||
-           (next - at).head<2>().norm() > 0.2 * at.head<2>().norm();
-}
-
-} // namespace
-
 std::vector<PendulumMotion> steady_motions(const PendulumRotor &rotor, double speed_ratio) {
     std::vector<PendulumMotion> motions;
-    for (const Eigen::Vector2d &root : all_roots(SteadyEquations(rotor, speed_ratio)))
-        motions.push_back(motion_at(rotor, speed_ratio, root));
+    for (const Eigen::Vector2d &root : all_roots(PendulumSteadyEquations(rotor, speed_ratio)))
+        motions.push_back(steady_motion_at(rotor, speed_ratio, root));
     std::ranges::sort(motions, {}, [](const auto &motion) { return std::abs(motion.position); });
     return motions;
-}
-
-std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, const BranchPoint &start,
-                                       double heading, double from, double to, int largest_points) {
-    std::vector<BranchPoint> branch{start};
-    const std::complex<double> position = start.motion.position;
-    Eigen::Vector3d at(position.real(), position.imag(), start.speed_ratio);
-    Eigen::Vector3d tangent = heading * Eigen::Vector3d::UnitZ();
-    continue_branch(rotor, at, tangent, 0.0); // turns the tangent along the branch
-    const double largest_step = 0.01 * (to - from);
-    double step = 0.1 * largest_step;
-    while (static_cast<int>(branch.size()) < largest_points && step > 1e-12) {
-        Eigen::Vector3d next = at;
-        Eigen::Vector3d direction = tangent;
-        if (!continue_branch(rotor, next, direction, step) ||
-            changed_branch(at, tangent, next, direction)) {
-            step *= 0.5;
-            continue;
-        }
-        if (next[2] < from || next[2] > to || next.head<2>().norm() > furthest)
-            break;
-        at = next;
-        tangent = direction;
-        branch.push_back({at[2], motion_at(rotor, at[2], at.head<2>())});
-        step = std::min(largest_step, 1.3 * step);
-    }
-    return branch;
-}
-
-std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from, double to) {
-    const std::vector<PendulumMotion> start = steady_motions(rotor, from);
-    if (start.empty())
-        return {};
-    return steady_branch(rotor, {from, start.front()}, 1.0, from, to);
 }
 
 } // namespace whirl::closed_form

@@ -8,7 +8,7 @@ namespace whirl::closed_form {
 namespace {
 
 /// Relative allowance within which two inertias, or two ends of a band, count as equal.
-constexpr double rounding = 1e-12;
+constexpr double equal_within = 1e-12;
 
 RotorType type_of(const TwoSupportRotor &rotor) {
     return rotor_type(rotor.diametral_inertia, rotor.polar_inertia);
@@ -17,24 +17,12 @@ RotorType type_of(const TwoSupportRotor &rotor) {
 void add_band(std::vector<Band> &bands, double from, std::optional<double> to) {
     // At the two positions of z where the additional speed equals a resonance the band is empty, or
     // the two bands touch.
-    if (to && *to <= from * (1.0 + rounding))
+    if (to && *to <= from * (1.0 + equal_within))
         return;
     bands.push_back({from, to});
 }
 
 } // namespace
-
-TwoSupportRotor two_support_rotor(double mass, double diametral_inertia, double polar_inertia,
-                                  double k1, double k2, double l1, double l2) {
-    return {mass,    diametral_inertia, polar_inertia,
-            k1 + k2, k2 * l2 - k1 * l1, k1 * l1 * l1 + k2 * l2 * l2};
-}
-
-double frequency_determinant(const TwoSupportRotor &rotor, double spin_speed) {
-    const double x = spin_speed * spin_speed;
-    const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
-    return (rotor.k11 - rotor.mass * x) * (rotor.k33 - slenderness * x) - rotor.k14 * rotor.k14;
-}
 
 std::vector<double> resonances(const TwoSupportRotor &rotor) {
     const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
@@ -59,23 +47,9 @@ std::vector<double> resonances(const TwoSupportRotor &rotor) {
 
 std::optional<double> additional_speed(const TwoSupportRotor &rotor, double z) {
     const double inertia = rotor.diametral_inertia + rotor.mass * z * z - rotor.polar_inertia;
-    if (inertia <= rounding * rotor.diametral_inertia)
+    if (inertia <= equal_within * rotor.diametral_inertia)
         return std::nullopt;
     return std::sqrt((rotor.k33 + rotor.k11 * z * z - 2.0 * rotor.k14 * z) / inertia);
-}
-
-Eigen::Matrix2d criterion_matrix(const TwoSupportRotor &rotor, double spin_speed) {
-    const double x = spin_speed * spin_speed;
-    const double slenderness = rotor.diametral_inertia - rotor.polar_inertia;
-    Eigen::Matrix2d form;
-    form << rotor.k11 - rotor.mass * x, -rotor.k14, -rotor.k14, rotor.k33 - slenderness * x;
-    return form / frequency_determinant(rotor, spin_speed);
-}
-
-std::optional<double> largest_plane_distance(const TwoSupportRotor &rotor) {
-    if (type_of(rotor) != RotorType::short_rotor)
-        return std::nullopt;
-    return std::sqrt((rotor.polar_inertia - rotor.diametral_inertia) / rotor.mass);
 }
 
 std::vector<Band> static_balancing_bands(const TwoSupportRotor &rotor, double z) {

@@ -61,8 +61,7 @@ results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
         found.value_or(closed_form::ReducedSupports{1, 1, 0, 0, 0, 0});
     const closed_form::PhysicalParameters physical = closed_form::physical_parameters(
         parts.rest, parts.balls, parts.imbalance, D.value_or(0), supports, 0);
-    const closed_form::DimensionlessParameters d =
-        closed_form::to_dimensionless(physical).dimensionless;
+    const closed_form::DimensionlessParameters d = closed_form::to_dimensionless(physical);
     results::DimensionlessNumbers numbers;
     numbers.C = d.polar_inertia;
     if (D)

@@ -1,7 +1,7 @@
 // Four-pendulum balancers on rigid and flexible rotors.
 
 #include "analyses/balance.h"
-#include "closed_form/pendulum_balancer.h"
+#include "closed_form/pendulum_small_motions.h"
 #include "criterion/pendulum_motion.h"
 #include "forced/forced_motion.h"
 #include "model/errors.h"

@@ -1,5 +1,5 @@
 #include "analyses/show.h"
-#include "closed_form/composite_rotor_parameters.h"
+#include "closed_form/composite_rotor_scales.h"
 #include "results/show.h"
 #include "support/balancer_parts.h"
 #include "support/scenes.h"

@@ -2,7 +2,7 @@
 
 #include "analyses/simulate.h"
 
-#include "closed_form/pendulum_balancer.h"
+#include "closed_form/pendulum_small_motions.h"
 #include "model/errors.h"
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"

@@ -1,4 +1,4 @@
-#include "closed_form/anisotropic_rotor.h"
+#include "closed_form/anisotropic_rotor_polynomial.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

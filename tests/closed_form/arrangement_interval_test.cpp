@@ -1,6 +1,7 @@
 #include "closed_form/arrangement_interval.h"
 
 #include "closed_form/balanced_position.h"
+#include "closed_form/two_balls.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,7 +1,10 @@
 #include "closed_form/composite_rotor_equations.h"
 
 #include "closed_form/balanced_position.h"
+#include "closed_form/composite_rotor_matrices.h"
+#include "closed_form/composite_rotor_scales.h"
 #include "closed_form/floquet.h"
+#include "closed_form/two_balls.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -97,10 +100,9 @@ TEST(CompositeRotorEquations, DimensionalAndDimensionlessSpectraAgree) {
         const auto physical = example(unsymmetric_position(1.6), speed).physical;
         const auto scaled = to_dimensionless(physical);
         auto plain = eigenvalues(rotating_frame_matrices(rotating_coefficients(physical)));
-        auto dimensionless =
-            eigenvalues(rotating_frame_matrices(rotating_coefficients(scaled.dimensionless)));
+        auto dimensionless = eigenvalues(rotating_frame_matrices(rotating_coefficients(scaled)));
         for (auto &value : dimensionless)
-            value *= scaled.scales.frequency;
+            value *= scales_of(physical).frequency;
         EXPECT_LT(distance(plain, dimensionless), 1e-10 * largest_modulus(plain));
     }
 }
@@ -108,7 +110,7 @@ TEST(CompositeRotorEquations, DimensionalAndDimensionlessSpectraAgree) {
 TEST(CompositeRotorParameters, PhysicalToDimensionlessAndBack) {
     const auto physical = example(unsymmetric_position(1.6), 52.0).physical;
     const auto scaled = to_dimensionless(physical);
-    const auto back = to_physical(scaled.dimensionless, scaled.scales);
+    const auto back = to_physical(scaled, scales_of(physical));
     const auto same = [](double first, double second) {
         EXPECT_NEAR(first, second, 1e-13 * std::abs(second));
     };
@@ -136,8 +138,8 @@ TEST(CompositeRotorParameters, OwnEccentricityGoesThereAndBack) {
     auto physical = example(unsymmetric_position(1.6), 52.0).physical;
     physical.imbalance.mass = 0.0;
     const auto scaled = to_dimensionless(physical);
-    EXPECT_EQ(scaled.dimensionless.imbalance_inertia, 0.0);
-    const auto back = to_physical(scaled.dimensionless, scaled.scales);
+    EXPECT_EQ(scaled.imbalance_inertia, 0.0);
+    const auto back = to_physical(scaled, scales_of(physical));
     EXPECT_EQ(back.imbalance.mass, 0.0);
     EXPECT_DOUBLE_EQ(back.imbalance.moment, 0.5);
 }
@@ -150,12 +152,12 @@ TEST(CompositeRotorParameters, EqualSupports) {
         physical.supports =
             reduced_supports({3e4, 70.0, -left * span}, {3e4, 70.0, (1.0 - left) * span});
         const auto scaled = to_dimensionless(physical);
-        auto expected = scaled.dimensionless;
-        set_equal_supports(expected, left, scaled.scales.radius / span, scaled.dimensionless.h_x);
-        EXPECT_NEAR(expected.p, scaled.dimensionless.p, 1e-13);
-        EXPECT_NEAR(expected.c_y, scaled.dimensionless.c_y, 1e-13);
-        EXPECT_NEAR(expected.h_beta, scaled.dimensionless.h_beta, 1e-13);
-        EXPECT_NEAR(expected.h_y, scaled.dimensionless.h_y, 1e-13);
+        auto expected = scaled;
+        set_equal_supports(expected, left, scales_of(physical).radius / span, scaled.h_x);
+        EXPECT_NEAR(expected.p, scaled.p, 1e-13);
+        EXPECT_NEAR(expected.c_y, scaled.c_y, 1e-13);
+        EXPECT_NEAR(expected.h_beta, scaled.h_beta, 1e-13);
+        EXPECT_NEAR(expected.h_y, scaled.h_y, 1e-13);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "closed_form/composite_rotor.h"
 
 #include "closed_form/balanced_position.h"
+#include "closed_form/two_balls.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -78,14 +79,6 @@ TEST(CompositeRotor, OwnEccentricityAddsNothing) {
     const auto rotor = composite_rotor(base_rotor, base_balls, PlaneImbalance{0.4, 0.0}, 0.5);
     EXPECT_DOUBLE_EQ(rotor.mass, 61.83);
     EXPECT_EQ(rotor.imbalance_inertia, 0.0);
-}
-
-TEST(CompositeRotor, TriangleInequalities) {
-    EXPECT_TRUE(possible_inertias(1.0, 1.0, 2.0));
-    EXPECT_FALSE(possible_inertias(1.0, 1.0, 2.1));
-    EXPECT_FALSE(possible_inertias(1.0, 2.5, 1.0));
-    EXPECT_FALSE(possible_inertias(3.0, 1.0, 1.0));
-    EXPECT_FALSE(possible_inertias(-0.1, 1.0, 1.0));
 }
 
 } // namespace

@@ -1,5 +1,8 @@
 #include "closed_form/pendulum_balancer.h"
 
+#include "closed_form/pendulum_branches.h"
+#include "closed_form/pendulum_small_motions.h"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>

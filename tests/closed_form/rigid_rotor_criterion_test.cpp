@@ -1,4 +1,4 @@
-#include "closed_form/rigid_rotor_criterion.h"
+#include "closed_form/rigid_rotor_functional.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "analyses/simulate.h"
 #include "balancers/arrangement.h"
 #include "closed_form/balanced_position.h"
-#include "closed_form/composite_rotor_equations.h"
+#include "closed_form/composite_rotor_matrices.h"
 #include "model/errors.h"
 #include "process/interruption.h"
 #include "process/progress.h"

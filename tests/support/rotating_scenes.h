@@ -1,7 +1,7 @@
 #pragma once
 
 #include "closed_form/balanced_position.h"
-#include "closed_form/composite_rotor_equations.h"
+#include "closed_form/composite_rotor_matrices.h"
 #include "model/case.h"
 #include "support/balancer_parts.h"
 #include "support/test_rotors.h"

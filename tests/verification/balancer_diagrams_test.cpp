@@ -5,7 +5,7 @@
 #include "analyses/simulate.h"
 #include "analyses/stability.h"
 #include "balancers/arrangement.h"
-#include "closed_form/pendulum_balancer.h"
+#include "closed_form/pendulum_small_motions.h"
 #include "results/formulation.h"
 #include "stability/hill_harmonics.h"
 #include "stability/motions.h"

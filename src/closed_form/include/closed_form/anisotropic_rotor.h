@@ -2,7 +2,6 @@
 
 #include "closed_form/band.h"
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -25,17 +24,6 @@ struct AnisotropicRotor {
 /// 1e-12).
 enum class RotorType { long_rotor, spherical, short_rotor };
 [[nodiscard]] RotorType rotor_type(double diametral_inertia, double polar_inertia);
-
-/// Coefficients a0..a4 of a0 s^4 + a1 s^3 + ... + a4 in the rotating frame at spin speed Omega.
-[[nodiscard]] std::array<double, 5> characteristic_polynomial(const AnisotropicRotor &rotor,
-                                                              double spin_speed);
-
-/// Routh-Hurwitz conditions of the quartic: all a_i > 0 and a1 a2 a3 - a0 a3^2 - a1^2 a4 > 0.
-[[nodiscard]] bool routh_hurwitz_stable(const std::array<double, 5> &coefficients);
-
-/// a1 a2 a3 - a0 a3^2 - a1^2 a4 in the closed form 4 h^2 p^2 [p^2 a^2 + h^2 + (2 - C)^2 Omega^2],
-/// never negative: only a4 (and a0) decide stability.
-[[nodiscard]] double hurwitz_determinant(const AnisotropicRotor &rotor, double spin_speed);
 
 /// Undamped forward critical speeds p/sqrt(1 - C + a), p/sqrt(1 - C - a), ascending: two for C < 1
 /// - a, one for 1 - a <= C < 1 + a, none beyond. Equal ones (a = 0) are listed once.

@@ -29,7 +29,4 @@ namespace whirl::closed_form {
 /// = |D|.
 [[nodiscard]] std::complex<double> second_harmonic(const std::vector<double> &angles);
 
-/// D of two balls in balance, 2/E^2 - 1: real, negative beyond E = sqrt 2.
-[[nodiscard]] double two_ball_second_harmonic(double capacity);
-
 } // namespace whirl::closed_form

@@ -72,7 +72,4 @@ struct CompositeRotor {
                                              const PlaneImbalance &imbalance,
                                              std::complex<double> second_harmonic);
 
-/// True where three principal inertias can belong to a body: each at most the sum of the other two.
-[[nodiscard]] bool possible_inertias(double first, double second, double polar);
-
 } // namespace whirl::closed_form

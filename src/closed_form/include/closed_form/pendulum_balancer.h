@@ -1,9 +1,6 @@
 #pragma once
 
-#include "closed_form/band.h"
-
 #include <complex>
-#include <optional>
 #include <vector>
 
 namespace whirl::closed_form {
@@ -23,11 +20,6 @@ struct PendulumRotor {
     /// rho = R_m / R_a: the larger, the better the balancing.
     [[nodiscard]] double effectiveness() const { return mass_ratio / pivot_ratio; }
 };
-
-/// From masses (kg) of disc and one pendulum, arm and pivot radius (m); without damping and
-/// imbalance.
-[[nodiscard]] PendulumRotor pendulum_rotor(double disc_mass, double pendulum_mass, double arm,
-                                           double pivot);
 
 /// One steady motion in the rotating frame: shaft position (in arm lengths) and pendulum angles.
 struct PendulumMotion {
@@ -50,26 +42,6 @@ struct PendulumMotion {
 [[nodiscard]] std::vector<PendulumMotion> steady_motions(const PendulumRotor &rotor,
                                                          double speed_ratio);
 
-/// A steady motion on a branch over speed.
-struct BranchPoint {
-    double speed_ratio = 0.0;
-    PendulumMotion motion;
-};
-
-/// The branch of steady motions through `start`, followed by arclength continuation, round its
-/// folds, towards higher (heading 1) or lower (-1) speed until it leaves [from, to] (from > 0), a
-/// deflection of ten arms or `largest_points`.
-[[nodiscard]] std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor,
-                                                     const BranchPoint &start, double heading,
-                                                     double from, double to,
-                                                     int largest_points = 20000);
-
-/// The branch that a run-up from `from` (below balancer_resonance) follows. With little damping it
-/// turns away there to large deflections, and the well balanced motion at higher speed is a branch
-/// of its own.
-[[nodiscard]] std::vector<BranchPoint> steady_branch(const PendulumRotor &rotor, double from,
-                                                     double to);
-
 /// Shaft deflection with the balancer at work over that with pendulums held at phi = psi = 0.
 [[nodiscard]] double exact_efficiency(const PendulumRotor &rotor, const PendulumMotion &motion,
                                       double speed_ratio);
@@ -83,21 +55,5 @@ struct BranchPoint {
 
 /// n of fast rotation, 1/(1 + rho).
 [[nodiscard]] double efficiency_limit(const PendulumRotor &rotor);
-
-/// Without damping the deflection with balancer is unbounded at this speed ratio: 1/sqrt(1 + rho).
-[[nodiscard]] double balancer_resonance(const PendulumRotor &rotor);
-
-/// Complex coefficients, from lambda^4 down, of the small motions about phi = psi = 0:
-/// [mu + H (l + i R) + 1][l^2 + h l + R_a R^2] - R_m mu^2, mu = (l + i R)^2.
-[[nodiscard]] std::vector<std::complex<double>> pendulum_polynomial(const PendulumRotor &rotor,
-                                                                    double speed_ratio);
-
-/// Largest real part of its four roots.
-[[nodiscard]] double small_motion_growth(const PendulumRotor &rotor, double speed_ratio);
-
-/// Unstable speed ratios in (from, to) of the perfectly balanced rotor, ends refined to 1e-12;
-/// found on a grid of `samples` speeds. An end that equals `to` means: still so there.
-[[nodiscard]] std::vector<Band> unstable_speed_ratios(const PendulumRotor &rotor, double from,
-                                                      double to, int samples = 2000);
 
 } // namespace whirl::closed_form

@@ -1,4 +1,4 @@
-#include "closed_form/composite_rotor_equations.h"
+#include "closed_form/composite_rotor_matrices.h"
 
 #include <Eigen/Core>
 #include <cmath>
