@@ -11,6 +11,7 @@
 #include "criterion/rotor.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "process/parallel.h"
 #include "process/progress.h"
 
@@ -97,7 +98,7 @@ void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakp
 }
 
 void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result) {
-    result.rigid = criterion::rigid_equivalent(s.rotor, s.from);
+    result.rigid = criterion::rigid_equivalent(s.body);
     std::vector<double> z;
     for (const model::CorrectionPlane &plane : s.planes)
         z.push_back(plane.z);
@@ -206,6 +207,25 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
     return result;
 }
 
+/// What the criterion leaves open: the balancers as they are, with the order chosen for it and the
+/// form that suits them, whatever form was asked for for the criterion.
+void fill_real_balancers(const model::Case &scene, const criterion::BalanceScene &s,
+                         results::BalanceResult &result) {
+    const model::BalanceSettings &asked = scene.balance;
+    if (!asked.balanced_position && asked.simulated == 0)
+        return;
+    std::vector<std::string> &notes = result.model.notes;
+    model::Case real = scene;
+    real.rotor = model::with_order(std::move(real.rotor), s.order);
+    real.formulation = model::FormChoice::automatic;
+    std::optional<process::Stage> stage(std::in_place, "linear stability with real balancers", 0.4,
+                                        0.7);
+    JudgedPosition position = judged_position(real, notes);
+    result.balanced_position = std::move(position.stable);
+    stage.emplace("motions in time", 0.7, 1.0);
+    result.simulated = simulated_speeds(real, position.model, notes);
+}
+
 } // namespace
 
 results::BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
@@ -221,14 +241,8 @@ results::BalanceResult balance(const model::Case &scene, const BalanceOptions &o
             const process::Stage stage("pendulums", 0.25, 0.4);
             result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
         }
-        {
-            const process::Stage stage("linear stability with real balancers", 0.4, 0.7);
-            result.balanced_position = balanced_position(scene, result.model.notes);
-        }
-        if (s.has_range()) {
-            const process::Stage stage("motions in time", 0.7, 1);
-            result.simulated = simulated_speeds(scene, result.model.notes);
-        }
+        if (s.has_range() && !scene.rotor.balancers.empty())
+            fill_real_balancers(scene, s, result);
         result.findings = balance_findings(result, scene);
         return result;
     } catch (const linalg::SolverError &error) {

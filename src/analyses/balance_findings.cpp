@@ -1,21 +1,19 @@
 #include "analyses/balance_findings.h"
 
+#include "model/rpm.h"
 #include "results/formulation.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace whirl::analyses {
 
 namespace {
 
-constexpr double rpm = 30 / std::numbers::pi; // rev/min in one rad/s
-
 std::string speed_text(double speed) {
-    return fmt::format("{:.6g} rad/s ({:.6g} rpm)", speed, speed * rpm);
+    return fmt::format("{:.6g} rad/s ({:.6g} rpm)", speed, speed * model::rpm);
 }
 
 std::string plane_text(const results::BalancePlane &plane, std::size_t index) {

@@ -23,17 +23,13 @@ namespace {
 /// position or no spectrum.
 class PositionGrowth {
   public:
-    explicit PositionGrowth(const model::Case &scene) {
-        model::Case real = scene;
-        real.formulation = model::FormChoice::automatic;
+    explicit PositionGrowth(const std::optional<stability::StabilityModel> &model) {
+        if (!model)
+            return;
+        _from = model->from;
         try {
-            const stability::StabilityModel model =
-                stability::stability_model(real, stability::search_speeds(*scene.speeds));
-            _from = model.from;
             _solver = std::make_unique<stability::MotionSolver>(
-                scene.rotor, model.form, model.order,
-                balancers::arrangement_at_balance(scene.rotor), model.harmonics, nullptr,
-                model.top);
+                *model, balancers::arrangement_at_balance(model->rotor));
         } catch (const model::BadInput &) {        // no such position: nothing to say
         } catch (const model::AnalysisFailure &) { // no spectrum: nothing either
         }
@@ -56,18 +52,18 @@ class PositionGrowth {
 
 } // namespace
 
-std::vector<results::SimulatedSpeed> simulated_speeds(const model::Case &scene,
-                                                      std::vector<std::string> &notes) {
+std::vector<results::SimulatedSpeed>
+simulated_speeds(const model::Case &scene, const std::optional<stability::StabilityModel> &position,
+                 std::vector<std::string> &notes) {
     std::vector<results::SimulatedSpeed> out;
     const int count = scene.balance.simulated;
-    if (count == 0 || scene.rotor.balancers.empty() || process::process_rank() != 0)
+    if (count == 0 || process::process_rank() != 0)
         return out;
     model::Case run = scene;
     run.simulate.run_up.clear();
     run.simulate.torque.reset();
     run.simulate.other_starts.clear();
-    run.formulation = model::FormChoice::automatic;
-    const PositionGrowth growth(scene);
+    const PositionGrowth growth(position);
     const double step = (scene.speeds->to - scene.speeds->from) / count;
     for (int i = 0; i < count; ++i) {
         const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest

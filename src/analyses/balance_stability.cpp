@@ -45,16 +45,19 @@ std::vector<std::pair<double, double>> errors_of(const std::vector<results::Spee
     return out;
 }
 
-results::BalancedPosition stable_speeds(const model::Case &scene, std::vector<std::string> &notes) {
-    const double from = scene.speeds->from;
-    const double to = scene.speeds->to;
+results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
+                                        const model::SpeedRange &range,
+                                        std::vector<std::string> &notes) {
+    const std::vector<double> grid = stability::search_speeds(range);
+    const double from = range.from;
+    const double to = range.to;
     results::BalancedPosition out;
     std::vector<stability::SpeedInterval> sometimes_unstable;
     std::vector<stability::SpeedInterval> always_unstable;
     for (const balancers::Arrangement &arrangement :
-         balancers::sampled_arrangements(scene.rotor, arrangements)) {
+         balancers::sampled_arrangements(model.rotor, arrangements)) {
         const bool first = out.arrangements == 0;
-        const UnstableBands unstable = unstable_bands_of(scene, arrangement, first);
+        const UnstableBands unstable = unstable_bands_of(model, grid, arrangement, first);
         const std::vector<stability::SpeedInterval> bands = stability::joined(unstable.bands);
         if (first) {
             out.bands = rest_of(bands, from, to);
@@ -76,21 +79,19 @@ results::BalancedPosition stable_speeds(const model::Case &scene, std::vector<st
 
 } // namespace
 
-std::optional<results::BalancedPosition> balanced_position(const model::Case &scene,
-                                                           std::vector<std::string> &notes) {
-    if (!scene.balance.balanced_position || scene.rotor.balancers.empty() || !scene.speeds ||
-        scene.speeds->count < 2)
-        return std::nullopt;
-    model::Case real = scene;
-    real.formulation = model::FormChoice::automatic; // a form forced for the criterion
+JudgedPosition judged_position(const model::Case &scene, std::vector<std::string> &notes) {
+    JudgedPosition out;
     try {
-        return stable_speeds(real, notes);
+        const model::SpeedRange &range = model::required_speeds(scene);
+        out.model = stability::stability_model(scene, stability::search_speeds(range));
+        if (scene.balance.balanced_position)
+            out.stable = stable_speeds(*out.model, range, notes);
     } catch (const model::BadInput &error) {
         notes.push_back(std::string("no balanced position to look at: ") + error.what());
     } catch (const model::AnalysisFailure &failure) {
         notes.push_back(std::string("the balanced position was not judged: ") + failure.what());
     }
-    return std::nullopt;
+    return out;
 }
 
 } // namespace whirl::analyses

@@ -10,7 +10,6 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
-#include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "operation/margins.h"
 #include "process/parallel.h"
@@ -235,10 +234,9 @@ model::Case driven(model::Case scene) {
 /// Form of the equations and order of the elements.
 void choose_model(const model::Case &scene, results::ModelSummary &model) {
     model.formulation = forced::response_formulation(scene);
-    model::Case free_choice = scene; // the order is judged by frequencies, in their best form
-    free_choice.rotor.balancers.clear();
-    free_choice.formulation = model::FormChoice::automatic;
-    model.order = mesh_error::resolve_order(free_choice, modes::choose_formulation(free_choice));
+    model::Case bare = scene; // the order is judged by frequencies
+    bare.rotor.balancers.clear();
+    model.order = mesh_error::resolve_order_in_best_form(bare);
 }
 
 /// Of stations, bearings and probes.

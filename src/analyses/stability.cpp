@@ -111,8 +111,7 @@ constexpr int sampled = 16;
 
 /// @param first   unstable bands of the first arrangement, known already
 /// @param shapes  that were good for it
-results::ArrangementFamily family_of(const model::Case &scene,
-                                     const stability::StabilityModel &model,
+results::ArrangementFamily family_of(const stability::StabilityModel &model,
                                      const std::vector<balancers::Arrangement> &arrangements,
                                      const std::vector<stability::SpeedInterval> &first,
                                      std::shared_ptr<const Eigen::MatrixXd> shapes,
@@ -123,7 +122,7 @@ results::ArrangementFamily family_of(const model::Case &scene,
     std::vector<std::vector<double>> additional;
     std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        stability::BandFinder finder(scene.rotor, model, arrangements[k], shapes);
+        stability::BandFinder finder(model, arrangements[k], shapes);
         const stability::MotionsAt at = [&finder](double speed) {
             return finder.solver().at(speed);
         };
@@ -133,9 +132,9 @@ results::ArrangementFamily family_of(const model::Case &scene,
             shapes = finder.shapes();
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
-        if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed()) {
+        if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
             const auto &d = finder.solver().discretization();
-            const assembly::Discretization undamped(model::without_damping(scene.rotor),
+            const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
             critical.push_back(speeds_of(
                 zero_root_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
@@ -148,7 +147,7 @@ results::ArrangementFamily family_of(const model::Case &scene,
     out.unstable = stability::joined(std::move(some));
     out.critical_speeds = ends::intervals_of(critical);
     out.additional_speeds = ends::intervals_of(additional);
-    for (const model::Balancer &balancer : scene.rotor.balancers) {
+    for (const model::Balancer &balancer : model.rotor.balancers) {
         const auto interval = balancers::anisotropy_interval(balancer);
         constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); // null in the result
         out.anisotropy.push_back(interval ? std::pair(interval->least, interval->largest)
@@ -204,15 +203,15 @@ void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
-void search_zero_roots(const model::Case &scene, const stability::StabilityModel &model,
+void search_zero_roots(const stability::StabilityModel &model,
                        const balancers::Arrangement &arrangement, const assembly::Discretization &d,
                        const std::vector<double> &grid, results::StabilityResult &result) {
     bool failed = false;
-    const assembly::Discretization undamped(model::without_damping(scene.rotor), model.order);
+    const assembly::Discretization undamped(model::without_damping(model.rotor), model.order);
     result.critical_speeds =
         speeds_of(zero_root_or_none(undamped, arrangement, true, grid, failed));
     const auto free = zero_root_or_none(d, arrangement, false, grid, failed);
-    if (!scene.rotor.balancers.empty())
+    if (!model.rotor.balancers.empty())
         result.additional_speeds = speeds_of(free);
     for (const stability::ZeroRootSpeed &standing : free)
         if (standing.exact)
@@ -237,11 +236,11 @@ void search_bands(stability::BandFinder &finder, const ends::AllMotions *motions
 }
 
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
-void search(const model::Case &scene, stability::StabilityModel &model,
+void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
-    std::vector<double> grid = described(stability::search_speeds(*scene.speeds), model);
-    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
-    stability::BandFinder finder(scene.rotor, model, arrangement);
+    std::vector<double> grid = described(speeds, model);
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(model.rotor);
+    stability::BandFinder finder(model, arrangement);
     const stability::MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     KeptMotions kept(solver, grid);
@@ -261,21 +260,20 @@ void search(const model::Case &scene, stability::StabilityModel &model,
         search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
-    if (model.form == results::Form::rotating && !scene.rotor.bearings_depend_on_speed())
-        search_zero_roots(scene, model, arrangement, solver.discretization(), grid, result);
+    if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed())
+        search_zero_roots(model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
         stage.emplace("errors of the bands", 0.6, 0.65);
-        result.unstable_error = stability::band_errors(
-            at, scene.rotor, model, arrangement, result.unstable, {grid.front(), grid.back()});
+        result.unstable_error = stability::band_errors(at, model, arrangement, result.unstable,
+                                                       {grid.front(), grid.back()});
         stage.emplace("permissible anisotropy", 0.65, 0.8);
-        result.permissible = stability::permissible_anisotropies(scene, model, arrangement, grid);
+        result.permissible = stability::permissible_anisotropies(model, arrangement, grid);
     }
     stage.emplace("arrangements of the balls", 0.8, 1.0);
     const std::vector<balancers::Arrangement> arrangements =
-        balancers::sampled_arrangements(scene.rotor, sampled);
+        balancers::sampled_arrangements(model.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
-        result.family =
-            family_of(scene, model, arrangements, result.unstable, finder.shapes(), grid);
+        result.family = family_of(model, arrangements, result.unstable, finder.shapes(), grid);
 }
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
@@ -312,14 +310,12 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 
 } // namespace
 
-UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
-                                bool with_errors) {
-    const std::vector<double> grid = stability::search_speeds(model::required_speeds(scene));
-    stability::StabilityModel model = stability::stability_model(scene, grid);
+UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vector<double> &grid,
+                                const balancers::Arrangement &arrangement, bool with_errors) {
     UnstableBands out;
     if (model.conservative)
         return out;
-    stability::BandFinder finder(scene.rotor, model, arrangement);
+    stability::BandFinder finder(model, arrangement);
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
@@ -329,7 +325,7 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
         out.bands = std::move(found.bands);
         out.doubtful = std::move(found.doubtful);
         if (with_errors)
-            out.errors = stability::band_errors(at, scene.rotor, model, arrangement, out.bands,
+            out.errors = stability::band_errors(at, model, arrangement, out.bands,
                                                 {known.front(), known.back()});
     }
     const auto not_resolved = [&](double from, double to) {
@@ -344,11 +340,18 @@ UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arran
     return out;
 }
 
+UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
+                                bool with_errors) {
+    const std::vector<double> grid = stability::search_speeds(model::required_speeds(scene));
+    return unstable_bands_of(stability::stability_model(scene, grid), grid, arrangement,
+                             with_errors);
+}
+
 results::StabilityResult stability(const model::Case &scene, const CaseWith &with) {
     results::StabilityResult result;
     result.speeds = model::required_speeds(scene).values();
-    stability::StabilityModel model =
-        stability::stability_model(scene, stability::search_speeds(*scene.speeds));
+    const std::vector<double> grid = stability::search_speeds(*scene.speeds);
+    stability::StabilityModel model = stability::stability_model(scene, grid);
     result.model.formulation = model.formulation;
     result.model.order = model.order;
     result.neutral_pairs = neutral_pairs(scene.rotor);
@@ -359,7 +362,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
         result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
         result.model.unknowns = 2 * d.planar_size();
     } else {
-        search(scene, model, result);
+        search(grid, model, result);
     }
     if (scene.level1)
         try {

@@ -3,6 +3,7 @@
 #include "balancers/arrangement.h"
 #include "model/case.h"
 #include "results/stability.h"
+#include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
 #include <functional>
@@ -31,6 +32,11 @@ struct UnstableBands {
 };
 /// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
+                                              const balancers::Arrangement &arrangement,
+                                              bool with_errors);
+/// The same with form and order chosen before, at speeds that search_speeds() gives.
+[[nodiscard]] UnstableBands unstable_bands_of(stability::StabilityModel model,
+                                              const std::vector<double> &grid,
                                               const balancers::Arrangement &arrangement,
                                               bool with_errors);
 

@@ -31,9 +31,7 @@ std::vector<double> growth_at(const model::Case &scene, const std::vector<double
     const stability::StabilityModel model = stability::stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
-    const stability::MotionSolver solver(scene.rotor, model.form, model.order,
-                                         balancers::arrangement_at_balance(scene.rotor),
-                                         model.harmonics, nullptr, model.top);
+    const stability::MotionSolver solver(model, balancers::arrangement_at_balance(scene.rotor));
     std::vector<double> out;
     for (const double speed : speeds)
         out.push_back(std::abs(speed) >= model.from ? stability::growth_of(solver.at(speed))

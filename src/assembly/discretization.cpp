@@ -197,4 +197,13 @@ std::vector<double> Discretization::rigid_motion(bool tilt) const {
     return motion;
 }
 
+Eigen::MatrixXd unit_loads(const std::vector<Combination> &quantities, Eigen::Index planar_size) {
+    Eigen::MatrixXd loads =
+        Eigen::MatrixXd::Zero(planar_size, static_cast<Eigen::Index>(quantities.size()));
+    for (std::size_t i = 0; i < quantities.size(); ++i)
+        for (const auto &[unknown, value] : quantities[i])
+            loads(unknown, static_cast<Eigen::Index>(i)) += value;
+    return loads;
+}
+
 } // namespace whirl::assembly

@@ -77,4 +77,8 @@ class Discretization {
                                                          int span) const;
 };
 
+/// Unit loads that work on these quantities, a column each, over the unknowns of one plane.
+[[nodiscard]] Eigen::MatrixXd unit_loads(const std::vector<Combination> &quantities,
+                                         Eigen::Index planar_size);
+
 } // namespace whirl::assembly

@@ -11,4 +11,13 @@ namespace whirl::assembly {
 [[nodiscard]] Eigen::SparseMatrix<double> planar_part(const Discretization &discretization,
                                                       Term term);
 
+/// One term of the whole rotor over the unknowns of one plane, bearings as at `speed` (rad/s) by
+/// the mean of their coefficients over the directions.
+[[nodiscard]] Eigen::SparseMatrix<double> planar_matrix(const Discretization &discretization,
+                                                        Term term, double speed);
+
+/// Polar inertia of shaft, discs and what else turns with the shaft, kg m2: twice the energy of a
+/// unit slope times the gyroscopic matrix.
+[[nodiscard]] double polar_inertia(const Discretization &discretization);
+
 } // namespace whirl::assembly

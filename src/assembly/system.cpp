@@ -28,7 +28,8 @@ void add_real(Entries &entries, int i, int j, double value, bool couples, double
     }
 }
 
-/// Over the unknowns of one plane: [a b; -b a] of a bearing on (x, y) is a - i b on x + i y.
+/// Over the unknowns of one plane: [a b; -b a] of a bearing on (x, y) is a - i b on x + i y. Of
+/// other blocks the mean over the directions.
 struct PlanarTerms {
     TermEntries real, imaginary;
 };
@@ -42,7 +43,7 @@ PlanarTerms planar_terms(const Discretization &discretization, double speed) {
     });
     assemble_supports(discretization, speed,
                       [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                          out.real[term].emplace_back(i, j, block(0, 0));
+                          out.real[term].emplace_back(i, j, block.trace() / 2);
                           if (block(0, 1) != 0)
                               out.imaginary[term].emplace_back(i, j, -block(0, 1));
                       });

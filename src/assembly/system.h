@@ -34,7 +34,8 @@ template <Frame frame> struct RealSystem {
 };
 using FixedSystem = RealSystem<Frame::fixed>;
 
-/// Bearings as at `speed` (rad/s).
+/// Bearings as at `speed` (rad/s); in one plane, by the mean of their coefficients over the
+/// directions, which says all of isotropic ones.
 [[nodiscard]] PlanarSystem assemble_planar(const Discretization &discretization, double speed);
 [[nodiscard]] DampedPlanarSystem assemble_damped_planar(const Discretization &discretization,
                                                         double speed);

@@ -54,33 +54,26 @@ double zero_at(const SpeedFunction &criterion, double pinned, double below, doub
     return linalg::root_between(criterion, below, criterion(below), above, criterion(above));
 }
 
-/// Least |f| between a and b around x, by golden section, until the sign changes or the gain is
-/// small: the speed with the other sign, if there is one.
-std::optional<double> turning_sign(const SpeedFunction &f, double a, double x, double b,
-                                   double fx) {
-    constexpr double golden = 0.3819660112501051;
-    const bool negative = fx < 0;
-    double last_gain = std::abs(fx);
-    for (int step = 0; step < 40; ++step) {
-        const bool right = b - x > x - a;
-        const double y = right ? x + golden * (b - x) : x - golden * (x - a);
-        const double fy = f(y);
-        if ((fy < 0) != negative)
-            return y;
-        if (std::abs(fy) < std::abs(fx)) {
-            (right ? a : b) = x;
-            x = y;
-            fx = fy;
-        } else {
-            (right ? b : a) = y;
-        }
-        if (step % 6 == 5) {
-            if (std::abs(fx) > 0.9 * last_gain)
-                return std::nullopt;
-            last_gain = std::abs(fx);
-        }
-    }
-    return std::nullopt;
+/// The least |f| between a and b is looked for until the sign changes or the gain is small: the
+/// speed with the other sign, if there is one.
+std::optional<double> turning_sign(const SpeedFunction &f, double a, double b, double between) {
+    std::optional<double> turned;
+    const auto size = [&](double speed) {
+        const double value = f(speed);
+        if ((value < 0) != (between < 0))
+            turned = speed;
+        return std::abs(value);
+    };
+    int step = 0;
+    double last = std::abs(between);
+    (void)linalg::least_between(size, a, b, [&](double, double, double least) {
+        const bool look = step++ % 6 == 5;
+        const bool stalls = look && least > 0.9 * last;
+        if (look)
+            last = least;
+        return turned || stalls || step > 40;
+    });
+    return turned;
 }
 
 } // namespace
@@ -123,15 +116,13 @@ std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
         points.emplace_back(speed, criterion(speed));
     std::vector<double> turns;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const auto [x, f] = points[i];
-        const auto same = [&, value = f](std::size_t k) {
-            return (points[k].second < 0) == (value < 0);
-        };
+        const double f = points[i].second;
+        const auto same = [&](std::size_t k) { return (points[k].second < 0) == (f < 0); };
         const double size = std::abs(f);
         if (same(i - 1) && same(i + 1) && size < std::abs(points[i - 1].second) &&
             size <= std::abs(points[i + 1].second))
             if (const auto turn =
-                    turning_sign(criterion, points[i - 1].first, x, points[i + 1].first, f))
+                    turning_sign(criterion, points[i - 1].first, points[i + 1].first, f))
                 turns.push_back(*turn);
     }
     for (const double speed : turns)

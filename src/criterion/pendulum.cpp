@@ -3,13 +3,13 @@
 #include "assembly/system.h"
 #include "closed_form/pendulum_balancer.h"
 #include "criterion/pendulum_motion.h"
-#include "criterion/rigid_form.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
 #include "process/progress.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
+#include "rigid/projection.h"
 #include "synchronous/critical_speeds.h"
 
 #include <fmt/format.h>
@@ -74,7 +74,7 @@ PlanarEquivalent planar_equivalent(const PendulumShaft &shaft, std::size_t index
         return sum;
     };
     // A mode with a node at the balancer would be an infinite mass there.
-    const double largest_mass = 100 * rotor_mass(d.rotor());
+    const double largest_mass = 100 * rigid::rigid_body(d.rotor(), bearing_speed).mass;
     for (const modes::WhirlMode &mode :
          synchronous::synchronous_modes(d, results::Form::planar, bearing_speed, 4)) {
         Eigen::VectorXd v = mode.shape.real();

@@ -4,6 +4,7 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "modes/support_damping.h"
+#include "reduction/orthonormal.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -21,38 +22,27 @@ using Sparse = Eigen::SparseMatrix<double>;
 /// Modes at rest of least frequency and static deflections under unit forces, orthonormal with M.
 Eigen::MatrixXd basis_of(const assembly::PlanarSystem &system, const Eigen::MatrixXd &forces,
                          int modes) {
-    const Sparse K = system.K.view();
+    constexpr double newness = 1e-6;
     const Sparse M = system.M.view();
-    std::vector<Eigen::VectorXd> wanted;
+    Eigen::MatrixXd V(M.rows(), 0);
     const linalg::DefinitePair pair(system.K, system.M);
-    for (const linalg::RealPair &mode : pair.smallest(std::min(modes, static_cast<int>(K.rows()))))
-        wanted.push_back(mode.vector);
-    const Eigen::SimplicialLDLT<Sparse> factors(K);
-    for (Eigen::Index j = 0; j < forces.cols(); ++j)
-        wanted.emplace_back(factors.solve(forces.col(j)));
-    Eigen::MatrixXd V(K.rows(), 0);
-    for (Eigen::VectorXd &v : wanted) {
-        const double before = std::sqrt(v.dot(M * v));
-        for (int twice = 0; twice < 2; ++twice)
-            v -= V * (V.transpose() * (M * v));
-        const double after = std::sqrt(std::max(0.0, v.dot(M * v)));
-        if (!(after > 1e-6 * before))
-            continue; // already spanned by the others
-        V.conservativeResize(Eigen::NoChange, V.cols() + 1);
-        V.rightCols<1>() = v / after;
-    }
+    for (const linalg::RealPair &mode : pair.smallest(std::min(modes, static_cast<int>(M.rows()))))
+        reduction::take_in(V, M, mode.vector, newness);
+    const Eigen::SimplicialLDLT<Sparse> factors(Sparse(system.K.view()));
+    reduction::take_in(V, M, factors.solve(forces), newness);
     return V;
 }
 
-/// The forces and unit forces at the bearings, where dampers act.
-Eigen::MatrixXd with_bearings(const assembly::Discretization &d, Eigen::MatrixXd forces) {
-    for (const model::Bearing &bearing : d.rotor().bearings) {
-        forces.conservativeResize(Eigen::NoChange, forces.cols() + 1);
-        forces.rightCols<1>().setZero();
-        for (const auto &[unknown, value] : d.deflection_at(bearing.z))
-            forces(unknown, forces.cols() - 1) += value;
-    }
-    return forces;
+/// Unit forces at the pendulums, and at the bearings, where dampers act.
+std::vector<assembly::Combination>
+forced_places(const assembly::Discretization &d,
+              const std::vector<balancers::PlacedPendulums> &pendulums) {
+    std::vector<assembly::Combination> places;
+    for (const balancers::PlacedPendulums &pendulum : pendulums)
+        places.push_back(d.deflection_at(pendulum.z));
+    for (const model::Bearing &bearing : d.rotor().bearings)
+        places.push_back(d.deflection_at(bearing.z));
+    return places;
 }
 
 Sparse support_damping(const assembly::Discretization &d, double speed) {
@@ -84,20 +74,17 @@ PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_
     const assembly::Discretization &d = shaft.rotor();
     data.pendulums = shaft.pendulums();
     const auto count = static_cast<Eigen::Index>(data.pendulums.size());
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(d.planar_size(), count);
-    for (Eigen::Index j = 0; j < count; ++j)
-        for (const auto &[unknown, value] :
-             d.deflection_at(data.pendulums[static_cast<std::size_t>(j)].z))
-            forces(unknown, j) += value;
+    const Eigen::MatrixXd forces =
+        assembly::unit_loads(forced_places(d, data.pendulums), d.planar_size());
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
-    const Eigen::MatrixXd V = basis_of(system, with_bearings(d, forces), modes);
+    const Eigen::MatrixXd V = basis_of(system, forces, modes);
     const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd { return V.transpose() * (A * V); };
     data.M = kept(system.M.view());
     data.G = kept(system.G.view());
     data.K = kept(system.K.view());
     data.Ce = kept(support_damping(d, bearing_speed));
     data.Ci = kept(assembly::planar_part(d, assembly::Term::damping));
-    data.places = forces.transpose() * V;
+    data.places = forces.leftCols(count).transpose() * V;
     data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());
 }
 

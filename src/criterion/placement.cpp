@@ -1,6 +1,5 @@
 #include "criterion/placement.h"
 
-#include "criterion/rigid_form.h"
 #include "process/parallel.h"
 #include "process/progress.h"
 
@@ -149,7 +148,7 @@ results::Placement placement(const BalanceScene &scene, const assembly::Discreti
         out.speeds = model::SpeedRange{scene.from, scene.to, count}.values();
     }
     BalanceForm form(d, scene.formulation.form, places, out.z);
-    const double mass = rotor_mass(scene.rotor);
+    const double mass = scene.body.mass;
     double done = 0;
     const auto forms = process::rows_at(out.speeds, [&](double speed) {
         process::report_progress(done++ / static_cast<double>(out.speeds.size()));

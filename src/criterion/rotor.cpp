@@ -5,7 +5,6 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "model/variants.h"
-#include "modes/formulation.h"
 #include "process/parallel.h"
 
 #include <fmt/format.h>
@@ -55,20 +54,17 @@ std::vector<assembly::Combination> damped_places(const assembly::Discretization 
     return places;
 }
 
-/// Symmetric without negative eigenvalues, but for rounding of the entries (turned axes).
-bool pushes_back(const Eigen::Matrix2d &k) {
-    const double mean = k.trace() / 2;
-    const double apart = std::hypot((k(0, 0) - k(1, 1)) / 2, k(0, 1));
-    return model::symmetric(k) && apart <= mean * (1 + 1e-14);
-}
-
 /// Every bearing has a symmetric stiffness that pushes back in every direction; else inertia counts
 /// would say nothing.
 bool bearings_push_back(const model::Rotor &rotor) {
-    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
-        return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
-            return pushes_back(row.k) && pushes_back(row.kt);
-        });
+    const auto pushes_back = [](const Eigen::Matrix2d &k) {
+        return model::symmetric(k) && !model::pushes_away(k);
+    };
+    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const model::Bearing &b) {
+        return std::all_of(b.rows.begin(), b.rows.end(),
+                           [&](const model::BearingCoefficients &row) {
+                               return pushes_back(row.k) && pushes_back(row.kt);
+                           });
     });
 }
 
@@ -127,11 +123,11 @@ BalanceScene::BalanceScene(const model::Case &scene)
     rotor.balancers.clear();
     rotor.anisotropies.clear();
     rotor.planes = planes;
+    body = rigid::rigid_body(rotor, from);
     model::Case bare = scene;
     bare.rotor = rotor;
     formulation = forced::response_formulation(bare);
-    bare.formulation = model::FormChoice::automatic; // the order is judged by frequencies
-    order = mesh_error::resolve_order(bare, modes::choose_formulation(bare));
+    order = mesh_error::resolve_order_in_best_form(bare); // it is judged by frequencies
 }
 
 std::vector<assembly::Combination> BalanceScene::places(const assembly::Discretization &d) const {

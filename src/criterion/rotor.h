@@ -4,6 +4,7 @@
 #include "criterion/undamped_rotor.h"
 #include "model/case.h"
 #include "results/formulation.h"
+#include "rigid/projection.h"
 
 #include <vector>
 
@@ -17,7 +18,8 @@ struct BalanceScene {
     double to = 0;
     results::Formulation formulation;
     int order = 1;
-    model::Rotor rotor; ///< without balancers and rotating anisotropies, with all planes
+    model::Rotor rotor;     ///< without balancers and rotating anisotropies, with all planes
+    rigid::RigidRotor body; ///< it as a rigid body, bearings as at `from`
 
     explicit BalanceScene(const model::Case &scene);
 

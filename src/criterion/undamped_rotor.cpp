@@ -1,5 +1,6 @@
 #include "criterion/undamped_rotor.h"
 
+#include "assembly/constraints.h"
 #include "assembly/system.h"
 #include "linalg/semidefinite_pair.h"
 
@@ -25,62 +26,6 @@ Sparse part_of(const Sparse &K, bool across) {
     Sparse out(K.rows(), K.cols());
     out.setFromTriplets(entries.begin(), entries.end());
     return out;
-}
-
-struct Constraints {
-    Eigen::MatrixXd rows;
-    std::vector<Eigen::Index> pivots; ///< column of each row
-};
-
-/// Reduced row echelon form with full choice of the pivots; dependent rows are dropped.
-/// @param scale  of each unknown: coefficients times theirs are comparable
-Constraints reduced(Eigen::MatrixXd rows, const Eigen::VectorXd &scale) {
-    Constraints out;
-    rows = rows * scale.asDiagonal();
-    const double size = rows.cwiseAbs().maxCoeff();
-    Eigen::Index done = 0;
-    while (done < rows.rows()) {
-        Eigen::Index row = 0;
-        Eigen::Index column = 0;
-        const double pivot = rows.bottomRows(rows.rows() - done).cwiseAbs().maxCoeff(&row, &column);
-        if (pivot <= 1e-12 * size)
-            break;
-        rows.row(done).swap(rows.row(done + row));
-        rows.row(done) /= rows(done, column);
-        for (Eigen::Index i = 0; i < rows.rows(); ++i)
-            if (i != done)
-                rows.row(i) -= rows(i, column) * Eigen::RowVectorXd(rows.row(done));
-        out.pivots.push_back(column);
-        ++done;
-    }
-    out.rows = rows.topRows(done);
-    for (Eigen::Index i = 0; i < done; ++i)
-        out.rows.row(i) *= scale(out.pivots[static_cast<std::size_t>(i)]);
-    out.rows = out.rows * scale.cwiseInverse().asDiagonal();
-    return out;
-}
-
-/// Columns: motions that obey the constraints, one for each unknown that is no pivot.
-Sparse free_motions(const Constraints &constraints, Eigen::Index size) {
-    std::vector<bool> is_pivot(static_cast<std::size_t>(size), false);
-    for (const Eigen::Index pivot : constraints.pivots)
-        is_pivot[static_cast<std::size_t>(pivot)] = true;
-    std::vector<Eigen::Triplet<double>> entries;
-    int column = 0;
-    for (Eigen::Index unknown = 0; unknown < size; ++unknown) {
-        if (is_pivot[static_cast<std::size_t>(unknown)])
-            continue;
-        entries.emplace_back(static_cast<int>(unknown), column, 1.0);
-        for (std::size_t i = 0; i < constraints.pivots.size(); ++i) {
-            const double value = constraints.rows(static_cast<Eigen::Index>(i), unknown);
-            if (value != 0)
-                entries.emplace_back(static_cast<int>(constraints.pivots[i]), column, -value);
-        }
-        ++column;
-    }
-    Sparse T(size, column);
-    T.setFromTriplets(entries.begin(), entries.end());
-    return T;
 }
 
 /// x = u, y = -i v: an entry k from y to x becomes -i k, one from x to y becomes i k.
@@ -151,7 +96,7 @@ UndampedRotor::pinned_critical_speeds(const std::vector<assembly::Combination> &
         _K.diagonal().cwiseAbs() + to * to * Eigen::VectorXd(_A.diagonal().cwiseAbs());
     const Eigen::VectorXd scale =
         size.unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
-    return roots(free_motions(reduced(rows, scale), _K.rows()), from, to);
+    return roots(assembly::constrained_motions(rows, scale), from, to);
 }
 
 } // namespace whirl::criterion

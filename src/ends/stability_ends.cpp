@@ -1,5 +1,6 @@
 #include "ends/stability_ends.h"
 
+#include "assembly/planes.h"
 #include "ends/sweep.h"
 
 #include <algorithm>
@@ -147,10 +148,8 @@ class EndSearch {
             return;
         }
         // x + i y = (X + i Y) exp(i w t) + conj(X - i Y) exp(-i w t), over 2.
-        const Eigen::Index n = motion.right.size() / 2;
-        const Eigen::VectorXcd X = motion.right(Eigen::seqN(0, n, 2));
-        const Eigen::VectorXcd Y = motion.right(Eigen::seqN(1, n, 2));
-        const bool positive = (X + Complex(0, 1) * Y).norm() >= (X - Complex(0, 1) * Y).norm();
+        const assembly::Planes planes(motion.right);
+        const bool positive = planes.towards().norm() >= planes.against().norm();
         end.frequency_rotating = std::abs((positive ? w : -w) - end.speed);
     }
 

@@ -1,4 +1,5 @@
 #include "input/plausibility.h"
+#include "model/rpm.h"
 
 #include <fmt/core.h>
 
@@ -79,7 +80,7 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
             remarks.add(fmt::format("{} = {:.6g} is in rad/s, {:.6g} rpm: the rotor's surface "
                                     "moves at {:.0f} m/s; with "
                                     "a unit, \"{:.6g} rpm\", it is that speed",
-                                    key, speed, speed * 30 / std::numbers::pi, surface, speed));
+                                    key, speed, speed * model::rpm, surface, speed));
     }
 }
 

@@ -1,11 +1,11 @@
 #include "input/sections.h"
 #include "model/mass.h"
+#include "model/rpm.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace whirl::input {
 namespace {
@@ -131,7 +131,7 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
         return 0;
     }
     constexpr double millimetre = 1e-3; // m
-    const double rpm = speed * 30 / std::numbers::pi;
+    const double rpm = speed * model::rpm;
     const auto grade = graded ? read_grade(table) : std::nullopt;
     const double mr =
         share * (graded ? grade.value_or(0) * millimetre * mass / speed : 0.00635 * mass / rpm);

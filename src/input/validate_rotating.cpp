@@ -2,6 +2,7 @@
 
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
+#include "model/mass.h"
 
 #include <fmt/core.h>
 
@@ -19,26 +20,9 @@ struct Inertias {
     double Ip = 0; ///< kg m2
 };
 
-double fourth_power(double d) { return d * d * d * d; }
-
-/// Integral of d^4 along a length over which d varies linearly from a to b.
-double fourth_power_integral(double length, double a, double b) {
-    return length / 5 *
-           (fourth_power(a) + a * a * a * b + a * a * b * b + a * b * b * b + fourth_power(b));
-}
-
-double shaft_polar_inertia(const model::Shaft &shaft) {
-    double Ip = 0;
-    for (const model::Segment &segment : shaft.segments)
-        Ip += segment.material.rho * 3.14159265358979323846 / 32 *
-              (fourth_power_integral(segment.length, segment.outer_start, segment.outer_end) -
-               fourth_power_integral(segment.length, segment.inner_start, segment.inner_end));
-    return Ip;
-}
-
 /// Polar inertia of the whole rotor with its balls and point masses, where these count.
 double polar_inertia(const model::Rotor &rotor) {
-    double Ip = shaft_polar_inertia(rotor.shaft);
+    double Ip = model::polar_inertia_of(rotor.shaft);
     for (const model::Disc &disc : rotor.discs)
         Ip += disc.Ip;
     for (const model::Balancer &balancer : rotor.balancers) {

@@ -2,6 +2,7 @@
 
 #include "mesh_error/finer_model.h"
 #include "model/errors.h"
+#include "modes/formulation.h"
 #include "results/formulation.h"
 
 #include <fmt/format.h>
@@ -63,6 +64,11 @@ int resolve_order(const model::Case &scene, const results::Formulation &formulat
     return lowest_order(shaft.tolerance, [&](int order) {
         return worst_error(scene, formulation.form, order, speeds);
     });
+}
+
+int resolve_order_in_best_form(model::Case scene) {
+    scene.formulation = model::FormChoice::automatic;
+    return resolve_order(scene, modes::choose_formulation(scene));
 }
 
 } // namespace whirl::mesh_error

@@ -1,6 +1,7 @@
 #include "mesh_error/shape_residual.h"
 
 #include "assembly/planar_part.h"
+#include "assembly/planes.h"
 #include "elements/beam.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -121,13 +122,11 @@ double ShapeResidual::of(const modes::WhirlMode &mode, double speed) const {
     }
     if (_form == results::Form::planar_damped)
         return energy(mode.shape, mode.rotating_value, speed) / kinetic(mode.shape);
-    const Eigen::Index n = _mass.rows();
-    const Eigen::VectorXcd x = mode.shape(Eigen::seqN(0, n, 2));
-    // In hyperbolic form y stands for -i y.
-    const Eigen::VectorXcd y = (_form == results::Form::hyperbolic ? i_unit : Complex(1)) *
-                               mode.shape(Eigen::seqN(1, n, 2));
-    const Eigen::VectorXcd with = x + i_unit * y;
-    const Eigen::VectorXcd against = x - i_unit * y;
+    assembly::Planes planes(mode.shape);
+    if (_form == results::Form::hyperbolic) // y stands for -i y
+        planes.y *= i_unit;
+    const Eigen::VectorXcd with = planes.towards();
+    const Eigen::VectorXcd against = planes.against();
     return (energy(with, mode.eigenvalue, speed) + energy(against, mode.eigenvalue, -speed)) /
            (kinetic(with) + kinetic(against));
 }

@@ -27,6 +27,12 @@ bool diagonal(const Eigen::Matrix2d &a) { return nothing(a(0, 1), a) && nothing(
 
 bool symmetric(const Eigen::Matrix2d &a) { return nothing(a(0, 1) - a(1, 0), a); }
 
+bool pushes_away(const Eigen::Matrix2d &k) {
+    const double coupling = (k(0, 1) + k(1, 0)) / 2;
+    const double least = k.trace() / 2 - std::hypot((k(0, 0) - k(1, 1)) / 2, coupling);
+    return least < -1e-14 * k.cwiseAbs().maxCoeff(); // a share for rounding, as in nothing()
+}
+
 BearingCoefficients Bearing::at(double speed) const {
     if (!depends_on_speed() || speed <= speeds.front())
         return rows.front();

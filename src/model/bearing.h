@@ -23,6 +23,8 @@ struct BearingCoefficients {
 [[nodiscard]] bool rotation_invariant(const Eigen::Matrix2d &a);
 [[nodiscard]] bool diagonal(const Eigen::Matrix2d &a);
 [[nodiscard]] bool symmetric(const Eigen::Matrix2d &a);
+/// A stiffness of which the symmetric part is negative in some direction
+[[nodiscard]] bool pushes_away(const Eigen::Matrix2d &k);
 
 /// An isotropic support below the bearing: mass on a spring and damper to the ground.
 struct Pedestal {

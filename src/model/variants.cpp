@@ -61,13 +61,15 @@ Rotor stiffened(Rotor rotor, double factor) {
     return rotor;
 }
 
-Rotor without_elasticity(Rotor rotor) {
-    rotor.shaft.rigid = true;
+Rotor with_order(Rotor rotor, int order) {
+    if (rotor.shaft.order_auto)
+        rotor.shaft.order = order;
+    rotor.shaft.order_auto = false;
     return rotor;
 }
 
-Rotor without_balancers(Rotor rotor) {
-    rotor.balancers.clear();
+Rotor without_elasticity(Rotor rotor) {
+    rotor.shaft.rigid = true;
     return rotor;
 }
 

@@ -21,10 +21,11 @@ namespace whirl::model {
 /// E and G of the shaft multiplied.
 [[nodiscard]] Rotor stiffened(Rotor rotor, double factor);
 
+/// With shaft elements of this order where the order was to be found.
+[[nodiscard]] Rotor with_order(Rotor rotor, int order);
+
 /// Without elastic unknowns.
 [[nodiscard]] Rotor without_elasticity(Rotor rotor);
-
-[[nodiscard]] Rotor without_balancers(Rotor rotor);
 
 /// The imbalances that balancers are there for among those of the rotor.
 [[nodiscard]] Rotor with_balancer_imbalances(Rotor rotor);

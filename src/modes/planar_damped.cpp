@@ -1,5 +1,6 @@
 #include "modes/planar_damped.h"
 
+#include "assembly/planes.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "modes/following/sorted_modes.h"
@@ -327,11 +328,9 @@ GeneralSpectrum::Modes PlanarDamped::of_real_form(double speed, int wanted) cons
     GeneralSpectrum::Modes found = _general->modes(speed, wanted);
     std::vector<WhirlMode> planar;
     for (WhirlMode &mode : found.modes) {
-        const Eigen::Index n = mode.shape.size() / 2;
-        const Eigen::VectorXcd x = mode.shape(Eigen::seqN(0, n, 2));
-        const Eigen::VectorXcd y = mode.shape(Eigen::seqN(1, n, 2));
-        const Eigen::VectorXcd with = x + imaginary * y;
-        const Eigen::VectorXcd against = (x - imaginary * y).conjugate();
+        const assembly::Planes planes(mode.shape);
+        const Eigen::VectorXcd with = planes.towards();
+        const Eigen::VectorXcd against = planes.against().conjugate();
         const auto taken = [&](const Eigen::VectorXcd &w, Complex value) {
             return std::any_of(planar.begin(), planar.end(), [&](const WhirlMode &other) {
                 return std::abs(other.rotating_value - value) <= 1e-7 * std::abs(value) &&

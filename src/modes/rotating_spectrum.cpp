@@ -1,5 +1,6 @@
 #include "modes/rotating_spectrum.h"
 
+#include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
 #include "modes/zero_modes.h"
@@ -208,10 +209,9 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radi
 WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, double speed) const {
     // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
     const Eigen::Index n = pair.vector.size() / 2;
-    const Eigen::VectorXcd X = pair.vector(Eigen::seqN(0, n, 2));
-    const Eigen::VectorXcd Y = pair.vector(Eigen::seqN(1, n, 2));
-    const Eigen::VectorXcd p = (X + i_unit * Y) / 2;
-    const Eigen::VectorXcd r = (X.conjugate() + i_unit * Y.conjugate()) / 2;
+    const assembly::Planes planes(pair.vector);
+    const Eigen::VectorXcd p = planes.towards() / 2;
+    const Eigen::VectorXcd r = planes.against().conjugate() / 2;
     const double nu = pair.value.imag();
     WhirlMode mode;
     mode.frequency_rotating = nu;

@@ -1,5 +1,6 @@
 #include "modes/spectrum.h"
 
+#include "assembly/planes.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "model/errors.h"
@@ -280,8 +281,7 @@ Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &sta
         const Eigen::VectorXcd w = stations.deflections(mode.shape);
         return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(w.conjugate()) : w;
     }
-    const Eigen::Index n = mode.shape.size() / 2;
-    return stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
+    return stations.deflections(assembly::Planes(mode.shape).x);
 }
 
 Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &stations) const {
@@ -298,8 +298,7 @@ Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &sta
         return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(i * w.conjugate())
                                               : Eigen::VectorXcd(-i * w);
     }
-    const Eigen::Index n = mode.shape.size() / 2;
-    const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
+    const Eigen::VectorXcd y = stations.deflections(assembly::Planes(mode.shape).y);
     return _data->form == results::Form::hyperbolic ? Eigen::VectorXcd(i * y) : y;
 }
 

@@ -1,7 +1,9 @@
 #include "reduction/planar_shapes.h"
 
+#include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "reduction/orthonormal.h"
 #include "reduction/planar_pair.h"
 
 #include <Eigen/SparseCholesky>
@@ -40,13 +42,7 @@ std::vector<assembly::Combination> loaded_quantities(const assembly::Discretizat
 
 /// Under unit loads on the quantities, a column each.
 /// @throws linalg::SolverError where H is not positive definite
-Eigen::MatrixXd static_deflections(const Sparse &H,
-                                   const std::vector<assembly::Combination> &loaded) {
-    Eigen::MatrixXd loads =
-        Eigen::MatrixXd::Zero(H.rows(), static_cast<Eigen::Index>(loaded.size()));
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-        for (const auto &[unknown, value] : loaded[i])
-            loads(unknown, static_cast<Eigen::Index>(i)) += value;
+Eigen::MatrixXd static_deflections(const Sparse &H, const Eigen::MatrixXd &loads) {
     const Eigen::SimplicialLDLT<Sparse> factors(H);
     if (factors.info() != Eigen::Success || factors.vectorD().minCoeff() <= 0)
         throw linalg::SolverError("the bearings push away: no shapes to reduce the rotor to");
@@ -72,7 +68,8 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     const PlanarPair pair = planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
     _shapes.resize(_H.rows(), 0);
-    const Eigen::MatrixXd bent = static_deflections(_H, loaded_quantities(discretization));
+    const Eigen::MatrixXd bent =
+        static_deflections(_H, assembly::unit_loads(loaded_quantities(discretization), _H.rows()));
     const linalg::DefinitePair held(linalg::Matrix::from_sparse(_H),
                                     linalg::Matrix::from_sparse(pair.M));
     // (K + top^2 M - s^2 M) x = 0: at rest the frequency is sqrt(s^2 - top^2).
@@ -85,35 +82,20 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
 }
 
 void PlanarShapes::add_static(const std::vector<assembly::Combination> &loaded) {
-    add(static_deflections(_H, loaded), 1e-6);
+    add(static_deflections(_H, assembly::unit_loads(loaded, _H.rows())), 1e-6);
 }
 
 void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-        Eigen::VectorXd v = columns.col(j);
-        const double before = std::sqrt(v.dot(_H * v));
-        if (!(before > 0))
-            continue;
-        double after = before;
-        for (int twice = 0; twice < 2 && after > 0; ++twice) {
-            v -= _shapes * (_shapes.transpose() * (_H * v)).eval();
-            after = std::sqrt(std::max(0.0, v.dot(_H * v)));
-        }
-        if (!(after > newness * before))
-            continue; // already spanned by the others
-        _shapes.conservativeResize(Eigen::NoChange, _shapes.cols() + 1);
-        _shapes.rightCols<1>() = v / after;
-    }
+    take_in(_shapes, _H, columns, newness);
 }
 
 Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {
     const Eigen::Index terms = vector.size() / term;
     Eigen::MatrixXd out(N, 4 * terms);
     for (Eigen::Index k = 0; k < terms; ++k) {
-        const Eigen::VectorXcd block = vector.segment(k * term, 2 * N);
-        const Eigen::VectorXcd x = block(Eigen::seqN(0, N, 2));
-        const Eigen::VectorXcd y = block(Eigen::seqN(1, N, 2));
-        out.middleCols(4 * k, 4) << x.real(), x.imag(), y.real(), y.imag();
+        const assembly::Planes planes(vector.segment(k * term, 2 * N));
+        out.middleCols(4 * k, 4) << planes.x.real(), planes.x.imag(), planes.y.real(),
+            planes.y.imag();
     }
     // What is small beside the rest of the motion is rounding, or does not matter.
     const double largest = out.colwise().norm().maxCoeff();

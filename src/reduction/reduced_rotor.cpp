@@ -4,6 +4,7 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "model/errors.h"
+#include "reduction/orthonormal.h"
 #include "reduction/planar_pair.h"
 #include "reduction/reduction_error.h"
 
@@ -50,17 +51,7 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
 /// Mass-orthonormal combinations of the columns that make the stiffness diagonal, ascending.
 Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
     Eigen::MatrixXd V(columns.rows(), 0);
-    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
-        Eigen::VectorXd v = columns.col(j);
-        const double length = std::sqrt(v.dot(pair.M * v));
-        for (int pass = 0; pass < 2; ++pass)
-            v -= V * (V.transpose() * (pair.M * v)).eval();
-        const double rest = std::sqrt(v.dot(pair.M * v));
-        if (!(rest > 1e-7 * length))
-            continue; // already among the others
-        V.conservativeResize(Eigen::NoChange, V.cols() + 1);
-        V.rightCols(1) = v / rest;
-    }
+    take_in(V, pair.M, columns, 1e-7);
     const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((K + K.transpose()) / 2);
     return V * solver.eigenvectors();
@@ -70,11 +61,7 @@ Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &colum
 /// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
 Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double sense,
                                    const std::vector<assembly::Combination> &loaded) {
-    Eigen::MatrixXd forces =
-        Eigen::MatrixXd::Zero(pair.M.rows(), static_cast<Eigen::Index>(loaded.size()));
-    for (std::size_t i = 0; i < loaded.size(); ++i)
-        for (const auto &[unknown, value] : loaded[i])
-            forces(unknown, static_cast<Eigen::Index>(i)) += value;
+    const Eigen::MatrixXd forces = assembly::unit_loads(loaded, pair.M.rows());
     Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
     A.makeCompressed();
     Eigen::SparseLU<Sparse> factors(A);

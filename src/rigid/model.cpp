@@ -1,5 +1,6 @@
 #include "rigid/model.h"
 
+#include "assembly/constraints.h"
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
@@ -40,28 +41,13 @@ Standing standing(const Discretization &d) {
     return {system.K.view(), Sparse(Sparse(system.M.view()) - Sparse(system.G.view())), 1};
 }
 
-/// The motions with sum of coefficient times unknown = 0: one unknown in terms of the others.
+/// With a deflection held at zero, in every plane.
 Standing pinned(const Standing &free, const Combination &deflection) {
-    const auto pivot =
-        std::max_element(deflection.begin(), deflection.end(), [](const auto &a, const auto &b) {
-            return std::abs(a.second) < std::abs(b.second);
-        });
-    const auto planar = static_cast<int>(free.K.rows()) / free.planes;
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto column = [&](int unknown, int plane) {
-        return free.planes * (unknown > pivot->first ? unknown - 1 : unknown) + plane;
-    };
-    for (int plane = 0; plane < free.planes; ++plane) {
-        for (int i = 0; i < planar; ++i)
-            if (i != pivot->first)
-                entries.emplace_back(free.planes * i + plane, column(i, plane), 1);
-        for (const auto &[i, value] : deflection)
-            if (i != pivot->first)
-                entries.emplace_back(free.planes * pivot->first + plane, column(i, plane),
-                                     -value / pivot->second);
-    }
-    Sparse T(free.K.rows(), free.K.rows() - free.planes);
-    T.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(free.planes, free.K.rows());
+    for (int plane = 0; plane < free.planes; ++plane)
+        for (const auto &[unknown, value] : deflection)
+            rows(plane, free.planes * unknown + plane) += value;
+    const Sparse T = assembly::constrained_motions(rows, Eigen::VectorXd::Ones(free.K.rows()));
     const Sparse Tt = T.transpose();
     return {Sparse(Tt * free.K * T), Sparse(Tt * free.A * T), free.planes};
 }

@@ -23,9 +23,13 @@ struct RigidRotor {
 };
 
 /// Shaft, discs and bearings (as at `bearing_speed`) by exact projection on rigid motion; without
-/// balancers and rotating anisotropies. None where a pedestal adds unknowns or a bearing is not
-/// the same from every direction.
-[[nodiscard]] std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor,
-                                                         double bearing_speed = 0);
+/// balancers and rotating anisotropies. Bearings by the mean of their coefficients over the
+/// directions, pedestals as springs without mass in line with theirs; the damping without that of
+/// pedestals.
+[[nodiscard]] RigidRotor rigid_body(const model::Rotor &rotor, double bearing_speed);
+
+/// The same where it leaves nothing out, bearings as at rest; none where a pedestal adds unknowns
+/// or a bearing is not the same from every direction.
+[[nodiscard]] std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor);
 
 } // namespace whirl::rigid

@@ -1,13 +1,12 @@
 #include "simulation/equations.h"
 
-#include "assembly/assemble.h"
+#include "assembly/planar_part.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "forced/forced_motion.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
-#include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 
@@ -79,17 +78,7 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
 
 /// Of the rotor and its discs, without what has an equation of its own.
 double polar_inertia(const assembly::Discretization &d, const model::Case &scene) {
-    const std::vector<double> tilt = d.rigid_motion(true);
-    double inertia = 0;
-    assembly::assemble_rotating_parts(
-        d, [&](assembly::Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            if (term != assembly::Term::gyroscopic)
-                return;
-            Eigen::VectorXd v(static_cast<Eigen::Index>(unknowns.size()));
-            for (std::size_t i = 0; i < unknowns.size(); ++i)
-                v(static_cast<Eigen::Index>(i)) = tilt[static_cast<std::size_t>(unknowns[i])];
-            inertia += v.dot(block * v);
-        });
+    double inertia = assembly::polar_inertia(d);
     for (const model::Balancer &b : scene.rotor.balancers)
         if (const auto parts = balancers::kind_of(b)->inertia();
             parts.turn_with_rotor && b.tilt_inertia)
@@ -260,8 +249,7 @@ int element_order(const model::Case &scene) {
     model::Case bare = scene;
     bare.rotor.balancers.clear();
     bare.rotor.anisotropies.clear();
-    bare.formulation = model::FormChoice::automatic;
-    return mesh_error::resolve_order(bare, modes::choose_formulation(bare));
+    return mesh_error::resolve_order_in_best_form(bare);
 }
 
 } // namespace

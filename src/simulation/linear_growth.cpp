@@ -66,9 +66,7 @@ std::optional<double> linear_growth(const model::Case &scene, double speed,
         const balancers::Arrangement arrangement =
             balances(scene.rotor, angles) ? of_masses(scene.rotor, angles)
                                           : balancers::arrangement_at_balance(scene.rotor);
-        const stability::MotionSolver solver(scene.rotor, model.form, model.order, arrangement,
-                                             model.harmonics, nullptr, model.top);
-        return stability::growth_of(solver.at(speed));
+        return stability::growth_of(stability::MotionSolver(model, arrangement).at(speed));
     } catch (const model::BadInput &) { // no balanced position
         return std::nullopt;
     } catch (const model::AnalysisFailure &) {

@@ -120,7 +120,6 @@ class RotorMotion {
     [[nodiscard]] balancers::PlaneVector at_plane(int plane, const double *p) const;
     [[nodiscard]] balancers::PlaneMotion motion_of(int plane, const double *state) const;
     [[nodiscard]] balancers::PlaneVector fixed_motion(const FixedMass &mass, const double *p) const;
-    void support_matrices(double speed) const;
 };
 
 } // namespace whirl::simulation

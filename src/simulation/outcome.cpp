@@ -2,7 +2,7 @@
 
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
-#include "criterion/rigid_form.h"
+#include "rigid/projection.h"
 #include "simulation/trend.h"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ double free_amplitude(const model::Rotor &rotor) {
     if (moment == 0)
         for (const model::Balancer &b : rotor.balancers)
             moment += balancers::kind_of(b)->reach().side_by_side;
-    return moment / criterion::rotor_mass(rotor);
+    return moment / rigid::rigid_body(rotor, 0).mass;
 }
 
 void fill_balancers(const model::Case &scene, results::SimulateResult &result) {

@@ -1,6 +1,6 @@
 #include "stability/anisotropy_limit.h"
 
-#include "assembly/system.h"
+#include "assembly/planar_part.h"
 #include "balancers/balanced_position.h"
 
 #include <algorithm>
@@ -11,12 +11,9 @@ namespace whirl::stability {
 
 namespace {
 
-/// Polar inertia of shaft, discs, balancers and point masses: twice the energy of unit slope times
-/// the gyroscopic matrix.
-double polar_inertia(const assembly::Discretization &d) {
-    const std::vector<double> tilt = d.rigid_motion(true);
-    const Eigen::Map<const Eigen::VectorXd> r(tilt.data(), d.planar_size());
-    double Ip = r.dot(assembly::assemble_planar(d, 0).G.view() * r);
+/// Polar inertia of shaft, discs, balancers and point masses.
+double with_balancers(const assembly::Discretization &d) {
+    double Ip = assembly::polar_inertia(d);
     for (const model::Balancer &balancer : d.rotor().balancers) {
         const balancers::AddedInertias added = balancers::added_inertias(balancer);
         Ip += added.parts + added.imbalance + added.own;
@@ -42,7 +39,7 @@ AnisotropyLimit anisotropy_limit(const assembly::Discretization &discretization,
             Id += disc.Id;
             Ip += disc.Ip;
         }
-    const double most = out.of_disc ? std::min(Id, Ip / 2) : polar_inertia(discretization) / 2;
+    const double most = out.of_disc ? std::min(Id, Ip / 2) : with_balancers(discretization) / 2;
     // |others + dI| <= most, as complex numbers in the direction of the element.
     std::complex<double> others = 0;
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i)

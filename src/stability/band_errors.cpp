@@ -61,15 +61,16 @@ double distance(const MotionsAt &finer, const End &end, double slope) {
 
 } // namespace
 
-std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &rotor,
-                                       const StabilityModel &model,
+std::vector<SpeedInterval> band_errors(const MotionsAt &at, const StabilityModel &model,
                                        const balancers::Arrangement &arrangement,
                                        const std::vector<SpeedInterval> &bands,
                                        const SpeedInterval &range) {
     std::optional<MotionSolver> finer;
-    if (!rotor.shaft.rigid && !bands.empty())
-        finer.emplace(rotor, model.form, mesh_error::finer_order(model.order), arrangement,
-                      model.harmonics, nullptr, model.top);
+    if (!model.rotor.shaft.rigid && !bands.empty()) {
+        StabilityModel finer_model = model;
+        finer_model.order = mesh_error::finer_order(model.order);
+        finer.emplace(finer_model, arrangement);
+    }
     const MotionsAt finer_at = [&finer](double speed) { return finer->at(speed); };
     const auto error_of = [&](const End &end) {
         double slope = 0;

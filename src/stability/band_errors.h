@@ -14,7 +14,7 @@ namespace whirl::stability {
 ///
 /// @param at     the model that the bands belong to
 /// @param range  in which they were looked for
-[[nodiscard]] std::vector<SpeedInterval> band_errors(const MotionsAt &at, const model::Rotor &rotor,
+[[nodiscard]] std::vector<SpeedInterval> band_errors(const MotionsAt &at,
                                                      const StabilityModel &model,
                                                      const balancers::Arrangement &arrangement,
                                                      const std::vector<SpeedInterval> &bands,

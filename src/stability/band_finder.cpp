@@ -139,16 +139,13 @@ class Confirmation {
 
 } // namespace
 
-BandFinder::BandFinder(const model::Rotor &rotor, const StabilityModel &model,
-                       const balancers::Arrangement &arrangement,
+BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                        std::shared_ptr<const Eigen::MatrixXd> shapes)
-    : _rotor(rotor), _model(model), _arrangement(arrangement),
-      _whole(rotor, model.form, model.order, arrangement, model.harmonics, nullptr, model.top),
+    : _model(model), _arrangement(arrangement), _whole(model, arrangement),
       _shapes(std::move(shapes)) {}
 
 std::unique_ptr<MotionSolver> BandFinder::reduced() const {
-    return std::make_unique<MotionSolver>(_rotor, _model.form, _model.order, _arrangement,
-                                          _model.harmonics, _shapes);
+    return std::make_unique<MotionSolver>(_model, _arrangement, _shapes);
 }
 
 /// With shapes enough, or none where there is no such rotor.

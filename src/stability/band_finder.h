@@ -20,8 +20,7 @@ class BandFinder {
   public:
     /// @param shapes  planar shapes of a rotor that differs from this one in its balls or in an
     ///                anisotropy alone, to begin with; none: they are found when they are needed
-    BandFinder(const model::Rotor &rotor, const StabilityModel &model,
-               const balancers::Arrangement &arrangement,
+    BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
 
     /// The whole rotor.
@@ -40,7 +39,6 @@ class BandFinder {
     good_shapes(const std::vector<double> &speeds);
 
   private:
-    model::Rotor _rotor;
     StabilityModel _model;
     balancers::Arrangement _arrangement;
     MotionSolver _whole;

@@ -11,6 +11,7 @@
 #include "stability/hill_motions.h"
 #include "stability/periodic_motions.h"
 #include "stability/rayleigh.h"
+#include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
@@ -337,6 +338,11 @@ MotionSolver::MotionSolver(const model::Rotor &rotor, results::Form form, int or
                            std::shared_ptr<const Eigen::MatrixXd> shapes, double top)
     : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes),
                                    top)) {}
+
+MotionSolver::MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
+                           std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : MotionSolver(model.rotor, model.form, model.order, arrangement, model.harmonics,
+                   std::move(shapes), model.top) {}
 
 MotionSolver::~MotionSolver() = default;
 

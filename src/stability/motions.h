@@ -23,6 +23,7 @@ struct Motion {
 };
 
 class PeriodicMotions;
+struct StabilityModel;
 
 /// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
 /// listed, so that lines can be followed through the real axis.
@@ -39,6 +40,9 @@ class MotionSolver {
     MotionSolver(const model::Rotor &rotor, results::Form form, int order,
                  const balancers::Arrangement &arrangement, int harmonics,
                  std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr, double top = 0);
+    /// As the model says (rotor_at_speeds.h).
+    MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
+                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
     ~MotionSolver();
     MotionSolver(const MotionSolver &) = delete;
     MotionSolver &operator=(const MotionSolver &) = delete;

@@ -49,21 +49,15 @@ double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int ord
 /// One element of a rotor with its dI varied.
 class Varied {
   public:
-    Varied(const model::Case &scene, const StabilityModel &model,
-           const balancers::Arrangement &arrangement, std::size_t index)
-        : _scene(scene), _model(model), _arrangement(arrangement), _index(index) {}
+    Varied(const StabilityModel &model, const balancers::Arrangement &arrangement,
+           std::size_t index)
+        : _model(model), _arrangement(arrangement), _index(index) {}
 
     /// By the monodromy matrix on shapes that were good for another dI: the search has the last
     /// word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
         const bool periodic = _model.form == results::Form::hill && _model.harmonics == 0;
-        return {with_anisotropy(_scene.rotor, _index, dI),
-                _model.form,
-                _model.order,
-                _arrangement,
-                _model.harmonics,
-                periodic ? _shapes : nullptr,
-                _model.top};
+        return {model_with(dI), _arrangement, periodic ? _shapes : nullptr};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -71,7 +65,7 @@ class Varied {
         if (_model.form != results::Form::rotating)
             return false;
         const auto count = [&](double value) {
-            const assembly::Discretization d(with_anisotropy(_scene.rotor, _index, value),
+            const assembly::Discretization d(with_anisotropy(_model.rotor, _index, value),
                                              _model.order);
             return zero_root_speeds(d, _arrangement, true, top).size();
         };
@@ -89,12 +83,7 @@ class Varied {
         double growth_low = 0; // 0: not known
         double growth_high = 0;
         for (int step = 0; high - low > 1e-12 * unstable; ++step) {
-            double next = (low + high) / 2;
-            // A secant between two signs, kept off the ends; every third step halves.
-            if (growth_low < 0 && growth_high > 0 && step % 3 != 0)
-                next =
-                    std::clamp((low * growth_high - high * growth_low) / (growth_high - growth_low),
-                               low + 1e-3 * (high - low), high - 1e-3 * (high - low));
+            const double next = between_signs(low, growth_low, high, growth_high, step);
             const double growth = growth_of(solver(next).at(speed));
             (growth > 0 ? high : low) = next;
             (growth > 0 ? growth_high : growth_low) = growth;
@@ -104,7 +93,7 @@ class Varied {
 
     [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
                                                    const std::vector<double> &speeds) const {
-        BandFinder finder(with_anisotropy(_scene.rotor, _index, dI), _model, _arrangement, _shapes);
+        BandFinder finder(model_with(dI), _arrangement, _shapes);
         std::vector<SpeedInterval> found = finder.find(speeds).bands;
         _shapes = finder.shapes();
         return found;
@@ -124,11 +113,16 @@ class Varied {
     }
 
   private:
-    const model::Case &_scene;
     const StabilityModel &_model;
     const balancers::Arrangement &_arrangement;
     std::size_t _index;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+
+    [[nodiscard]] StabilityModel model_with(double dI) const {
+        StabilityModel out = _model;
+        out.rotor = with_anisotropy(std::move(out.rotor), _index, dI);
+        return out;
+    }
 };
 
 /// The search by descent, and what became of it.
@@ -211,25 +205,25 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
 } // namespace
 
 std::vector<results::PermissibleAnisotropy>
-permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
-                         const balancers::Arrangement &arrangement,
+permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
                          const std::vector<double> &grid) {
+    const model::Rotor &rotor = model.rotor;
     constexpr std::size_t enough = 101;
     const std::vector<double> speeds = thinned(grid, enough);
     std::vector<results::PermissibleAnisotropy> out;
-    for (std::size_t i = 0; i < scene.rotor.anisotropies.size(); ++i) {
-        const model::Anisotropy &element = scene.rotor.anisotropies[i];
-        const double singular = singular_anisotropy(scene.rotor, i, model.order, arrangement);
+    for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {
+        const model::Anisotropy &element = rotor.anisotropies[i];
+        const double singular = singular_anisotropy(rotor, i, model.order, arrangement);
         const AnisotropyLimit limit =
-            anisotropy_limit(assembly::Discretization(scene.rotor, model.order), i);
+            anisotropy_limit(assembly::Discretization(rotor, model.order), i);
         const double largest = std::min(0.999 * singular, limit.dI);
-        const Varied varied(scene, model, arrangement, i);
+        const Varied varied(model, arrangement, i);
         results::PermissibleAnisotropy entry{element.z, element.name, 0.0,
                                              {},        largest,      limit.of_disc};
         if (largest > 0)
-            entry.dI = permissible(varied, largest, !scene.rotor.damped(), speeds);
+            entry.dI = permissible(varied, largest, !rotor.damped(), speeds);
         entry.closed_form =
-            rigid::rigid_permissible_anisotropy(scene.rotor, speeds.front(), speeds.back());
+            rigid::rigid_permissible_anisotropy(rotor, speeds.front(), speeds.back());
         out.push_back(entry);
     }
     return out;

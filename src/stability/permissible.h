@@ -15,8 +15,7 @@ namespace whirl::stability {
 /// of a gyroscopic rotor) where its supports are isotropic, symmetric about the centre of mass and
 /// there is no balancer.
 [[nodiscard]] std::vector<results::PermissibleAnisotropy>
-permissible_anisotropies(const model::Case &scene, const StabilityModel &model,
-                         const balancers::Arrangement &arrangement,
+permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
                          const std::vector<double> &speeds);
 
 } // namespace whirl::stability

@@ -108,6 +108,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
     StabilityModel out;
+    out.rotor = scene.rotor;
     out.reduction = scene.reduction;
     out.formulation = modes::choose_formulation(scene, false);
     out.order = mesh_error::resolve_order(scene, out.formulation);

@@ -9,8 +9,10 @@
 
 namespace whirl::stability {
 
-/// How `stability` treats a case: the form, and what it needs beside it.
+/// How `stability` treats a case: the rotor, the form, and what it needs beside it. Chosen once a
+/// run; all that looks at motions takes it from here.
 struct StabilityModel {
+    model::Rotor rotor;
     results::Formulation formulation;
     results::Form form = results::Form::general; ///< general, rotating or hill
     bool conservative = false;                   ///< undamped, fixed frame, K > 0: nothing can grow

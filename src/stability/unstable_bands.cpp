@@ -122,17 +122,20 @@ std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &k
 
 } // namespace
 
+double between_signs(double stable, double decline, double unstable, double growth, int step) {
+    if (decline >= 0 || growth <= 0 || step % 3 == 0)
+        return (stable + unstable) / 2;
+    const double off = 1e-3 * std::abs(unstable - stable);
+    return std::clamp((stable * growth - unstable * decline) / (growth - decline),
+                      std::min(stable, unstable) + off, std::max(stable, unstable) - off);
+}
+
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
     double f_stable = 0; // 0: not known
     double f_unstable = 0;
     for (int step = 0; step < 200 && std::abs(unstable - stable) > tolerance; ++step) {
-        double next = (stable + unstable) / 2;
-        // A secant between two signs, kept off the ends; every third step halves the bracket.
-        if (f_stable < 0 && f_unstable > 0 && step % 3 != 0)
-            next = std::clamp((stable * f_unstable - unstable * f_stable) / (f_unstable - f_stable),
-                              std::min(stable, unstable) + 1e-3 * std::abs(unstable - stable),
-                              std::max(stable, unstable) - 1e-3 * std::abs(unstable - stable));
+        const double next = between_signs(stable, f_stable, unstable, f_unstable, step);
         const Motion motion = along(next);
         const double growth = motion.value.real();
         const bool decays = growth < -motion.noise;

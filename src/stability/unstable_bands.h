@@ -42,6 +42,11 @@ struct BandsFound {
 [[nodiscard]] double band_end(const MotionsAt &at, double stable, double unstable,
                               double tolerance);
 
+/// Where to look next for the border between a stable and an unstable place: a secant between two
+/// growths of known sign (0: not known), kept off the ends; every third step halves the bracket.
+[[nodiscard]] double between_signs(double stable, double decline, double unstable, double growth,
+                                   int step);
+
 /// Where instability is strongest in a band found, rad/s.
 [[nodiscard]] double strongest_speed(const MotionsAt &at, const SpeedInterval &band);
 

@@ -1,5 +1,6 @@
 #include "synchronous/critical_error.h"
 
+#include "assembly/planes.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 
@@ -42,11 +43,10 @@ Partners by_branch(const SynchronousModes &modes, const SynchronousModes &finer,
 
 /// Deflections in x and y at the stations of the shaft, length 1.
 Eigen::VectorXcd deflections(const modes::Stations &stations, const modes::WhirlMode &mode) {
-    const Eigen::Index n = mode.shape.size() / 2;
-    const Eigen::VectorXcd x = stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
-    const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
+    const assembly::Planes planes(mode.shape);
+    const Eigen::VectorXcd x = stations.deflections(planes.x);
     Eigen::VectorXcd both(2 * x.size());
-    both << x, y;
+    both << x, stations.deflections(planes.y);
     const double length = both.norm();
     return length > 0 ? Eigen::VectorXcd(both / length) : both;
 }

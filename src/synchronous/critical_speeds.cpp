@@ -1,5 +1,6 @@
 #include "synchronous/critical_speeds.h"
 
+#include "assembly/planes.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -34,9 +35,9 @@ void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::Whir
     const modes::Stations stations = modes::Stations::for_orbits(d);
     const std::complex<double> i(0, 1);
     for (modes::WhirlMode &mode : modes) {
-        const Eigen::Index n = mode.shape.size() / 2;
-        const Eigen::VectorXcd x = stations.deflections(mode.shape(Eigen::seqN(0, n, 2)));
-        const Eigen::VectorXcd y = stations.deflections(mode.shape(Eigen::seqN(1, n, 2)));
+        const assembly::Planes planes(mode.shape);
+        const Eigen::VectorXcd x = stations.deflections(planes.x);
+        const Eigen::VectorXcd y = stations.deflections(planes.y);
         const modes::OrbitSense sense =
             modes::orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, stations, 1);
         mode.whirl = sense.whirl;

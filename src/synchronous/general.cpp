@@ -1,5 +1,6 @@
 #include "synchronous/general.h"
 
+#include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic_eigen.h"
@@ -164,10 +165,8 @@ GeneralSynchronous::Modes GeneralSynchronous::rotating(double bearing_speed, int
         for (const linalg::ComplexPair &pair : found.pairs) {
             modes::WhirlMode mode;
             // W and its conjugate solve the real problem; (x, y) ~ (1, -i) belongs to x + i y.
-            const Eigen::Index n = pair.vector.size() / 2;
-            const Eigen::VectorXcd x = pair.vector(Eigen::seqN(0, n, 2));
-            const Eigen::VectorXcd y = pair.vector(Eigen::seqN(1, n, 2));
-            const bool own = (x + i_unit * y).norm() >= (x - i_unit * y).norm();
+            const assembly::Planes planes(pair.vector);
+            const bool own = planes.towards().norm() >= planes.against().norm();
             mode.eigenvalue = i_unit * (own ? pair.value : std::conj(pair.value));
             mode.shape = own ? pair.vector : Eigen::VectorXcd(pair.vector.conjugate());
             mode.residual = pair.residual;

@@ -144,9 +144,10 @@ ends::EndsFound ends_of(const Drawn &drawn, const assembly::Discretization &d, d
                         double to) {
     const auto arrangement = balancers::arrangement_at_balance(drawn.rotor);
     stability::StabilityModel model;
+    model.rotor = drawn.rotor;
     model.form = drawn.form;
     model.order = drawn.rotor.shaft.order;
-    stability::BandFinder finder(drawn.rotor, model, arrangement);
+    stability::BandFinder finder(model, arrangement);
     const auto shapes = finder.good_shapes(model::SpeedRange{from, to, 11}.values());
     return ends::find_ends(ends::AllMotions(d, drawn.form, arrangement, shapes, from, to), from, to,
                            {});

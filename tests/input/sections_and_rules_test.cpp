@@ -28,6 +28,16 @@ TEST(SectionsAndRules, SectionsOfOtherMake) {
     EXPECT_NE(wrong.find("expected mass_inner below mass_outer"), std::string::npos) << wrong;
 }
 
+// Half the polar inertia of the rotor bounds an anisotropy where no disc stands; a sleeve adds to
+// it.
+TEST(SectionsAndRules, ASleeveCountsInTheBoundOfAnAnisotropy) {
+    const std::string uneven = "anisotropy=[{z = 0.5, dI = 0.01}]"; // the bare shaft has 0.0024
+    EXPECT_NE(refusal(sound_case, {uneven}).find("half the polar inertia"), std::string::npos);
+    const std::string sleeved =
+        "shaft.segments=[{length = 1, outer = 0.05, layers = [{outer = 0.1}]}]"; // 0.038
+    EXPECT_EQ(load_text(sound_case, {sleeved, uneven}).rotor.anisotropies.at(0).dI, 0.01);
+}
+
 TEST(SectionsAndRules, ImbalanceByTheRulesOfIsoAndApi) {
     // G 2.5 of 100 kg at 3000 rpm: e = 2.5e-3/314.159 m = 7.958 um. 4W/N of 220.46 lb at 3000 rpm:
     // 0.29395 oz in, an ounce of 28.3495 g.

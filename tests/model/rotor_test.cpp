@@ -1,4 +1,5 @@
 #include "model/case.h"
+#include "model/mass.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,30 @@ TEST(Rotor, RotatingAnisotropyIsAnAnisotropyOrABalancer) {
     EXPECT_FALSE(rotor.rotating_anisotropy());
     rotor.balancers.emplace_back();
     EXPECT_TRUE(rotor.rotating_anisotropy());
+}
+
+// Hollow cylinders m (Ro^2 + Ri^2)/2, a cone to a point 3 m R^2/10.
+TEST(Mass, PolarInertiaIsThatOfCylindersAndCones) {
+    const double pi = std::numbers::pi;
+    const model::Material steel{"steel", 2e11, 8e10, 7800};
+    const model::Material lead{"lead", 1, 1, 11340};
+    const auto cylinder = [pi](double rho, double outer, double inner) { // per length
+        const double mass = rho * pi * (outer * outer - inner * inner) / 4;
+        return mass * (outer * outer + inner * inner) / 8;
+    };
+    model::Shaft shaft;
+    shaft.segments = {{0.5, 0.1, 0.1, 0.04, 0.04, steel}, {0.3, 0.06, 0, 0, 0, steel}};
+    shaft.segments[0].layers = {{0.14, 0.1, lead}};
+    const double cone = 7800 * pi / 12 * 0.06 * 0.06 * 0.3;
+    const double sum =
+        0.5 * (cylinder(7800, 0.1, 0.04) + cylinder(11340, 0.14, 0.1)) + 0.3 * cone * 0.03 * 0.03;
+    EXPECT_NEAR(model::polar_inertia_of(shaft), sum, 1e-14 * sum);
+    shaft.segments[0].mass_outer = 0.12; // what has mass is another
+    shaft.segments[0].mass_inner = 0.02;
+    const double heavier = sum + 0.5 * (cylinder(7800, 0.12, 0.02) - cylinder(7800, 0.1, 0.04));
+    EXPECT_NEAR(model::polar_inertia_of(shaft), heavier, 1e-14 * heavier);
+    shaft.rotary_inertia = false;
+    EXPECT_EQ(model::polar_inertia_of(shaft), 0);
 }
 
 TEST(SpeedRange, IsEvenAndEndsExactly) {

@@ -62,10 +62,10 @@ model::Rotor undamped_collision() {
 
 stability::BandsFound bands_of(const model::Rotor &rotor, double from, double to, int count) {
     stability::StabilityModel model;
+    model.rotor = rotor;
     model.form = results::Form::rotating;
     model.order = rotor.shaft.order;
-    return stability::BandFinder(rotor, model, {})
-        .find(model::SpeedRange{from, to, count}.values());
+    return stability::BandFinder(model, {}).find(model::SpeedRange{from, to, count}.values());
 }
 
 /// Largest real part of the dense state matrix, which shares the matrices but no solver.

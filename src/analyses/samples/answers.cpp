@@ -7,6 +7,7 @@
 #include "balancers/balanced_position.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "results/critical.h"
 #include "stability/rotor_at_speeds.h"
 
@@ -95,9 +96,7 @@ void append(std::vector<Answer> &all, const std::vector<Answer> &more) {
 
 /// An order that is to be found is that of the case as it is.
 model::Case with_order(model::Case scene, int order) {
-    if (scene.rotor.shaft.order_auto)
-        scene.rotor.shaft.order = order;
-    scene.rotor.shaft.order_auto = false;
+    scene.rotor = model::with_order(std::move(scene.rotor), order);
     return scene;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "model/rpm.h"
 
 #include <numbers>
 #include <string>
@@ -13,7 +14,7 @@ struct ModelSummary;
 namespace whirl::report {
 
 inline constexpr double pi = std::numbers::pi;
-inline constexpr double rpm = 30 / pi;      ///< rev/min in one rad/s
+using model::rpm;                           ///< rev/min in one rad/s
 inline constexpr double hertz = 0.5 / pi;   ///< Hz in one rad/s
 inline constexpr double degrees = 180 / pi; ///< in one rad
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace whirl::assembly {
+
+/// A motion over unknowns in pairs (x, y), plane by plane.
+struct Planes {
+    Eigen::VectorXcd x, y;
+
+    explicit Planes(const Eigen::VectorXcd &pairs)
+        : x(pairs(Eigen::seqN(0, pairs.size() / 2, 2))),
+          y(pairs(Eigen::seqN(1, pairs.size() / 2, 2))) {}
+
+    /// x + i y: of a real motion Re[(x, y) exp(i w t)] twice the part that turns from x towards y.
+    [[nodiscard]] Eigen::VectorXcd towards() const { return x + std::complex<double>(0, 1) * y; }
+    /// x - i y: twice the conjugate of the part that turns the other way.
+    [[nodiscard]] Eigen::VectorXcd against() const { return x - std::complex<double>(0, 1) * y; }
+};
+
+} // namespace whirl::assembly
