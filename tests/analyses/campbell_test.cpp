@@ -65,6 +65,8 @@ TEST(Campbell, FollowsEachModeOnceThroughCrossingsAndRefinement) {
     // lines share a frequency and a sense at any speed.
     const results::CampbellResult sweep =
         analyses::campbell(scene_of(tests::two_disc_rotor(1e6, 1e6), 8, 4000, 9));
+    ASSERT_EQ(sweep.speeds.size(), 9U);
+    ASSERT_GE(sweep.modes.size(), 4U); // two pairs at the least
     for (std::size_t k = 0; k < sweep.speeds.size(); ++k) {
         std::set<std::pair<double, results::Whirl>> seen;
         for (const auto &mode : sweep.modes) {

@@ -50,7 +50,8 @@ TEST(SimulateGrowth, is_that_of_the_eigenvalue) {
         ASSERT_TRUE(result.trend);
         // Early on what else dies out is still in the amplitude.
         EXPECT_NEAR(*result.trend / growth, 1, time < 3 ? 0.02 : 1e-3) << time;
-        EXPECT_NEAR(result.linear_growth.value_or(0), growth, 2e-6);
+        ASSERT_TRUE(result.linear_growth) << time;
+        EXPECT_NEAR(*result.linear_growth, growth, 2e-6);
     }
 }
 

@@ -169,6 +169,7 @@ TEST(ShortSpans, HundredAndTwentyThreeSteps) {
 TEST(FineMesh, SameDigitsUntilTheErrorBarSaysOtherwise) {
     const oracles::Continuum exact(gap_continuum(0));
     const auto truth = oracles::frequencies(exact, {oracles::Motion::forward, speed}, 2, 1e4);
+    ASSERT_EQ(truth.size(), 2U);
     for (const int elements : {1, 25, 250, 2500}) {
         model::Rotor rotor = gap_rotor(0);
         for (model::Segment &segment : rotor.shaft.segments)
@@ -214,7 +215,7 @@ TEST(FreeMotions, SlowPrecessionOfATopAtEveryOrder) {
             const bool forward = found.modes[i].whirl == results::Whirl::forward;
             const auto root = oracles::eigenvalue_near(
                 exact, {forward ? oracles::Motion::forward : oracles::Motion::backward, spin},
-                {0, forward ? w : w});
+                {0, w});
             ASSERT_TRUE(root.has_value());
             // Order 4: 2e-7 in the second pair.
             EXPECT_NEAR(w / static_cast<double>(root->imag()), 1, order == 4 ? 1e-6 : 1e-8);
