@@ -49,13 +49,26 @@ Matrix Matrix::sum(double a, const Matrix &A, double b, const Matrix &B) {
 }
 
 Matrix Matrix::from_sparse(const Eigen::SparseMatrix<double> &A) {
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(A.nonZeros()));
-    for (Eigen::Index j = 0; j < A.outerSize(); ++j)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it)
-            entries.emplace_back(static_cast<int>(it.row()), static_cast<int>(it.col()),
-                                 it.value());
-    return from_entries(static_cast<int>(A.rows()), entries);
+    const Eigen::SparseMatrix<double, Eigen::RowMajor, PetscInt> rows = A;
+    const auto n = static_cast<PetscInt>(rows.rows());
+    std::vector<PetscInt> most(static_cast<std::size_t>(n));
+    for (PetscInt i = 0; i < n; ++i)
+        most[static_cast<std::size_t>(i)] =
+            rows.outerIndexPtr()[i + 1] - rows.outerIndexPtr()[i] + 1;
+    Mat handle = nullptr;
+    check(MatCreateSeqAIJ(PETSC_COMM_SELF, n, n, 0, most.data(), &handle));
+    Matrix out;
+    out._handle.reset(handle);
+    for (PetscInt i = 0; i < n; ++i) {
+        const PetscInt first = rows.outerIndexPtr()[i];
+        const PetscScalar zero = 0; // the whole diagonal is stored, as above
+        check(MatSetValues(handle, 1, &i, 1, &i, &zero, INSERT_VALUES));
+        check(MatSetValues(handle, 1, &i, rows.outerIndexPtr()[i + 1] - first,
+                           rows.innerIndexPtr() + first, rows.valuePtr() + first, INSERT_VALUES));
+    }
+    check(MatAssemblyBegin(handle, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(handle, MAT_FINAL_ASSEMBLY));
+    return out;
 }
 
 int Matrix::size() const {

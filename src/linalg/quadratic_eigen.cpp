@@ -197,8 +197,7 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
             break;
         try {
             result.pairs = toar(operators, options, attempt);
-            for (ComplexPair &pair : result.pairs)
-                problem.assess(pair);
+            problem.assess(result.pairs);
         } catch (const SolverError &) {
             result.pairs.clear(); // the next way decides
         }

@@ -18,44 +18,74 @@ QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Spars
         throw SolverError("the matrix at the shift is singular");
 }
 
-double QuadraticProblem::preconditioned_norm(const Eigen::MatrixX2d &v) const {
-    return Eigen::MatrixX2d(_lu.solve(v)).norm();
-}
+namespace {
 
-void QuadraticProblem::assess(ComplexPair &pair) const {
-    constexpr double blurred = 1e-5; // of the shift; a double zero blurs to the root of rounding
-    const bool beside_zero = std::abs(pair.value) < blurred * std::abs(_shift);
-    const double of_left = beside_zero ? polish_beside_zero(pair) : 0;
-    const std::complex<double> l = pair.value;
-    Eigen::Index largest = 0;
-    pair.vector.cwiseAbs2().maxCoeff(&largest);
-    pair.vector /= pair.vector(largest);
-    // Complex vectors as two real columns: real matrices times them without complex products.
-    Eigen::MatrixX2d x(pair.vector.size(), 2);
-    x << pair.vector.real(), pair.vector.imag();
-    const Eigen::MatrixX2d Mx = _M * x;
-    const Eigen::MatrixX2d Dx = _D * x;
-    const Eigen::MatrixX2d Kx = _K * x;
-    const auto times = [](std::complex<double> c, const Eigen::MatrixX2d &v) {
-        Eigen::MatrixX2d out(v.rows(), 2);
-        out << c.real() * v.col(0) - c.imag() * v.col(1), c.imag() * v.col(0) + c.real() * v.col(1);
-        return out;
-    };
-    const Eigen::MatrixX2d r = times(l * l, Mx) + times(l, Dx) + Kx;
-    const Eigen::MatrixX2d slope = times(2.0 * l * l, Mx) + times(l, Dx); // l Q'(l) x
-    const double scale = preconditioned_norm(slope);
-    pair.residual = scale > 0 ? preconditioned_norm(r) / scale : 0;
-    const Eigen::VectorXd a = x.rowwise().norm();
-    const double size = std::abs(l);
-    const double entries =
-        a.dot(_absK * a) + size * a.dot(_absD * a) + size * size * a.dot(_absM * a);
+using Columns = Eigen::MatrixX2d; ///< real and imaginary part of a complex vector
+
+/// What rounding of matrix entries, which add up to `entries`, changes in l, over l: with x as its
+/// own left vector. 0 where l Q'(l) x is orthogonal to x.
+double rounding_over(const Columns &x, const Columns &slope, double entries) {
     const std::complex<double> derivative(x.col(0).dot(slope.col(0)) + x.col(1).dot(slope.col(1)),
                                           x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
-    const double size_of_derivative = std::abs(derivative);
-    const double of_right = size_of_derivative > 0 ? std::numeric_limits<double>::epsilon() *
-                                                         entries / size_of_derivative
-                                                   : 0;
-    pair.rounding = std::max(of_right, of_left);
+    const double size = std::abs(derivative);
+    return size > 0 ? std::numeric_limits<double>::epsilon() * entries / size : 0;
+}
+
+/// Adds c v to a complex vector.
+void add(std::complex<double> c, const Eigen::Ref<const Columns> &v, Eigen::Ref<Columns> out) {
+    out.col(0) += c.real() * v.col(0) - c.imag() * v.col(1);
+    out.col(1) += c.imag() * v.col(0) + c.real() * v.col(1);
+}
+
+} // namespace
+
+void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
+    constexpr double blurred = 1e-5; // of the shift; a double zero blurs to the root of rounding
+    const Eigen::Index n = _M.rows();
+    const auto count = static_cast<Eigen::Index>(pairs.size());
+    // Complex vectors as two real columns: real matrices times them without complex products. All
+    // pairs at once: the factors are read once.
+    Eigen::MatrixXd x(n, 2 * count);
+    Eigen::MatrixXd a(n, count);
+    std::vector<double> of_left;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        ComplexPair &pair = pairs[static_cast<std::size_t>(i)];
+        const bool beside_zero = std::abs(pair.value) < blurred * std::abs(_shift);
+        of_left.push_back(beside_zero ? polish_beside_zero(pair) : 0);
+        Eigen::Index largest = 0;
+        pair.vector.cwiseAbs2().maxCoeff(&largest);
+        pair.vector /= pair.vector(largest);
+        x.col(2 * i) = pair.vector.real();
+        x.col(2 * i + 1) = pair.vector.imag();
+        a.col(i) = x.middleCols<2>(2 * i).rowwise().norm();
+    }
+    const Eigen::MatrixXd Mx = _M * x;
+    const Eigen::MatrixXd Dx = _D * x;
+    Eigen::MatrixXd r = _K * x;          // Q(l) x
+    Eigen::MatrixXd slope(n, 2 * count); // l Q'(l) x
+    slope.setZero();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const std::complex<double> l = pairs[static_cast<std::size_t>(i)].value;
+        add(l * l, Mx.middleCols<2>(2 * i), r.middleCols<2>(2 * i));
+        add(l, Dx.middleCols<2>(2 * i), r.middleCols<2>(2 * i));
+        add(2.0 * l * l, Mx.middleCols<2>(2 * i), slope.middleCols<2>(2 * i));
+        add(l, Dx.middleCols<2>(2 * i), slope.middleCols<2>(2 * i));
+    }
+    const Eigen::MatrixXd r_before = _lu.solve(r);
+    const Eigen::MatrixXd slope_before = _lu.solve(slope);
+    const Eigen::MatrixXd m = _absM * a;
+    const Eigen::MatrixXd d = _absD * a;
+    const Eigen::MatrixXd k = _absK * a;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        ComplexPair &pair = pairs[static_cast<std::size_t>(i)];
+        const double scale = slope_before.middleCols<2>(2 * i).norm();
+        pair.residual = scale > 0 ? r_before.middleCols<2>(2 * i).norm() / scale : 0;
+        const double size = std::abs(pair.value);
+        const double entries = a.col(i).dot(k.col(i) + size * d.col(i) + size * size * m.col(i));
+        const double of_right =
+            rounding_over(x.middleCols<2>(2 * i), slope.middleCols<2>(2 * i), entries);
+        pair.rounding = std::max(of_right, of_left[static_cast<std::size_t>(i)]);
+    }
 }
 
 double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
@@ -119,8 +149,8 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
         if (l.imag() < 0)
             continue;
         pairs.push_back({l, vectors.col(i).head(n), 0, 0});
-        assess(pairs.back());
     }
+    assess(pairs);
     return pairs;
 }
 

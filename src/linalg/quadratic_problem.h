@@ -5,6 +5,7 @@
 #include <Eigen/SparseLU>
 
 #include <complex>
+#include <vector>
 
 namespace whirl::linalg {
 
@@ -17,8 +18,8 @@ class QuadraticProblem {
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
 
-    /// Normalises the vector of the pair and fills in its residual and rounding.
-    void assess(ComplexPair &pair) const;
+    /// Normalises the vectors of the pairs and fills in their residuals and rounding.
+    void assess(std::vector<ComplexPair> &pairs) const;
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
@@ -34,8 +35,6 @@ class QuadraticProblem {
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is
     ///          blurred, a double one above all, and looks like a small eigenvalue of its own
     [[nodiscard]] double polish_beside_zero(ComplexPair &pair) const;
-    /// Length of Q(shift)^-1 v.
-    [[nodiscard]] double preconditioned_norm(const Eigen::MatrixX2d &v) const;
 };
 
 } // namespace whirl::linalg

@@ -94,9 +94,12 @@ class Sweep {
     /// Modes to ask for so that all that stand still at the ends of the range are among them.
     [[nodiscard]] int wanted_for_bands() const {
         auto wanted = static_cast<int>(_nodes.spectrum(0).modes.size());
-        for (const double speed : {_nodes.speed(0), _nodes.speed(_nodes.count() - 1)})
+        for (const std::size_t k : {std::size_t{0}, _nodes.count() - 1})
             for (int attempt = 0; attempt < 6; ++attempt) {
-                const modes::Spectrum at = _nodes.solver().at(speed, wanted);
+                const double speed = _nodes.speed(k);
+                const bool known = std::ssize(_nodes.spectrum(k).modes) == wanted;
+                const modes::Spectrum at =
+                    known ? _nodes.spectrum(k) : _nodes.solver().at(speed, wanted);
                 const bool beyond = static_cast<int>(at.modes.size()) < wanted ||
                                     at.modes.back().eigenvalue.imag() > std::abs(speed);
                 if (beyond)

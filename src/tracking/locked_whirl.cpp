@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -104,12 +105,60 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
     return true;
 }
 
+/// Beside a branch point the frequency seen from the rotor grows with the square root of the
+/// distance: four times as far away some motion has twice of it, at the same damping. The real part
+/// at the branch point, or none where there is no such motion: it is smooth on the outer side.
+std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, const LockEnd &end,
+                                           int wanted) {
+    const double step = end.outside - end.speed;
+    const modes::Spectrum near = solver.at(end.outside, wanted);
+    const modes::Spectrum far = solver.at(end.speed + 4 * step, wanted);
+    const double size = std::abs(end.speed);
+    const auto parts_there = [size](const modes::WhirlMode &a, const modes::WhirlMode &b) {
+        const double ratio = b.frequency_rotating / a.frequency_rotating;
+        return a.frequency_rotating != 0 && std::abs(a.frequency_rotating) < 0.01 * size &&
+               std::abs(ratio - 2) < 0.05 &&
+               std::abs(a.eigenvalue.real() - b.eigenvalue.real()) < 1e-4 * size;
+    };
+    for (const modes::WhirlMode &a : near.modes)
+        for (const modes::WhirlMode &b : far.modes)
+            if (parts_there(a, b))
+                return (4 * a.eigenvalue.real() - b.eigenvalue.real()) / 3;
+    return std::nullopt;
+}
+
+/// Halves a part over which the number changes, for a Hill series: its motions have no vectors over
+/// the equations of one speed to begin a double root with. Of several ends in it one is found.
+std::optional<LockEnd> end_by_halving(const modes::SpectrumSolver &solver, const Count &from,
+                                      const Count &to, int wanted) {
+    constexpr double halved = 1e-11;
+    std::pair<double, std::ptrdiff_t> a{from.speed, from.motions};
+    std::pair<double, std::ptrdiff_t> b{to.speed, to.motions};
+    for (int step = 0; step < 60 && std::abs(b.first - a.first) > halved * std::abs(a.first);
+         ++step) {
+        const Count middle = count_at(solver, (a.first + b.first) / 2, wanted);
+        (middle.motions == a.second ? a : b) = {middle.speed, middle.motions};
+    }
+    const bool opens = (a.second < b.second) == (a.first < b.first);
+    LockEnd end = end_of({a.second > b.second ? a.first : b.first, 0, opens});
+    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
+    if (!real)
+        return std::nullopt;
+    end.real = *real;
+    return end;
+}
+
 /// All ends in a part over which the number changes: halved until the roots in it account for that.
 void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
               int halves, std::vector<LockEnd> &ends) {
     constexpr int most = 6; // beyond, it changes by rounding or by heavy damping
     if (a.motions == b.motions || halves > most)
         return;
+    if (solver.form() == results::Form::hill) {
+        if (const std::optional<LockEnd> end = end_by_halving(solver, a, b, wanted))
+            ends.push_back(*end);
+        return;
+    }
     const std::vector<DoubleRoot> roots = roots_between(solver, a, b);
     if (explained(solver, a, b, wanted, roots)) {
         std::transform(roots.begin(), roots.end(), std::back_inserter(ends), end_of);

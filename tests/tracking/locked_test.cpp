@@ -2,9 +2,12 @@
 // rigid rotors and over grids.
 
 #include "analyses/campbell.h"
+#include "assembly/discretization.h"
 #include "input/case_file.h"
 #include "modes/spectrum.h"
 #include "results/campbell.h"
+#include "support/periodic_system.h"
+#include "support/rotating_scenes.h"
 #include "support/scenes.h"
 #include "tracking/locked_whirl.h"
 
@@ -115,6 +118,29 @@ TEST(Locked, BetweenTheTwoCriticalSpeedsOfAnAsymmetricRotor) {
             EXPECT_NEAR(result.locked[0].from / low, 1, 1e-9);
             EXPECT_NEAR(result.locked[0].to / high, 1, 1e-9);
         }
+    }
+}
+
+TEST(Locked, OnUnequalBearingsIsWhereAnUndampedRotorGrows) {
+    // The tilting rotor of cases/hill_rotor without its damping: what stands still in it grows, and
+    // what does not keeps its size, by the multipliers of its periodic equations.
+    model::Case scene;
+    scene.rotor.shaft = tests::weightless_rigid_shaft(1);
+    scene.rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
+    scene.rotor.anisotropies = {{"", 0.5, 0.08, 0}};
+    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 0), tests::bearing(1, 4e5, 6e5, 0, 0)};
+    const assembly::Discretization d(scene.rotor, 1);
+    for (const int count : {8, 31}) {
+        scene.speeds = {600, 1300, count};
+        const results::CampbellResult result = analyses::campbell(scene);
+        ASSERT_EQ(result.locked.size(), 1U) << count;
+        const auto [from, to] = std::pair(result.locked[0].from, result.locked[0].to);
+        // Next to an end growth rises with the root of the distance: far above rounding here.
+        const double beside = 1e-4 * (to - from);
+        for (const double inside : {from + beside, (from + to) / 2, to - beside})
+            EXPECT_GT(tests::PeriodicSystem(d, inside, {}).growth(400), 1e-2) << inside;
+        for (const double outside : {from - beside, to + beside})
+            EXPECT_LT(tests::PeriodicSystem(d, outside, {}).growth(400), 1e-6) << outside;
     }
 }
 
