@@ -14,7 +14,7 @@ struct Arguments {
     std::optional<std::filesystem::path> out;
     bool json = false;                  ///< the JSON result alone on standard output
     bool quiet = false;                 ///< nothing on standard output
-    bool map = false;                   ///< balance: over plane positions as well
+    bool map = false; ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
 };
 

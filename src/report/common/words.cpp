@@ -47,7 +47,7 @@ std::string model_text(const results::ModelSummary &model) {
 std::string notes_text(const results::ModelSummary &model) {
     std::string text;
     for (const std::string &note : model.notes)
-        text += fmt::format("note: {}\n", note);
+        text += fmt::format("note: {}\n", note_in_written_units(note));
     return text;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/case.h"
+#include "report/common/units.h"
 
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -12,9 +12,6 @@ struct ModelSummary;
 
 namespace whirl::report {
 
-inline constexpr double pi = std::numbers::pi;
-inline constexpr double rpm = 30 / pi;      ///< rev/min in one rad/s
-inline constexpr double hertz = 0.5 / pi;   ///< Hz in one rad/s
 inline constexpr double degrees = 180 / pi; ///< in one rad
 
 /// Number for readers, at most `digits` significant digits.

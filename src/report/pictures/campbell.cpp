@@ -124,9 +124,10 @@ std::string multiple_lines(const Panel &panel, const model::Case &scene, double 
         if (end <= panel.x.low)
             continue;
         const double start = std::max(panel.x.low, 0.0);
-        script += fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
-                              "lc rgb '#777777'\n",
-                              start, multiple * start / 60, end, multiple * end / 60);
+        script +=
+            fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
+                        "lc rgb '#777777'\n",
+                        start, multiple * start * hertz / rpm, end, multiple * end * hertz / rpm);
         if (end < last)
             script += fmt::format("set label {} at {}, graph 0.975 right offset -1.2,0 "
                                   "font ',11' textcolor '#555555'\n",
@@ -151,7 +152,7 @@ LabelPlacer occupied(const Panel &panel, const model::Case &scene, const Campbel
     for (const double multiple : multiples_of(scene))
         for (int i = 0; i <= 120; ++i) {
             const double speed = i / 120.0 * panel.x.high;
-            block(speed, multiple * speed / 60, 5);
+            block(speed, multiple * speed * hertz / rpm, 5);
         }
     for (const auto &crossing : result.crossings)
         block(crossing.speed * rpm, crossing.frequency * hertz, 12);
@@ -236,7 +237,7 @@ std::string axes(const Panel &panel, bool first, bool last) {
     return script +
            fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel 'Whirl frequency (Hz)'\n"
                        "set y2label 'Whirl frequency (cycles/min)'\n",
-                       60 * panel.y.low, 60 * panel.y.high);
+                       30 / pi / hertz * panel.y.low, 30 / pi / hertz * panel.y.high);
 }
 
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,

@@ -122,22 +122,21 @@ void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
     if (!(length > 0)) // a scene without a shaft has nothing to measure
         return;
     const bool millimetres = length < 1;
+    const double factor = written_factor("length").value_or(millimetres ? 1000 : 1);
     // Numbers need some 60 pixels each.
-    const double raw = length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);
+    const double raw =
+        factor * length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);
     const double power = std::pow(10, std::floor(std::log10(raw)));
     const double step = raw / power < 1.5 ? power : raw / power < 3.5 ? 2 * power : 5 * power;
     drawing.shapes.push_back(
         stroke({{sheet.across(0), y}, {sheet.across(length), y}}, "#333333", 1, false));
-    for (int i = 0; i * step <= length * (1 + 1e-9); ++i) {
-        const double x = sheet.across(i * step);
+    for (int i = 0; i * step <= factor * length * (1 + 1e-9); ++i) {
+        const double x = sheet.across(i * step / factor);
         drawing.shapes.push_back(stroke({{x, y}, {x, y + 6}}, "#333333", 1, false));
-        drawing.texts.push_back({{x, y + 20},
-                                 fmt::format("{:.6g}", i * step * (millimetres ? 1000 : 1)),
-                                 12,
-                                 Anchor::middle,
-                                 "#222222"});
+        drawing.texts.push_back(
+            {{x, y + 20}, fmt::format("{:.6g}", i * step), 12, Anchor::middle, "#222222"});
     }
-    std::string label = millimetres ? "z (mm)" : "z (m)";
+    std::string label = fmt::format("z ({})", unit_name("length", millimetres ? "mm" : "m"));
     if (sheet.enlarged() > 1)
         label += fmt::format(", diameters drawn {:.0f} times larger", sheet.enlarged());
     drawing.texts.push_back(
@@ -204,6 +203,8 @@ Drawing scene_drawing(const model::Case &scene) {
     sheet.axis = 20 + line * rows + 16 + sheet.radius;
     Drawing drawing = draw_rotor(scene, sheet);
     draw_callouts(drawing, upper_callouts(scene.rotor, sheet), sheet.axis - sheet.radius - 18, -1);
+    for (DrawText &text : drawing.texts)
+        text.text = in_written_units(text.text);
     return drawing;
 }
 
@@ -219,11 +220,11 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         fmt::format("mass {} kg (shaft {} kg)    centre of mass z = {} m    Id = {} kg m²    "
-                     "Ip = {} kg m²    {} rotor",
-                     readable(result.mass), readable(result.shaft_mass),
-                     readable(result.center_of_mass), readable(result.Id), readable(result.Ip),
-                     result.type),
+         in_written_units(fmt::format(
+             "mass {} kg (shaft {} kg)    centre of mass z = {} m    Id = {} kg m²    "
+             "Ip = {} kg m²    {} rotor",
+             readable(result.mass), readable(result.shaft_mass), readable(result.center_of_mass),
+             readable(result.Id), readable(result.Ip), result.type)),
          14,
          Anchor::middle,
          "#555555"});
