@@ -77,6 +77,28 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
                                fmt::join(command.settings, ", ")));
 }
 
+/// compare has results in place of a case.
+void add_compare(CLI::App &root, Arguments &arguments) {
+    CLI::App &app = *root.add_subcommand("compare", "differences between results or cases");
+    app.add_option(
+           "RESULT", arguments.compared,
+           "results (JSON), or a command and cases; CASE@key=value: with an entry overridden")
+        ->required()
+        ->type_name("");
+    app.add_option("--out", arguments.out, "folder for the comparison (default out/compare)")
+        ->type_name("DIR");
+    app.add_flag("--json", arguments.json,
+                 "the comparison as JSON alone on standard output; files only with --out");
+    app.add_option("--set", arguments.overrides, "override an entry of every case; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    app.add_flag("--quiet", arguments.quiet, "no text on standard output");
+    app.set_version_flag("--version", "whirl " + report::program_version());
+    app.footer("whirl compare before.json after.json\n"
+               "whirl compare critical cases/a cases/b\n"
+               "whirl compare critical cases/a@shaft.order=1 cases/a@shaft.order=10");
+}
+
 /// One message for whatever CLI11 found wrong.
 std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
     const std::vector<std::string> rest = app.remaining();
@@ -84,6 +106,8 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
         return fmt::format("whirl: unknown command \"{}\"; the commands are {}", rest.front(),
                            command_list());
     std::string text = error.what();
+    if (text == "RESULT is required")
+        text = "results to compare are missing";
     if (text == "CASE is required")
         text = "a case folder or .toml file is missing";
     const std::string command =
@@ -97,7 +121,7 @@ std::string command_list() {
     std::string list;
     for (const Command &command : commands())
         list += (list.empty() ? "" : ", ") + command.name;
-    return list;
+    return list + ", compare";
 }
 
 Parsed parse_arguments(int argc, const char *const *argv) {
@@ -108,6 +132,7 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     Arguments arguments;
     for (const Command &command : commands())
         add_options(*app.add_subcommand(command.name, command.answer), command, arguments);
+    add_compare(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {

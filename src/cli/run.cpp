@@ -67,6 +67,8 @@ const Command &command_of(const Arguments &arguments) {
 } // namespace
 
 void run(const Arguments &arguments) {
+    if (arguments.command == "compare")
+        return compare_results(arguments);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);

@@ -101,11 +101,12 @@ std::string to_html(const Report &report, const std::string &still, const std::s
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
     if (moves) // in a function of its own: names such as `top` belong to the window outside
-        scripts = script_element(plotly_bundle()) +
-                  script_element("(function () {\n" + script_units() +
-                                 page_script_in_written_units(embedded("common.js") +
-                                                              script_data(report) + script) +
-                                 "})();\n");
+        scripts =
+            script_element(plotly_bundle()) +
+            script_element("(function () {\n" +
+                           page_script_in_written_units(embedded("common.js") + script_units() +
+                                                        script_data(report) + script) +
+                           "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
     return filled(
         embedded("page.html"),
