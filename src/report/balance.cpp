@@ -343,7 +343,8 @@ std::vector<Section> sections_of(const BalanceResult &result) {
 }
 
 std::string text_of(const model::Case &scene, const BalanceResult &result) {
-    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, rad/s", "rigid closed form, rad/s"}};
+    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, rad/s",
+                 "rigid closed form, rad/s"}};
     for (const Planes &planes : planes_and_joint(result))
         table.push_back({planes.on_terminal, terminal_bands(planes.of->bands, rpm),
                          terminal_bands(planes.of->bands), largest_error(*planes.of),

@@ -183,8 +183,10 @@ std::string bearings_text(const model::Case &scene, const std::vector<std::size_
     std::vector<std::string> names;
     for (const std::size_t i : bearings) {
         const model::Bearing &bearing = scene.rotor.bearings[i];
-        names.push_back(bearing.name.empty() ? fmt::format("bearing at {:.6g} m", bearing.z)
-                                             : bearing.name);
+        names.push_back(
+            bearing.name.empty()
+                ? fmt::format("bearing at {:.6g} {}", bearing.z * metres, unit_name("length", "m"))
+                : bearing.name);
     }
     return joined(names, ", ");
 }

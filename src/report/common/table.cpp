@@ -28,6 +28,7 @@ namespace {
 /// A column in the units that were asked for.
 struct ConvertedColumn {
     UnitHeading heading;
+    std::string format; ///< of its numbers
     std::vector<Json> values;
 };
 
@@ -51,9 +52,16 @@ bool in_words(const Json &value) {
 
 ConvertedColumn converted(const ShownColumn &column) {
     ConvertedColumn out{heading_in_written_units(*column.as.heading, column.context),
-                        column.values};
+                        column.as.format, column.values};
     if (out.heading.factor != 1 && std::any_of(out.values.begin(), out.values.end(), in_words))
-        return {{*column.as.heading, 1, false}, column.values};
+        return {{*column.as.heading, 1, false}, column.as.format, column.values};
+    // Some have their unit in the cells.
+    const UnitHeading cell =
+        heading_in_written_units(column.as.format, *column.as.heading + column.context);
+    if (cell.factor != 1) {
+        out.format = cell.text;
+        out.heading.factor = cell.factor;
+    }
     for (Json &value : out.values)
         if (value.is_number_float())
             value = value.get<double>() * out.heading.factor;
@@ -78,7 +86,8 @@ Texts texts_of(const std::vector<ShownColumn> &columns, const std::string &missi
         // Of two the one in SI has the digits that the other leaves out.
         if (same == kept.end() || next.heading.factor != 1)
             for (std::size_t i = 0; i < next.values.size(); ++i)
-                table[1 + i][place] = shown(next.values[i], column.as, missing);
+                table[1 + i][place] =
+                    shown(next.values[i], {"", next.format, column.as.infinite}, missing);
         if (same == kept.end())
             kept.push_back(std::move(next));
     }

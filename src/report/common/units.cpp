@@ -116,14 +116,14 @@ std::string renamed(const std::string &heading, const Found &found, const std::s
     return out;
 }
 
-/// Digits of a number as it was written, at least six.
+/// Digits of a number as it was written, at least four: short ones are rather exact.
 std::string converted_number(std::string_view number, double factor) {
     double value = 0;
     std::from_chars(number.data(), number.data() + number.size(), value);
     int digits = 0;
     for (const char letter : number.substr(0, number.find_first_of("eE")))
         digits += std::isdigit(static_cast<unsigned char>(letter)) != 0 ? 1 : 0;
-    return fmt::format("{:.{}g}", value * factor, std::max(6, digits));
+    return fmt::format("{:.{}g}", value * factor, std::max(4, digits));
 }
 
 /// Length of a plain number at a place of a text; 0: none.

@@ -53,6 +53,8 @@ inline constexpr Reading micrometres{"amplitude", 1e6};        ///< vibration
 inline constexpr Reading still_micrometres{"deflection", 1e6}; ///< what does not vibrate
 inline constexpr Reading vibration_metres{"amplitude", 1};
 inline constexpr Reading newtons{"force", 1};
+inline constexpr Reading kilograms{"mass", 1};
+inline constexpr Reading inertia_si{"inertia", 1}; ///< kg m2
 inline constexpr Reading newtons_per_metre{"stiffness", 1};
 
 /// A heading of a table in the units that were asked for.

@@ -18,7 +18,7 @@ std::string title_of(const model::Case &scene) {
 }
 
 std::string place(const std::string &name, double z) {
-    const std::string at = fmt::format("z = {:.6g} m", z);
+    const std::string at = fmt::format("z = {:.6g} {}", z * metres, unit_name("length", "m"));
     return name.empty() ? at : fmt::format("{} ({})", name, at);
 }
 

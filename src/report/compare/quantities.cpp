@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -54,6 +55,30 @@ std::optional<double> item(const Json &values, std::size_t i) {
                                                       : std::nullopt;
 }
 
+/// Relative error of a crossing with `multiple` times the spin speed s by that of the frequency w
+/// of its mode on either side: ds = dw / |multiple - dw/ds|.
+std::optional<double> crossing_error(const Json &speeds, const Json &mode, double speed,
+                                     double multiple) {
+    const Json &frequency = list(mode, "frequency");
+    const Json &error = list(mode, "error");
+    for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
+        const auto s = item(speeds, i);
+        const auto next = item(speeds, i + 1);
+        if (!s || !next || speed < *s || speed > *next)
+            continue;
+        const auto w = item(frequency, i);
+        const auto w_next = item(frequency, i + 1);
+        const auto e = item(error, i);
+        const auto e_next = item(error, i + 1);
+        if (!w || !w_next || !e || !e_next)
+            return std::nullopt;
+        const double closing = std::abs(multiple - (*w_next - *w) / (*next - *s));
+        return closing > 0 ? std::optional(std::max(*e, *e_next) * multiple / closing)
+                           : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 void of_campbell(const Json &json, Quantities &all) {
     const Json &speeds = list(json, "speeds");
     const Json &modes = list(json, "modes");
@@ -70,12 +95,15 @@ void of_campbell(const Json &json, Quantities &all) {
     std::map<std::string, int> counted;
     for (const Json &at : list(json, "crossings")) {
         const auto mode = static_cast<std::size_t>(number(at, "mode").value_or(0));
-        const std::string label = mode < modes.size() ? text(modes[mode], "label") : "?";
+        if (mode >= modes.size())
+            continue;
+        const double multiple = number(at, "multiple").value_or(1);
         const std::string name =
-            fmt::format("crossing of {} with {:g}x", label, number(at, "multiple").value_or(1));
+            fmt::format("crossing of {} with {:g}x", text(modes[mode], "label"), multiple);
         const int again = ++counted[name];
         add(all, again > 1 ? fmt::format("{}, {}", name, again) : name, "rad/s",
-            number(at, "speed"), std::nullopt);
+            number(at, "speed"),
+            crossing_error(speeds, modes[mode], number(at, "speed").value_or(NAN), multiple));
     }
 }
 

@@ -101,9 +101,9 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     }
     if (!panel.damping)
         for (const double multiple : multiples_of(scene))
-            if (multiple * last / 60 <= panel.y.high)
+            if (multiple * last * hertz / rpm <= panel.y.high)
                 ends.push_back(
-                    {readable(multiple) + "×", "#555555", panel.up(multiple * last / 60)});
+                    {readable(multiple) + "×", "#555555", panel.up(multiple * last * hertz / rpm)});
     std::vector<double> wanted;
     for (const End &end : ends)
         wanted.push_back(end.height);
@@ -120,7 +120,7 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
 std::string multiple_lines(const Panel &panel, const model::Case &scene, double last) {
     std::string script;
     for (const double multiple : multiples_of(scene)) {
-        const double end = std::min(last, 60 * panel.y.high / multiple);
+        const double end = std::min(last, panel.y.high * rpm / hertz / multiple);
         if (end <= panel.x.low)
             continue;
         const double start = std::max(panel.x.low, 0.0);

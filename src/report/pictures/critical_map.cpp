@@ -113,8 +113,9 @@ std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string
                                       along(at.speed * rpm, y), i < 9 ? 0.013 : 0.022, 0.032);
         // One that found room only far away would name another ring.
         if (box &&
-            std::abs(box->x + box->width / 2 - along(at.stiffness * newtons_per_metre, x)) < 0.03 &&
-            std::abs(box->y + box->height / 2 - along(at.speed * rpm, y)) < 0.055)
+            std::abs(box->x + box->width / 2 - along(at.stiffness * newtons_per_metre, x)) <
+                0.025 &&
+            std::abs(box->y + box->height / 2 - along(at.speed * rpm, y)) < 0.045)
             labels += fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' "
                                   "front\n",
                                   i + 1, box->x + box->width / 2, box->y + box->height / 2);

@@ -24,7 +24,7 @@ struct Curve {
 };
 
 std::string place_name(const std::string &name, double z) {
-    const std::string at = "z = " + readable(z, 4) + " m";
+    const std::string at = "z = " + readable(z * metres, 4) + " " + unit_name("length", "m");
     return name.empty() ? at : name + ", " + at;
 }
 

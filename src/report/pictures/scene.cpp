@@ -77,9 +77,9 @@ std::string stiffness_text(const model::Bearing &bearing) {
     if (bearing.rows.empty())
         return "";
     const auto &k = bearing.rows[0].k;
-    return k(0, 0) == k(1, 1)
-               ? readable(k(0, 0), 3) + " N/m"
-               : fmt::format("{} | {} N/m", readable(k(0, 0), 3), readable(k(1, 1), 3));
+    const auto number = [](double value) { return readable(value * newtons_per_metre, 3); };
+    return (k(0, 0) == k(1, 1) ? number(k(0, 0)) : number(k(0, 0)) + " | " + number(k(1, 1))) +
+           " " + unit_name("stiffness", "N/m");
 }
 
 std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &sheet) {
@@ -89,8 +89,8 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
         const auto &disc = rotor.discs[i];
         callouts.push_back(
             {sheet.across(disc.z), top(disc_radius(disc)),
-             fmt::format("{}: {} kg", name_or(disc.name, "disc", i, rotor.discs.size()),
-                         readable(disc.mass, 4))});
+             fmt::format("{}: {} {}", name_or(disc.name, "disc", i, rotor.discs.size()),
+                         readable(disc.mass * kilograms, 4), unit_name("mass", "kg"))});
     }
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
@@ -220,11 +220,13 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         in_written_units(fmt::format(
-             "mass {} kg (shaft {} kg)    centre of mass z = {} m    Id = {} kg m²    "
-             "Ip = {} kg m²    {} rotor",
-             readable(result.mass), readable(result.shaft_mass), readable(result.center_of_mass),
-             readable(result.Id), readable(result.Ip), result.type)),
+         fmt::format(
+             "mass {0} {5} (shaft {1} {5})    centre of mass z = {2} {6}    Id = {3} {7}    "
+             "Ip = {4} {7}    {8} rotor",
+             readable(result.mass * kilograms), readable(result.shaft_mass * kilograms),
+             readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
+             readable(result.Ip * inertia_si), unit_name("mass", "kg"), unit_name("length", "m"),
+             unit_name("inertia", "kg m²"), result.type),
          14,
          Anchor::middle,
          "#555555"});
