@@ -46,6 +46,8 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     report::ComparedResult result{name, {}};
     const Run work{arguments, scene, [&](report::Report report) {
+                       if (process::process_rank() != 0) // the first has all of it
+                           return;
                        report.provenance.case_text =
                            input::case_text(arguments.scene, arguments.overrides);
                        result.json = report::Json::parse(report::to_si_json(report));
@@ -81,9 +83,10 @@ std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
 
 void compare_results(const Arguments &arguments) {
     const linalg::Session session;
-    const report::Comparison comparison = report::compare(results_of(arguments));
+    std::vector<report::ComparedResult> results = results_of(arguments);
     if (process::process_rank() != 0)
         return;
+    const report::Comparison comparison = report::compare(std::move(results));
     std::vector<std::filesystem::path> files;
     if (!arguments.json || arguments.out)
         files = report::write_comparison(

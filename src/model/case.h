@@ -115,7 +115,7 @@ struct Case {
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
-    OutputUnits units; ///< of what is written
+    OutputUnits units;                ///< of what is written
     std::vector<std::string> remarks; ///< what of it is no mistake and looks like one
 };
 

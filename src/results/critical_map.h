@@ -43,8 +43,8 @@ struct CriticalMapCrossing {
 
 /// Critical speeds without damping over the isotropic stiffness of the supports.
 struct CriticalMap {
-    std::optional<std::size_t> bearing; ///< whose stiffness varies; none: that of all supports
-    std::vector<double> stiffness;      ///< N/m, ascending, evenly spaced in its logarithm
+    std::optional<std::size_t> bearing;   ///< whose stiffness varies; none: that of all supports
+    std::vector<double> stiffness;        ///< N/m, ascending, evenly spaced in its logarithm
     std::vector<CriticalMapCurve> curves; ///< forward ones first, by number
     std::vector<double> z;                ///< m, of the deflections
     std::vector<CriticalMapBearing> bearings;
