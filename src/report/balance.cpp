@@ -318,7 +318,7 @@ Json json_of(const BalanceResult &result) {
 std::string findings_html(const std::vector<std::string> &findings) {
     std::string html = findings.empty() ? "<p>Nothing beyond the bands.</p>\n" : "";
     for (const std::string &finding : findings)
-        html += element("p", finding);
+        html += kept_as_written(element("p", in_written_units(note_in_written_units(finding))));
     return html;
 }
 
@@ -358,8 +358,9 @@ std::string text_of(const model::Case &scene, const BalanceResult &result) {
         text += fmt::format(
             "  motion in time at {:.6g} rpm: {}{}\n", run.speed * rpm, run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
-    if (!result.findings.empty())
-        text += "\n" + joined(result.findings, "\n") + "\n";
+    for (const std::string &finding : result.findings)
+        text += (&finding == &result.findings.front() ? "\n" : "") +
+                note_in_written_units(finding) + "\n";
     if (result.placement)
         text += placement_text(*result.placement);
     for (const auto &pendulum : result.pendulum)

@@ -277,6 +277,10 @@ std::string note_in_written_units(const std::string &note) {
     return current().given() ? kept_begin + prose(note, true) + kept_end : note;
 }
 
+std::string kept_as_written(const std::string &text) {
+    return current().given() ? kept_begin + text + kept_end : text;
+}
+
 std::string cell_in_written_units(const std::string &cell) {
     if (!current().given())
         return cell;

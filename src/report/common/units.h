@@ -82,6 +82,9 @@ struct UnitHeading {
 /// The same for text of an analysis, whose numbers are all as they say.
 [[nodiscard]] std::string note_in_written_units(const std::string &note);
 
+/// Text that is converted already, marked so that in_written_units leaves it alone.
+[[nodiscard]] std::string kept_as_written(const std::string &text);
+
 /// A cell of a table for the terminal, converted once and for all: what in_written_units leaves
 /// alone.
 [[nodiscard]] std::string cell_in_written_units(const std::string &cell);
