@@ -61,7 +61,7 @@ void plane_ends(const results::BalanceResult &result, std::vector<std::string> &
             pinned = pinned && end.pinned;
             text += fmt::format("{}{:.6g} rad/s", text.empty() ? "" : " and ", end.speed);
             if (end.rigid && end.relative_difference)
-                text += fmt::format(" (rigid {:.6g}, {:+.2g} %)", *end.rigid,
+                text += fmt::format(" (rigid {:.6g} rad/s, {:+.2g} %)", *end.rigid,
                                     100 * *end.relative_difference);
             else if (result.rigid)
                 text += " (rigid: no end)";

@@ -1,5 +1,6 @@
 #include "analyses/critical.h"
 
+#include "analyses/critical_map/critical_map.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
@@ -69,41 +70,6 @@ void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
         list.branches.resize(keep);
 }
 
-/// Errors against a finer model; a note where there is none, or where it lacks a critical speed.
-std::vector<double> judged_errors(const model::Case &scene, results::Form form,
-                                  const assembly::Discretization &d,
-                                  const synchronous::SynchronousModes &list, bool symmetric,
-                                  results::ModelSummary &model) {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
-    std::vector<double> errors(list.modes.size(), unknown);
-    if (list.modes.empty())
-        return errors;
-    if (scene.rotor.shaft.rigid) {
-        for (std::size_t i = 0; i < errors.size(); ++i)
-            errors[i] = list.modes[i].residual + list.modes[i].rounding;
-        return errors;
-    }
-    try {
-        const assembly::Discretization finer(scene.rotor, mesh_error::finer_order(d.order()));
-        const synchronous::SynchronousModes of_finer =
-            synchronous::all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
-                                               list.modes.back().eigenvalue.imag(), symmetric);
-        const auto found = synchronous::critical_errors(d, form, list, finer, of_finer);
-        for (std::size_t i = 0; i < errors.size(); ++i) {
-            errors[i] = found[i].value_or(unknown);
-            if (!found[i])
-                model.notes.push_back(fmt::format(
-                    "the critical speed of {:.6g} rad/s has no counterpart on a finer model (order "
-                    "{}): it may come from the mesh, and its error is not known",
-                    list.modes[i].eigenvalue.imag(), finer.order()));
-        }
-    } catch (const linalg::SolverError &) {
-        model.notes.emplace_back("the errors of the critical speeds are not known: the finer model "
-                                 "that they are judged against could not be solved");
-    }
-    return errors;
-}
-
 /// Which critical speeds the list can lack, in words.
 void note_completeness(const synchronous::SynchronousModes &found, bool more_wanted, bool rigid,
                        results::CriticalResult &result) {
@@ -155,7 +121,7 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
         synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
     keep_lowest(list, ask, top);
     const std::vector<double> errors =
-        judged ? judged_errors(scene, form, d, list, symmetric, model)
+        judged ? synchronous::errors_by_finer_model(d, form, list, symmetric, model.notes)
                : std::vector<double>(list.modes.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
         const modes::WhirlMode &mode = list.modes[i];
@@ -215,6 +181,16 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
     return result;
 }
 
+results::CriticalMap map_of(const model::Case &scene, results::ModelSummary &model) {
+    try {
+        return critical_map(scene, model);
+    } catch (const linalg::SolverError &) {
+        throw model::AnalysisFailure(
+            "the critical speed map could not be made: the eigensolver did not converge or missed "
+            "some; a narrower range of stiffness may do (critical_map.from, critical_map.to)");
+    }
+}
+
 /// Of the response to imbalance, where there is one and a range of speeds.
 std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
                                                      results::ModelSummary &model) {
@@ -239,7 +215,7 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
 
 } // namespace
 
-results::CriticalResult critical_speeds(const model::Case &scene) {
+results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
     if (scene.operation) {
         result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
@@ -247,6 +223,8 @@ results::CriticalResult critical_speeds(const model::Case &scene) {
                                                        !scene.rotor.bearings_rotation_invariant());
         operation::note_unknown_damping(result.critical_speeds, result.model.notes);
     }
+    if (map)
+        result.map = map_of(scene, result.model);
     return result;
 }
 

@@ -15,7 +15,9 @@ namespace whirl::analyses {
 /// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
 /// (SymmetricSynchronous, FollowedSynchronous). Asymmetric rotors on equal bearings: forward, balls
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
-[[nodiscard]] results::CriticalResult critical_speeds(const model::Case &scene);
+///
+/// @param map  with the critical speed map (critical_map)
+[[nodiscard]] results::CriticalResult critical_speeds(const model::Case &scene, bool map = false);
 
 /// The same with elements of the order given, errors and completeness not judged: for many rotors
 /// that differ a little from one whose errors are known. Of asymmetric rotors each direction of a

@@ -13,6 +13,49 @@ namespace whirl::cli {
 
 namespace {
 
+/// Every command accepts what one of them has; the others ignore it and do not show it.
+void add_map_options(CLI::App &app, const Command &command, Arguments &arguments) {
+    const auto hide_elsewhere = [&command](CLI::Option *option, const char *name) {
+        if (std::count(command.options.begin(), command.options.end(), name) == 0)
+            option->group("");
+    };
+    hide_elsewhere(app.add_flag("--map", arguments.map,
+                                command.name == "critical"
+                                    ? "also the critical speeds over the stiffness of the supports"
+                                    : "also where along the shaft balancers work"),
+                   "--map");
+    hide_elsewhere(app.add_option_function<std::string>(
+                          "--map-bearing",
+                          [&arguments](const std::string &bearing) {
+                              arguments.map = true;
+                              arguments.overrides.push_back("critical_map.bearing=" + bearing);
+                          },
+                          "--map over the stiffness of this bearing alone")
+                       ->type_name("NAME|PLACE"),
+                   "--map-bearing");
+}
+
+/// The units of what is written are entries of the case, so that a result says what it is in.
+void add_unit_options(CLI::App &app, Arguments &arguments) {
+    const auto entry = [&arguments](const std::string &text) {
+        arguments.overrides.push_back("units." + text);
+    };
+    app.add_option_function<std::vector<std::string>>(
+           "--units",
+           [entry](const std::vector<std::string> &all) {
+               for (const std::string &text : all)
+                   entry(text.find('=') == std::string::npos ? "preset=" + text : text);
+           },
+           "units of what is written: si, mm-rpm, us, or e.g. speed=Hz, amplitude=mil; repeatable")
+        ->type_name("PRESET|QUANTITY=UNIT")
+        ->allow_extra_args(false);
+    app.add_flag_callback(
+        "--peak-to-peak", [entry] { entry("peak_to_peak=true"); },
+        "amplitudes of vibration from peak to peak");
+    app.add_flag_callback(
+        "--json-units", [entry] { entry("json=true"); }, "JSON in these units too, instead of SI");
+}
+
 void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
     app.add_option("CASE", arguments.scene, "case folder (its case.toml) or .toml file")
         ->required()
@@ -25,16 +68,35 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
                    "override an entry of the case, e.g. --set speeds.count=11; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    // Every command accepts what one of them has; the others ignore it and do not show it.
-    CLI::Option *map =
-        app.add_flag("--map", arguments.map, "also where along the shaft balancers work");
-    if (std::count(command.options.begin(), command.options.end(), "--map") == 0)
-        map->group("");
+    add_map_options(app, command, arguments);
+    add_unit_options(app, arguments);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     app.set_version_flag("--version", "whirl " + report::program_version());
     if (!command.settings.empty())
         app.footer(fmt::format("Reads of the case, beside the rotor: {}.",
                                fmt::join(command.settings, ", ")));
+}
+
+/// compare has results in place of a case.
+void add_compare(CLI::App &root, Arguments &arguments) {
+    CLI::App &app = *root.add_subcommand("compare", "differences between results or cases");
+    app.add_option(
+           "RESULT", arguments.compared,
+           "results (JSON), or a command and cases; CASE@key=value: with an entry overridden")
+        ->required()
+        ->type_name("");
+    app.add_option("--out", arguments.out, "folder for the comparison (default out/compare)")
+        ->type_name("DIR");
+    app.add_flag("--json", arguments.json,
+                 "the comparison as JSON alone on standard output; files only with --out");
+    app.add_option("--set", arguments.overrides, "override an entry of every case; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    app.add_flag("--quiet", arguments.quiet, "no text on standard output");
+    app.set_version_flag("--version", "whirl " + report::program_version());
+    app.footer("whirl compare before.json after.json\n"
+               "whirl compare critical cases/a cases/b\n"
+               "whirl compare critical cases/a@shaft.order=1 cases/a@shaft.order=10");
 }
 
 /// One message for whatever CLI11 found wrong.
@@ -44,6 +106,8 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
         return fmt::format("whirl: unknown command \"{}\"; the commands are {}", rest.front(),
                            command_list());
     std::string text = error.what();
+    if (text == "RESULT is required")
+        text = "results to compare are missing";
     if (text == "CASE is required")
         text = "a case folder or .toml file is missing";
     const std::string command =
@@ -57,7 +121,7 @@ std::string command_list() {
     std::string list;
     for (const Command &command : commands())
         list += (list.empty() ? "" : ", ") + command.name;
-    return list;
+    return list + ", compare";
 }
 
 Parsed parse_arguments(int argc, const char *const *argv) {
@@ -68,6 +132,7 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     Arguments arguments;
     for (const Command &command : commands())
         add_options(*app.add_subcommand(command.name, command.answer), command, arguments);
+    add_compare(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {

@@ -12,10 +12,11 @@ struct Arguments {
     std::string command;         ///< "show", "campbell", ...
     std::filesystem::path scene; ///< case folder or .toml file
     std::optional<std::filesystem::path> out;
-    bool json = false;                  ///< the JSON result alone on standard output
-    bool quiet = false;                 ///< nothing on standard output
-    bool map = false;                   ///< balance: over plane positions as well
+    bool json = false;  ///< the JSON result alone on standard output
+    bool quiet = false; ///< nothing on standard output
+    bool map = false;   ///< balance: over plane positions; critical: over support stiffness as well
     std::vector<std::string> overrides; ///< "path.to.key=value"
+    std::vector<std::string> compared;  ///< compare: a command, cases, results
 };
 
 /// Either arguments, or the exit status of a program that has already answered (help, version) or

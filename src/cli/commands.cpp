@@ -41,6 +41,13 @@ void balance(const Run &run) {
     run.deliver(report::describe(run.scene, result));
 }
 
+void critical(const Run &run) {
+    const bool map = run.arguments.map || run.scene.critical_map;
+    const results::CriticalResult result =
+        run.timed([&] { return analyses::critical_speeds(run.scene, map); });
+    run.deliver(report::describe(run.scene, result));
+}
+
 /// A command whose analysis reads the case again with other values.
 template <class Result>
 auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &)) {
@@ -101,9 +108,9 @@ const std::vector<Command> &commands() {
          on_case(analyses::campbell)},
         {"critical",
          "critical speeds directly, without a sweep",
-         {"speeds", "campbell", "operation", "imbalance"},
-         {},
-         on_case(analyses::critical_speeds)},
+         {"speeds", "campbell", "operation", "imbalance", "critical_map"},
+         {"--map", "--map-bearing"},
+         critical},
         stability_row(),
         {"response",
          "unbalance response over speed, forces at bearings",

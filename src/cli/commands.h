@@ -49,6 +49,10 @@ struct Command {
 /// All commands, in the order of --help.
 [[nodiscard]] const std::vector<Command> &commands();
 
+/// Of compare: results that were written before or are computed now, side by side.
+/// @throws model::BadInput for results that are of different kinds
+void compare_results(const Arguments &arguments);
+
 /// Of simulate: the motion, from the restart file that the case names if any. On SIGINT writes a
 /// restart file into the folder for results.
 /// @throws model::AnalysisFailure then, with what to do to go on.

@@ -8,6 +8,7 @@
 #include "model/errors.h"
 #include "process/processes.h"
 #include "process/progress.h"
+#include "report/common/units.h"
 #include "report/report.h"
 
 #include <fmt/chrono.h>
@@ -55,7 +56,7 @@ void deliver(const Run &run, const report::Report &report) {
     if (arguments.json)
         say(report::to_json(report));
     else if (!arguments.quiet)
-        say(report.text() + files_text(files));
+        say(report::to_text(report) + files_text(files));
 }
 
 const Command &command_of(const Arguments &arguments) {
@@ -66,8 +67,11 @@ const Command &command_of(const Arguments &arguments) {
 } // namespace
 
 void run(const Arguments &arguments) {
+    if (arguments.command == "compare")
+        return compare_results(arguments);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const report::Provenance provenance = provenance_of(arguments);
+    report::write_in(scene.units);
     const linalg::Session session;
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)

@@ -116,7 +116,7 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
             continue;
         const std::size_t others = scene.rotor.supports().size();
         remarks.add(fmt::format("[speeds] reach from {:.6g} to {:.6g} rad/s, the table of {}[{}] "
-                                "from {:.6g} to {:.6g}: "
+                                "from {:.6g} to {:.6g} rad/s: "
                                 "outside of it the coefficients are those at its end",
                                 low, high, bearing.seal ? "seal" : "bearing",
                                 bearing.seal ? i - others : i, bearing.speeds.front(),

@@ -40,6 +40,10 @@ void read_probes(CheckedTable &root, model::Rotor &rotor);
 /// Reads [speeds], [campbell], [response], [simulate]; last [map] and [samples], which may name any
 /// numeric entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
+/// [units]: of what is written.
+void read_units(CheckedTable &root, model::Case &scene);
+/// [critical_map]; the bearings must be there.
+void read_critical_map(CheckedTable &root, model::Case &scene);
 /// [operation] and [level1].
 void read_operation(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "model/operation.h"
+#include "model/output_units.h"
 #include "model/rotor.h"
 #include "model/samples.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -35,6 +37,14 @@ enum class FormChoice { automatic, planar, hyperbolic, general, rotating, hill }
 struct CampbellSettings {
     int modes = 8;                      ///< whirl modes with the lowest frequencies
     std::vector<double> multiples{1.0}; ///< orders of the spin speed whose crossings are wanted
+};
+
+/// Entries of [critical_map].
+struct CriticalMapSettings {
+    std::optional<double> from;         ///< stiffness, N/m; none: from the rotor
+    std::optional<double> to;           ///< N/m
+    int points = 61;                    ///< stiffnesses
+    std::optional<std::size_t> bearing; ///< place among the supports; none: all together
 };
 
 /// Entries of [response].
@@ -99,11 +109,13 @@ struct Case {
     std::optional<Level1Settings> level1;
     bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;
+    std::optional<CriticalMapSettings> critical_map; ///< empty: no map asked for
     ResponseSettings response;
     SimulateSettings simulate;
     BalanceSettings balance;
     std::optional<MapSettings> map;
     std::optional<SamplesSettings> samples;
+    OutputUnits units;                ///< of what is written
     std::vector<std::string> remarks; ///< what of it is no mistake and looks like one
 };
 

@@ -49,6 +49,27 @@ Rotor with_mean_bearings(Rotor rotor) {
     return rotor;
 }
 
+Rotor isotropic_without_damping(Rotor rotor) {
+    return without_damping(with_mean_bearings(std::move(rotor)));
+}
+
+Rotor with_support_stiffness(Rotor rotor, std::optional<std::size_t> support,
+                             const std::vector<double> &k, const std::vector<double> &speeds) {
+    const std::size_t count = rotor.supports().size();
+    for (std::size_t i = support.value_or(0); i < (support ? *support + 1 : count); ++i) {
+        Bearing &bearing = rotor.bearings[i];
+        BearingCoefficients row;
+        row.kt = bearing.rows.front().kt;
+        bearing.speeds = speeds;
+        bearing.rows.clear();
+        for (const double value : k) {
+            row.k = value * Eigen::Matrix2d::Identity();
+            bearing.rows.push_back(row);
+        }
+    }
+    return rotor;
+}
+
 Rotor stiffened(Rotor rotor, double factor) {
     for (Segment &segment : rotor.shaft.segments) {
         segment.material.E *= factor;

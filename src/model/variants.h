@@ -2,6 +2,10 @@
 
 #include "model/rotor.h"
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 namespace whirl::model {
 
 // The same rotor with one thing left out or changed.
@@ -17,6 +21,16 @@ namespace whirl::model {
 /// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic
 /// ones.
 [[nodiscard]] Rotor with_mean_bearings(Rotor rotor);
+
+/// Without damping, and with supports that are isotropic: with_mean_bearings.
+[[nodiscard]] Rotor isotropic_without_damping(Rotor rotor);
+
+/// One support, or all of them (no seals), of isotropic stiffness k (N/m) over speeds (rad/s;
+/// empty: one k at every speed); tilt stiffness as in their first row, no damping.
+/// @param support  its place among supports(); none: all
+[[nodiscard]] Rotor with_support_stiffness(Rotor rotor, std::optional<std::size_t> support,
+                                           const std::vector<double> &k,
+                                           const std::vector<double> &speeds = {});
 
 /// E and G of the shaft multiplied.
 [[nodiscard]] Rotor stiffened(Rotor rotor, double factor);

@@ -318,7 +318,7 @@ Json json_of(const BalanceResult &result) {
 std::string findings_html(const std::vector<std::string> &findings) {
     std::string html = findings.empty() ? "<p>Nothing beyond the bands.</p>\n" : "";
     for (const std::string &finding : findings)
-        html += element("p", finding);
+        html += kept_as_written(element("p", in_written_units(note_in_written_units(finding))));
     return html;
 }
 
@@ -343,7 +343,8 @@ std::vector<Section> sections_of(const BalanceResult &result) {
 }
 
 std::string text_of(const model::Case &scene, const BalanceResult &result) {
-    Texts table{{"planes", "balanced, rpm", "rad/s", "error, rad/s", "rigid closed form, rad/s"}};
+    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, rad/s",
+                 "rigid closed form, rad/s"}};
     for (const Planes &planes : planes_and_joint(result))
         table.push_back({planes.on_terminal, terminal_bands(planes.of->bands, rpm),
                          terminal_bands(planes.of->bands), largest_error(*planes.of),
@@ -357,8 +358,9 @@ std::string text_of(const model::Case &scene, const BalanceResult &result) {
         text += fmt::format(
             "  motion in time at {:.6g} rpm: {}{}\n", run.speed * rpm, run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
-    if (!result.findings.empty())
-        text += "\n" + joined(result.findings, "\n") + "\n";
+    for (const std::string &finding : result.findings)
+        text += (&finding == &result.findings.front() ? "\n" : "") +
+                note_in_written_units(finding) + "\n";
     if (result.placement)
         text += placement_text(*result.placement);
     for (const auto &pendulum : result.pendulum)

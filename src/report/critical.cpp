@@ -6,6 +6,7 @@
 #include "report/common/margins.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "report/critical_map.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
 #include "report/reports.h"
@@ -53,7 +54,8 @@ std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +
            (result.critical_speeds.empty() ? "  none found\n"
                                            : text_table(columns, result.critical_speeds)) +
-           margins_text(result.margins) + model_text(result.model);
+           margins_text(result.margins) +
+           (result.map ? critical_map_text(scene, *result.map) : "") + model_text(result.model);
 }
 
 int row_of(results::Whirl whirl) {
@@ -122,26 +124,37 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
 
 Report describe(const model::Case &scene, const CriticalResult &result) {
     const auto &speeds = result.critical_speeds;
-    return {.command = "critical",
-            .heading = "Critical speeds",
-            .scene = &scene,
-            .model = &result.model,
-            .json =
-                [&] {
-                    Json json{{"critical_speeds", json_rows(columns, speeds)}};
-                    add_margins(json, result.margins);
-                    return json;
-                },
-            .csv = [&] { return csv_table(columns, speeds); },
-            .sections =
-                [&] {
-                    std::vector sections{Section{"Table", page_table(columns, speeds)}};
-                    if (result.margins)
-                        sections.push_back({margins_heading, margins_page(*result.margins)});
-                    return sections;
-                },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return critical_figure(scene, result); }};
+    Report report{.command = "critical",
+                  .heading = "Critical speeds",
+                  .scene = &scene,
+                  .model = &result.model,
+                  .json =
+                      [&] {
+                          Json json{{"critical_speeds", json_rows(columns, speeds)}};
+                          add_margins(json, result.margins);
+                          if (result.map)
+                              json["map"] = critical_map_json(scene, *result.map);
+                          return json;
+                      },
+                  .csv = [&] { return csv_table(columns, speeds); },
+                  .sections =
+                      [&] {
+                          std::vector sections{Section{"Table", page_table(columns, speeds)}};
+                          if (result.margins)
+                              sections.push_back({margins_heading, margins_page(*result.margins)});
+                          if (result.map)
+                              for (Section &section : critical_map_sections(scene, *result.map))
+                                  sections.push_back(std::move(section));
+                          return sections;
+                      },
+                  .text = [&] { return text_of(scene, result); },
+                  .figure = [&] { return critical_figure(scene, result); }};
+    if (result.map) {
+        report.pictures = [&] { return std::vector{critical_map_picture(scene, *result.map)}; };
+        report.pictures_heading = "Critical speed map";
+        report.pictures_after = result.margins ? 2 : 1;
+    }
+    return report;
 }
 
 } // namespace whirl::report

@@ -1,6 +1,9 @@
 // What every result begins with in JSON.
 
 #include "report/common/json.h"
+#include "report/common/unit_files.h"
+#include "report/common/units.h"
+#include "report/common/words.h"
 #include "report/report.h"
 #include "results/model_summary.h"
 
@@ -8,7 +11,9 @@ namespace whirl::report {
 
 std::string program_version() { return WHIRL_VERSION; }
 
-std::string to_json(const Report &report) {
+namespace {
+
+Json whole_json(const Report &report) {
     const results::ModelSummary &model = *report.model;
     Json json{{"program", "whirl"},
               {"version", program_version()},
@@ -29,7 +34,22 @@ std::string to_json(const Report &report) {
                           {"date", report.provenance.date},
                           {"case", report.provenance.case_text}};
     json.update(report.json());
+    return json;
+}
+
+} // namespace
+
+std::string to_json(const Report &report) {
+    Json json = whole_json(report);
+    if (written_units().given() && written_units().json)
+        convert_json(json);
     return json_text(json);
+}
+
+std::string to_si_json(const Report &report) { return json_text(whole_json(report)); }
+
+std::string to_text(const Report &report) {
+    return in_written_units(report.text(), title_of(*report.scene));
 }
 
 } // namespace whirl::report

@@ -55,6 +55,9 @@ std::string formulation(const results::ModelSummary &model) {
                                     model.elements, model.unknowns, readable(model.seconds, 3)));
 }
 
+/// Pictures were converted when they were drawn.
+bool is_picture(const Section &section) { return section.html.starts_with("<svg"); }
+
 std::string sections_of(const Report &report, const std::string &pictures) {
     std::vector<Section> sections = report.sections();
     if (!pictures.empty())
@@ -62,7 +65,8 @@ std::string sections_of(const Report &report, const std::string &pictures) {
                         {report.pictures_heading, pictures});
     std::string html;
     for (const Section &section : sections)
-        html += element("h2", section.heading) + section.html;
+        html += element("h2", in_written_units(section.heading)) +
+                (is_picture(section) ? section.html : in_written_units(section.html));
     return html;
 }
 
@@ -73,6 +77,10 @@ std::string escaped_lines(const std::string &text) {
     for (std::string line; std::getline(lines, line);)
         html += escaped(line) + "\n";
     return html;
+}
+
+std::string script_data(const Report &report) {
+    return report.script_data ? report.script_data() : "";
 }
 
 std::string script_element(std::string_view script) {
@@ -86,7 +94,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     const bool moves = !plotly_bundle().empty() && !script.empty();
     std::string notes;
     for (const std::string &note : report.model->notes)
-        notes += element("p", note, "note");
+        notes += element("p", in_written_units(note_in_written_units(note)), "note");
     std::string plot = moves ? "<div id=\"plot\"></div>\n" : still;
     if (!moves && !script.empty())
         plot +=
@@ -95,8 +103,10 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     if (moves) // in a function of its own: names such as `top` belong to the window outside
         scripts =
             script_element(plotly_bundle()) +
-            script_element("(function () {\n" + embedded("common.js") +
-                           (report.script_data ? report.script_data() : "") + script + "})();\n");
+            script_element("(function () {\n" +
+                           page_script_in_written_units(embedded("common.js") + script_units() +
+                                                        script_data(report) + script) +
+                           "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
     return filled(
         embedded("page.html"),
@@ -113,7 +123,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
          {"model", formulation(*report.model)},
          {"date", report.provenance.date},
          {"case_text", escaped_lines(report.provenance.case_text)},
-         {"json", json_for_script(to_json(report))},
+         {"json", json_for_script(to_si_json(report))},
          {"scripts", scripts}});
 }
 

@@ -3,6 +3,9 @@
 #include "report/common/files.h"
 #include "report/common/html.h"
 #include "report/common/plotly.h"
+#include "report/common/unit_files.h"
+#include "report/common/units.h"
+#include "report/common/words.h"
 
 #include <fstream>
 #include <sstream>
@@ -34,7 +37,7 @@ class Writer {
             for (const Picture &picture : _report.pictures())
                 start_further(picture);
         _files.add(_report.command + ".json", to_json(_report));
-        _files.add(_report.command + ".csv", _report.csv());
+        _files.add(_report.command + ".csv", csv_in_written_units(_report.csv()));
         if (_report.vtp)
             _files.add(_report.command + ".vtp", _report.vtp());
         write_page();
@@ -52,6 +55,12 @@ class Writer {
         return started;
     }
 
+    /// In the units that were asked for.
+    [[nodiscard]] Figure converted(Figure figure) const {
+        figure.script = script_in_written_units(figure.script, title_of(*_report.scene));
+        return figure;
+    }
+
     void start_main() {
         const std::string name = _report.command;
         if (_report.drawing) {
@@ -64,7 +73,7 @@ class Writer {
         }
         // The PNG takes longest, so it starts first; the SVG is announced first as the main
         // picture.
-        const Figure figure = _report.figure();
+        const Figure figure = converted(_report.figure());
         _svg = _files.reserve(name + ".svg");
         if (start(figure, PictureFormat::png, name + ".png")) {
             _jobs.start(figure, PictureFormat::svg, _svg);
@@ -76,12 +85,13 @@ class Writer {
     }
 
     void start_further(const Picture &picture) {
-        if (start(picture.figure, PictureFormat::png, picture.name + ".png")) {
+        const Figure figure = converted(picture.figure);
+        if (start(figure, PictureFormat::png, picture.name + ".png")) {
             _further.push_back(_files.reserve(picture.name + ".svg"));
-            _jobs.start(picture.figure, PictureFormat::svg, _further.back());
+            _jobs.start(figure, PictureFormat::svg, _further.back());
         }
         if (!picture.csv.empty())
-            _files.add(picture.name + ".csv", picture.csv);
+            _files.add(picture.name + ".csv", csv_in_written_units(picture.csv));
     }
 
     void write_page() {

@@ -87,7 +87,12 @@ template <class Result>
 
 /// The result as JSON (keys: docs/case_format.md, "Results"): SI and radians, numbers with all
 /// digits, null for what is missing or not finite.
+/// With [units] json = true in those that were asked for, and a key `units` that says so.
 [[nodiscard]] std::string to_json(const Report &report);
+/// The same always in SI, for the scripts of the page.
+[[nodiscard]] std::string to_si_json(const Report &report);
+/// The text for the terminal, in the units that were asked for.
+[[nodiscard]] std::string to_text(const Report &report);
 
 /// One self-contained page: nothing is loaded from elsewhere.
 /// @param still     SVG shown where no script can draw

@@ -81,8 +81,10 @@ const Columns<ResponsePeak> peaks_found{
      {"of"},
      [](const ResponsePeak &peak) -> std::string {
          if (peak.of == "probe")
-             return fmt::format("reading at {:.4g}° (m)", peak.angle.value_or(0) * degrees);
-         return peak.of == "bearing" ? "force (N)" : "amplitude (m)";
+             return fmt::format("reading at {:.4g}° ({})", peak.angle.value_or(0) * degrees,
+                                unit_name("amplitude", "m"));
+         return peak.of == "bearing" ? fmt::format("force ({})", unit_name("force", "N"))
+                                     : fmt::format("amplitude ({})", unit_name("amplitude", "m"));
      }},
     {"speed", "", {}, {}, &ResponsePeak::speed},
     {"",
@@ -90,11 +92,14 @@ const Columns<ResponsePeak> peaks_found{
      {"at (rpm)", "{:.8g}"},
      {"rpm", "{:.8g}"},
      [](const ResponsePeak &peak) { return peak.speed * rpm; }},
-    {"value",
+    {"value", "", {}, {}, &ResponsePeak::value},
+    {"",
      "",
      {"Peak", "{:.6g}", "no limit"},
      {"value", "{:.6g}", "no limit"},
-     &ResponsePeak::value},
+     [](const ResponsePeak &peak) {
+         return peak.value * (peak.of == "bearing" ? newtons : vibration_metres);
+     }},
     {"phase", "", {}, {}, &ResponsePeak::phase},
     {"",
      "",
@@ -136,7 +141,7 @@ Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
              {"Amplitude (µm)", "{:.6g}", "no limit"},
              {},
              [](const LargestValue &peak) {
-                 return peak.value ? std::optional(*peak.value * 1e6) : std::nullopt;
+                 return peak.value ? std::optional(*peak.value * micrometres) : std::nullopt;
              }},
             {"", "", {}, {what, "{:.6g}", "no limit"}, &LargestValue::value},
             {"",

@@ -34,12 +34,32 @@ const Columns<SampleQuantile> quantile_columns{{"p", "", {}, {}, &SampleQuantile
                                                     return Json::array({q.low, q.high});
                                                 }}};
 
+/// The unit of an answer, and the factor of its values; amplitudes are the lengths among answers.
+UnitHeading unit_of(const SampledAnswer &answer) {
+    UnitHeading unit = heading_in_written_units(answer.unit, "");
+    if (answer.unit == "m")
+        unit = {unit_name("amplitude", "m"), vibration_metres, true};
+    return unit;
+}
+std::optional<double> times(std::optional<double> value, double factor) {
+    return value ? std::optional(*value * factor) : std::nullopt;
+}
+auto in_its_unit(std::optional<double> SampledAnswer::*of) {
+    return [of](const SampledAnswer &answer) { return times(answer.*of, unit_of(answer).factor); };
+}
+
 const Columns<SampledAnswer> answer_columns{
     {"of", "", {}, {}, &SampledAnswer::of},
     {"name", "", {}, {}, &SampledAnswer::name},
     {"", "", {"Answer"}, {"answer"}, of_and_name},
-    {"unit", "", {"unit"}, {"unit"}, &SampledAnswer::unit},
-    {"nominal", "", {"case as it is", "{:.10g}"}, {"case as is", precise}, &SampledAnswer::nominal},
+    {"unit", "", {}, {}, &SampledAnswer::unit},
+    {"", "", {"unit"}, {"unit"}, [](const auto &answer) { return unit_of(answer).text; }},
+    {"nominal", "", {}, {}, &SampledAnswer::nominal},
+    {"",
+     "",
+     {"case as it is", "{:.10g}"},
+     {"case as is", precise},
+     in_its_unit(&SampledAnswer::nominal)},
     {"nominal_error",
      "",
      {"its relative error", "{:.2g}"},
@@ -50,14 +70,26 @@ const Columns<SampledAnswer> answer_columns{
      {},
      {},
      [](const auto &answer) { return json_rows(quantile_columns, answer.quantiles); }},
-    {"mean", "", {"mean", "{:.6g}"}, {"mean"}, &SampledAnswer::mean},
-    {"mean_error", "", {"± (95 %)", "{:.2g}"}, {"+- 95 %", "{:.2g}"}, &SampledAnswer::mean_error},
-    {"deviation", "", {"standard deviation", "{:.4g}"}, {"deviation"}, &SampledAnswer::deviation},
-    {"deviation_error",
+    {"mean", "", {}, {}, &SampledAnswer::mean},
+    {"", "", {"mean", "{:.6g}"}, {"mean"}, in_its_unit(&SampledAnswer::mean)},
+    {"mean_error", "", {}, {}, &SampledAnswer::mean_error},
+    {"",
      "",
      {"± (95 %)", "{:.2g}"},
      {"+- 95 %", "{:.2g}"},
-     &SampledAnswer::deviation_error},
+     in_its_unit(&SampledAnswer::mean_error)},
+    {"deviation", "", {}, {}, &SampledAnswer::deviation},
+    {"",
+     "",
+     {"standard deviation", "{:.4g}"},
+     {"deviation"},
+     in_its_unit(&SampledAnswer::deviation)},
+    {"deviation_error", "", {}, {}, &SampledAnswer::deviation_error},
+    {"",
+     "",
+     {"± (95 %)", "{:.2g}"},
+     {"+- 95 %", "{:.2g}"},
+     in_its_unit(&SampledAnswer::deviation_error)},
     {"present", "", {"samples"}, {"samples"}, &SampledAnswer::present},
     {"values", "", {}, {}, &SampledAnswer::values}};
 
@@ -66,6 +98,10 @@ struct Line {
     const SampledAnswer &answer;
     const SampleQuantile &quantile;
 };
+
+auto in_its_unit(auto SampleQuantile::*of) {
+    return [of](const Line &line) { return times(line.quantile.*of, unit_of(line.answer).factor); };
+}
 
 /// 95 % of what the values are of: speeds are read in rpm, too.
 Json in_rpm(const Line &line) {
@@ -80,14 +116,10 @@ const Columns<Line> line_columns{
      {"quantile"},
      [](const Line &line) { return readable(100 * line.quantile.share) + " %"; }},
     {"", "", {"rpm", "{:.6g}"}, {"rpm"}, in_rpm},
-    {"", "", {"value", "{:.6g}"}, {"value"}, [](const Line &line) { return line.quantile.value; }},
-    {"", "", {"unit"}, {"unit"}, [](const Line &line) { return line.answer.unit; }},
-    {"",
-     "",
-     {"95 % from", "{:.6g}"},
-     {"95 % from"},
-     [](const Line &line) { return line.quantile.low; }},
-    {"", "", {"to", "{:.6g}"}, {"to"}, [](const Line &line) { return line.quantile.high; }}};
+    {"", "", {"value", "{:.6g}"}, {"value"}, in_its_unit(&SampleQuantile::value)},
+    {"", "", {"unit"}, {"unit"}, [](const Line &line) { return unit_of(line.answer).text; }},
+    {"", "", {"95 % from", "{:.6g}"}, {"95 % from"}, in_its_unit(&SampleQuantile::low)},
+    {"", "", {"to", "{:.6g}"}, {"to"}, in_its_unit(&SampleQuantile::high)}};
 
 std::vector<Line> lines_of(const SamplesResult &result) {
     std::vector<Line> lines;

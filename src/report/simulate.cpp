@@ -97,8 +97,12 @@ const Columns<BalancerMotion> balancer_columns{
      "",
      {"Amplitude at the end (µm)", "{:.5g}"},
      {},
-     [](const auto &b) { return b.amplitude * 1e6; }},
-    {"", "", {"without balls (µm)", "{:.5g}"}, {}, [](const auto &b) { return b.reference * 1e6; }},
+     [](const auto &b) { return b.amplitude * micrometres; }},
+    {"",
+     "",
+     {"without balls (µm)", "{:.5g}"},
+     {},
+     [](const auto &b) { return b.reference * micrometres; }},
     {"", "", {}, {"final angles in the rotor, deg"}, [](const auto &b) {
          return text_angles(b.angles);
      }}};

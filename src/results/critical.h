@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/critical_map.h"
 #include "results/damping.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
@@ -24,6 +25,7 @@ struct CriticalResult {
     std::vector<CriticalSpeed> critical_speeds; ///< ascending
     /// Where the case has operating speeds; ascending, without those of AF < 2.5.
     std::optional<std::vector<SeparationMargin>> margins;
+    std::optional<CriticalMap> map; ///< where it was asked for
 };
 
 } // namespace whirl::results

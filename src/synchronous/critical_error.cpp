@@ -1,11 +1,15 @@
 #include "synchronous/critical_error.h"
 
 #include "assembly/planes.h"
+#include "linalg/check.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
@@ -107,6 +111,39 @@ std::vector<std::optional<double>> critical_errors(const assembly::Discretizatio
         errors.back() = mesh_error::estimate_safety * std::abs(mode.eigenvalue - other.eigenvalue) /
                             other.eigenvalue.imag() +
                         mode.residual + mode.rounding + other.residual + other.rounding;
+    }
+    return errors;
+}
+
+std::vector<double> errors_by_finer_model(const assembly::Discretization &rotor, results::Form form,
+                                          const SynchronousModes &list, bool symmetric,
+                                          std::vector<std::string> &notes) {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    std::vector<double> errors(list.modes.size(), unknown);
+    if (list.modes.empty())
+        return errors;
+    if (rotor.rotor().shaft.rigid) {
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            errors[i] = list.modes[i].residual + list.modes[i].rounding;
+        return errors;
+    }
+    try {
+        const assembly::Discretization finer(rotor.rotor(), mesh_error::finer_order(rotor.order()));
+        const SynchronousModes of_finer =
+            all_synchronous_modes(finer, form, static_cast<int>(list.modes.size()) + 2,
+                                  list.modes.back().eigenvalue.imag(), symmetric);
+        const auto found = critical_errors(rotor, form, list, finer, of_finer);
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            errors[i] = found[i].value_or(unknown);
+            if (!found[i])
+                notes.push_back(fmt::format(
+                    "the critical speed of {:.6g} rad/s has no counterpart on a finer model (order "
+                    "{}): it may come from the mesh, and its error is not known",
+                    list.modes[i].eigenvalue.imag(), finer.order()));
+        }
+    } catch (const linalg::SolverError &) {
+        notes.emplace_back("the errors of the critical speeds are not known: the finer model "
+                           "that they are judged against could not be solved");
     }
     return errors;
 }

@@ -5,6 +5,7 @@
 #include "synchronous/critical_speeds.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace whirl::synchronous {
@@ -17,5 +18,14 @@ namespace whirl::synchronous {
 critical_errors(const assembly::Discretization &coarse, results::Form form,
                 const SynchronousModes &modes, const assembly::Discretization &finer,
                 const SynchronousModes &finer_modes);
+
+/// The same against a finer model that is made here; infinite where it lacks a root or could not be
+/// solved, which the notes say. Of a rigid shaft: residual and rounding.
+/// @param symmetric  as of all_synchronous_modes
+[[nodiscard]] std::vector<double> errors_by_finer_model(const assembly::Discretization &rotor,
+                                                        results::Form form,
+                                                        const SynchronousModes &modes,
+                                                        bool symmetric,
+                                                        std::vector<std::string> &notes);
 
 } // namespace whirl::synchronous

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -61,23 +62,31 @@ using Texts = std::vector<std::vector<std::string>>;
 /// Columns as wide as their widest entry: the first to the left, the others to the right.
 [[nodiscard]] std::string text_table(const Texts &table);
 
+/// A column as one reader sees it.
+struct ShownColumn {
+    Shown as;
+    std::string context; ///< further words that tell what its numbers are
+    std::vector<Json> values;
+};
+/// Headings and cells in the units that were asked for; of two columns that are the same in these,
+/// as rpm and rad/s, the first.
+[[nodiscard]] Texts texts_of(const std::vector<ShownColumn> &columns, const std::string &missing);
+
 /// The columns that a reader sees. @param reader  &Column<Row>::page or &Column<Row>::text
 template <class Row, class Rows>
 [[nodiscard]] Texts texts_of(const Columns<Row> &columns, const Rows &rows,
                              Shown Column<Row>::*reader, const std::string &missing) {
-    Texts table(1);
-    for (const Column<Row> &column : columns)
-        if ((column.*reader).heading)
-            table[0].push_back(*(column.*reader).heading);
-    for (const Row &row : rows) {
-        std::vector<std::string> cells;
-        for (const Column<Row> &column : columns)
-            if ((column.*reader).heading)
-                cells.push_back(
-                    shown(column.value(row, table.size() - 1), column.*reader, missing));
-        table.push_back(std::move(cells));
+    std::vector<ShownColumn> all;
+    for (const Column<Row> &column : columns) {
+        if (!(column.*reader).heading)
+            continue;
+        all.push_back({column.*reader,
+                       column.key + " " + column.csv + " " + column.page.heading.value_or(""),
+                       {}});
+        for (std::size_t index = 0; const Row &row : rows)
+            all.back().values.push_back(column.value(row, index++));
     }
-    return table;
+    return texts_of(all, missing);
 }
 template <class Row, class Rows>
 [[nodiscard]] std::string page_table(const Columns<Row> &columns, const Rows &rows) {
@@ -92,10 +101,10 @@ template <class Row, class Rows>
 template <class Row>
 [[nodiscard]] Texts properties(const Columns<Row> &columns, const Row &row,
                                Shown Column<Row>::*reader, const std::string &missing) {
+    const Texts table = texts_of(columns, std::span<const Row>(&row, 1), reader, missing);
     Texts lines;
-    for (const Column<Row> &column : columns)
-        if (const Shown &as = column.*reader; as.heading)
-            lines.push_back({*as.heading, shown(column.value(row, 0), as, missing)});
+    for (std::size_t i = 0; i < table[0].size(); ++i)
+        lines.push_back({table[0][i], table[1][i]});
     return lines;
 }
 template <class Row>

@@ -18,7 +18,7 @@ std::string title_of(const model::Case &scene) {
 }
 
 std::string place(const std::string &name, double z) {
-    const std::string at = fmt::format("z = {:.6g} m", z);
+    const std::string at = fmt::format("z = {:.6g} {}", z * metres, unit_name("length", "m"));
     return name.empty() ? at : fmt::format("{} ({})", name, at);
 }
 
@@ -47,7 +47,7 @@ std::string model_text(const results::ModelSummary &model) {
 std::string notes_text(const results::ModelSummary &model) {
     std::string text;
     for (const std::string &note : model.notes)
-        text += fmt::format("note: {}\n", note);
+        text += fmt::format("note: {}\n", note_in_written_units(note));
     return text;
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
 #include "model/case.h"
-#include "model/rpm.h"
+#include "report/common/units.h"
 
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,6 @@ struct ModelSummary;
 
 namespace whirl::report {
 
-inline constexpr double pi = std::numbers::pi;
-using model::rpm;                           ///< rev/min in one rad/s
-inline constexpr double hertz = 0.5 / pi;   ///< Hz in one rad/s
 inline constexpr double degrees = 180 / pi; ///< in one rad
 
 /// Number for readers, at most `digits` significant digits.

@@ -101,9 +101,9 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     }
     if (!panel.damping)
         for (const double multiple : multiples_of(scene))
-            if (multiple * last / 60 <= panel.y.high)
+            if (multiple * last * hertz / rpm <= panel.y.high)
                 ends.push_back(
-                    {readable(multiple) + "×", "#555555", panel.up(multiple * last / 60)});
+                    {readable(multiple) + "×", "#555555", panel.up(multiple * last * hertz / rpm)});
     std::vector<double> wanted;
     for (const End &end : ends)
         wanted.push_back(end.height);
@@ -120,13 +120,14 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
 std::string multiple_lines(const Panel &panel, const model::Case &scene, double last) {
     std::string script;
     for (const double multiple : multiples_of(scene)) {
-        const double end = std::min(last, 60 * panel.y.high / multiple);
+        const double end = std::min(last, panel.y.high * rpm / hertz / multiple);
         if (end <= panel.x.low)
             continue;
         const double start = std::max(panel.x.low, 0.0);
-        script += fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
-                              "lc rgb '#777777'\n",
-                              start, multiple * start / 60, end, multiple * end / 60);
+        script +=
+            fmt::format("set arrow from {},{} to {},{} nohead back dt (9,7) lw 1.2 "
+                        "lc rgb '#777777'\n",
+                        start, multiple * start * hertz / rpm, end, multiple * end * hertz / rpm);
         if (end < last)
             script += fmt::format("set label {} at {}, graph 0.975 right offset -1.2,0 "
                                   "font ',11' textcolor '#555555'\n",
@@ -151,7 +152,7 @@ LabelPlacer occupied(const Panel &panel, const model::Case &scene, const Campbel
     for (const double multiple : multiples_of(scene))
         for (int i = 0; i <= 120; ++i) {
             const double speed = i / 120.0 * panel.x.high;
-            block(speed, multiple * speed / 60, 5);
+            block(speed, multiple * speed * hertz / rpm, 5);
         }
     for (const auto &crossing : result.crossings)
         block(crossing.speed * rpm, crossing.frequency * hertz, 12);
@@ -230,13 +231,16 @@ std::string axes(const Panel &panel, bool first, bool last) {
                               panel.x.low / rpm, panel.x.high / rpm);
     else
         script += "unset x2tics\nunset x2label\n";
+    if (written_factor("frequency")) // long numbers would push the name of the axis out
+        script +=
+            panel.y.high >= 2e4 && !panel.damping ? "set format y '%.0s%c'\n" : "set format y\n";
     if (panel.damping)
         return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
                         "set ylabel 'Logarithmic decrement'\n";
     return script +
            fmt::format("set y2range [{}:{}]\nset y2tics\nset ylabel 'Whirl frequency (Hz)'\n"
                        "set y2label 'Whirl frequency (cycles/min)'\n",
-                       60 * panel.y.low, 60 * panel.y.high);
+                       30 / pi / hertz * panel.y.low, 30 / pi / hertz * panel.y.high);
 }
 
 std::string draw(const Panel &panel, const model::Case &scene, const CampbellResult &result,

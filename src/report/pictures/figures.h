@@ -14,6 +14,7 @@ struct AnisotropyChart;
 struct BalanceResult;
 struct CampbellMode;
 struct CampbellResult;
+struct CriticalMap;
 struct Level1;
 struct ModeShape;
 struct ModesResult;
@@ -74,6 +75,11 @@ struct ModeCurves {
 /// the intervals over the arrangements of the balls as bars; with a map its picture below.
 [[nodiscard]] Figure stability_figure(const model::Case &scene,
                                       const results::StabilityResult &result);
+
+/// Critical speeds over the stiffness of the supports, both logarithmic, with the stiffness of the
+/// bearings over speed and its crossings; below, the deflections of the forward motions at the soft
+/// and the stiff end.
+[[nodiscard]] Figure critical_map_figure(const model::Case &scene, const results::CriticalMap &map);
 
 /// Logarithmic decrement over added cross coupling, its root and what is anticipated marked.
 [[nodiscard]] Figure level1_figure(const model::Case &scene, const results::Level1 &level1);

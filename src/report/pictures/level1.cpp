@@ -15,9 +15,11 @@ namespace {
 /// The unit of stiffness in which the largest one is neither long nor short.
 struct Unit {
     double size = 1; ///< N/m
-    const char *name = "N/m";
+    std::string name = "N/m";
 };
 Unit unit_of(double largest) {
+    if (const auto asked = written_factor("stiffness"))
+        return {1 / *asked, unit_name("stiffness", "")};
     for (const Unit &unit : {Unit{1e9, "GN/m"}, Unit{1e6, "MN/m"}, Unit{1e3, "kN/m"}})
         if (largest >= unit.size)
             return unit;

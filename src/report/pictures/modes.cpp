@@ -25,8 +25,8 @@ std::string outline(const model::Rotor &rotor) {
     const double scale = 0.5 / largest;
     std::string data = "$outline << EOD\n";
     const auto box = [&](double a, double b, double ra, double rb) {
-        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n", a, b, scale * ra,
-                            scale * rb, -scale * ra, -scale * rb);
+        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n", a * metres,
+                            b * metres, scale * ra, scale * rb, -scale * ra, -scale * rb);
     };
     double z = 0;
     for (const auto &segment : rotor.shaft.segments) {
@@ -40,7 +40,7 @@ std::string outline(const model::Rotor &rotor) {
     }
     data += "EOD\n$bearings << EOD\n";
     for (const auto &bearing : rotor.supports())
-        data += fmt::format("{} -1.12\n", bearing.z);
+        data += fmt::format("{} -1.12\n", bearing.z * metres);
     return data + "NaN NaN\nEOD\n";
 }
 
@@ -49,7 +49,7 @@ std::string mode_data(const std::string &name, const ModesResult &result,
     std::string data = "$" + name + " << EOD\n";
     const std::size_t count = std::min(result.z.size(), curves.x.size());
     for (std::size_t i = 0; i < count; ++i)
-        data += fmt::format("{:.7g} {} {} {}\n", result.z[i], plot_number(curves.x[i]),
+        data += fmt::format("{:.7g} {} {} {}\n", result.z[i] * metres, plot_number(curves.x[i]),
                             plot_number(curves.y[i]), plot_number(curves.envelope[i]));
     return data + (count == 0 ? "NaN NaN NaN NaN\n" : "") + "EOD\n";
 }
@@ -130,7 +130,7 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
                     "later (equal curves: forward, mirrored: backward)",
                     readable(result.speed * rpm)),
         figure.height);
-    const double length = std::max(scene.rotor.shaft.length(), 1e-9);
+    const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
     figure.script += legend(1 - 80 * pixel);
     figure.script += outline(scene.rotor) +
                      "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"

@@ -57,7 +57,7 @@ std::string rotor_panel(const model::Case &scene) {
     for (int i = 0; i <= 400; ++i) {
         const double z = length * i / 400;
         const double radius = shaft_radius(rotor.shaft, z);
-        upper.push_back({z, radius});
+        upper.push_back({z * metres, radius});
         widest = std::max(widest, radius);
     }
     const double thickest = widest;
@@ -68,11 +68,12 @@ std::string rotor_panel(const model::Case &scene) {
         const double half = std::max(disc.width / 2, 0.006 * length);
         discs += fmt::format("set object rectangle from first {},{} to first {},{} fillcolor rgb "
                              "'#8FA3B5' fillstyle solid border lc rgb '#44525F' front\n",
-                             disc.z - half, -radius, disc.z + half, radius);
+                             (disc.z - half) * metres, -radius, (disc.z + half) * metres, radius);
     }
     std::vector<PlotPoint> bearings;
     for (const auto &bearing : rotor.supports())
-        bearings.push_back({bearing.z, -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
+        bearings.push_back(
+            {bearing.z * metres, -shaft_radius(rotor.shaft, bearing.z) - 0.25 * widest});
     return discs + data_block("outline", {upper}) + data_block("bearings", {bearings}) +
            fmt::format("set yrange [{}:{}]\nunset ytics\nset border 0\nset xtics nomirror\n"
                        "plot $outline using 1:2:(-$2) with filledcurves lc rgb '#C5D0DA' notitle, "
@@ -112,13 +113,14 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
     figure.height = 760;
     const double pixel = 1.0 / figure.height;
     const std::vector<double> speeds = scaled(map.speeds, rpm);
-    const double length = scene.rotor.shaft.length();
+    const double length = scene.rotor.shaft.length() * metres;
     figure.script =
         figure_head("Where along the shaft auto-balancers work: " + title_of(scene),
                     "green: balances; orange: does not; dark: as strongly as a free rigid body",
                     figure.height) +
-        palette + matrix_block("one", map.z, speeds, map.criterion) +
-        matrix_block("two", map.pair_z, map.pair_z, map.pair_value) +
+        palette + matrix_block("one", scaled(map.z, metres), speeds, map.criterion) +
+        matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
+                     map.pair_value) +
         // A speed alone has no area.
         (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
         contour("$two", "$twoline") +
@@ -128,7 +130,7 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
                     "0,1.03 left\n",
                     speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
                     plot_text("one plane; best (dashed) " + place_text(map.best))) +
-        best_marks(map.best.z, speeds.front(), speeds.back()) +
+        best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
         operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) + heat_plot("one") +
         "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z "
         "(m)'\n" +
@@ -144,7 +146,7 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
         (map.best_pair.z.size() == 2
              ? fmt::format("set label 3 '' at first {:.9g},{:.9g} point pt 2 ps 2 lw 2 lc rgb "
                            "'#5B2A86' front\n",
-                           map.best_pair.z[0], map.best_pair.z[1])
+                           map.best_pair.z[0] * metres, map.best_pair.z[1] * metres)
              : "") +
         heat_plot("two") + "\nunset multiplot\n";
     return figure;

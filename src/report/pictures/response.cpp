@@ -24,7 +24,7 @@ struct Curve {
 };
 
 std::string place_name(const std::string &name, double z) {
-    const std::string at = "z = " + readable(z, 4) + " m";
+    const std::string at = "z = " + readable(z * metres, 4) + " " + unit_name("length", "m");
     return name.empty() ? at : name + ", " + at;
 }
 
@@ -157,7 +157,7 @@ Panels panels_of(const ResponseResult &result) {
         const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
         amplitude.push_back(
             {place_name(node.name, node.z),
-             over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, 1e6)});
+             over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, micrometres)});
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
     }
     nodes = amplitude.size();
@@ -170,7 +170,7 @@ Panels panels_of(const ResponseResult &result) {
             {fmt::format("{} at {}°",
                          place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
                          readable(probe.angle * 180 / pi, 4)),
-             over_speed(speeds, fine ? result.curves.values[j] : probe.amplitude, 1e6)});
+             over_speed(speeds, fine ? result.curves.values[j] : probe.amplitude, micrometres)});
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[j] : probe.phase)});
     }
     for (std::size_t i = 0; i < result.bearings.size() && i < most_curves; ++i) {
@@ -179,7 +179,7 @@ Panels panels_of(const ResponseResult &result) {
         const bool fine = j < result.curves.values.size();
         force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
                          over_speed(fine ? result.curves.speeds : result.speeds,
-                                    fine ? result.curves.values[j] : bearing.force, 1)});
+                                    fine ? result.curves.values[j] : bearing.force, newtons)});
     }
     return panels;
 }
@@ -225,16 +225,17 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     std::vector<Curve> force;
     for (const std::size_t i : drawn_of(of.stations)) {
         const auto &station = of.stations[i];
-        circle.push_back({place_name(station.name, station.z),
-                          over_speed(speeds, fine ? of.curves.values[i] : station.twice, 1e6)});
-        still.push_back({"", over_speed(result.speeds, station.sag, 1e6)});
+        circle.push_back(
+            {place_name(station.name, station.z),
+             over_speed(speeds, fine ? of.curves.values[i] : station.twice, micrometres)});
+        still.push_back({"", over_speed(result.speeds, station.sag, still_micrometres)});
     }
     for (std::size_t i = 0; i < of.bearings.size() && i < most_curves; ++i) {
         const auto &bearing = of.bearings[i];
         force.push_back(
             {place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
              over_speed(speeds, fine ? of.curves.values[of.stations.size() + i] : bearing.twice,
-                        1)});
+                        newtons)});
     }
     Figure figure;
     figure.width = 1080;

@@ -40,7 +40,8 @@ class Styles {
 std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
     std::vector<PlotPoint> points;
     for (std::size_t k = 0; k < row.relative_difference.size(); ++k) {
-        const double x = row.elements.empty() ? row.stiffness[k] : row.elements[k];
+        const double x =
+            row.elements.empty() ? row.stiffness[k] * newtons_per_metre : row.elements[k];
         if (std::isfinite(x) && row.relative_difference[k])
             points.push_back({x, std::max(*row.relative_difference[k], least_shown)});
     }
@@ -105,7 +106,7 @@ std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
         text += fmt::format(
             "set arrow 1 from first {0},graph 0 to first {0},graph 1 nohead back lw 1 dt (8,4) "
             "lc rgb '#999999'\n",
-            result.one_percent->stiffness);
+            result.one_percent->stiffness * newtons_per_metre);
     return text +
            "set xlabel 'Stiffness of the shaft, 48 EI/L^3 (N/m)'\n"
            "set ylabel 'Relative difference from the closed form'\nunset key\n" +

@@ -20,7 +20,10 @@ constexpr std::size_t most_panels = 12;
 
 /// The numbers of an answer as they are drawn: speeds in rpm, amplitudes in µm.
 double factor_of(const SampledAnswer &answer) {
-    return answer.unit == "rad/s" ? rpm : answer.unit == "m" ? 1e6 : 1;
+    return answer.unit == "rad/s" ? rpm
+           : answer.unit == "m"   ? double(micrometres)
+           : answer.unit == "N"   ? double(newtons)
+                                  : 1.0;
 }
 
 std::string axis_of(const SampledAnswer &answer) {

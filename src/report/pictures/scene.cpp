@@ -77,9 +77,9 @@ std::string stiffness_text(const model::Bearing &bearing) {
     if (bearing.rows.empty())
         return "";
     const auto &k = bearing.rows[0].k;
-    return k(0, 0) == k(1, 1)
-               ? readable(k(0, 0), 3) + " N/m"
-               : fmt::format("{} | {} N/m", readable(k(0, 0), 3), readable(k(1, 1), 3));
+    const auto number = [](double value) { return readable(value * newtons_per_metre, 3); };
+    return (k(0, 0) == k(1, 1) ? number(k(0, 0)) : number(k(0, 0)) + " | " + number(k(1, 1))) +
+           " " + unit_name("stiffness", "N/m");
 }
 
 std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &sheet) {
@@ -89,8 +89,8 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
         const auto &disc = rotor.discs[i];
         callouts.push_back(
             {sheet.across(disc.z), top(disc_radius(disc)),
-             fmt::format("{}: {} kg", name_or(disc.name, "disc", i, rotor.discs.size()),
-                         readable(disc.mass, 4))});
+             fmt::format("{}: {} {}", name_or(disc.name, "disc", i, rotor.discs.size()),
+                         readable(disc.mass * kilograms, 4), unit_name("mass", "kg"))});
     }
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
@@ -122,22 +122,21 @@ void draw_ruler(Drawing &drawing, const Sheet &sheet, double length, double y) {
     if (!(length > 0)) // a scene without a shaft has nothing to measure
         return;
     const bool millimetres = length < 1;
+    const double factor = written_factor("length").value_or(millimetres ? 1000 : 1);
     // Numbers need some 60 pixels each.
-    const double raw = length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);
+    const double raw =
+        factor * length / std::clamp((sheet.across(length) - sheet.across(0)) / 60, 1.0, 6.0);
     const double power = std::pow(10, std::floor(std::log10(raw)));
     const double step = raw / power < 1.5 ? power : raw / power < 3.5 ? 2 * power : 5 * power;
     drawing.shapes.push_back(
         stroke({{sheet.across(0), y}, {sheet.across(length), y}}, "#333333", 1, false));
-    for (int i = 0; i * step <= length * (1 + 1e-9); ++i) {
-        const double x = sheet.across(i * step);
+    for (int i = 0; i * step <= factor * length * (1 + 1e-9); ++i) {
+        const double x = sheet.across(i * step / factor);
         drawing.shapes.push_back(stroke({{x, y}, {x, y + 6}}, "#333333", 1, false));
-        drawing.texts.push_back({{x, y + 20},
-                                 fmt::format("{:.6g}", i * step * (millimetres ? 1000 : 1)),
-                                 12,
-                                 Anchor::middle,
-                                 "#222222"});
+        drawing.texts.push_back(
+            {{x, y + 20}, fmt::format("{:.6g}", i * step), 12, Anchor::middle, "#222222"});
     }
-    std::string label = millimetres ? "z (mm)" : "z (m)";
+    std::string label = fmt::format("z ({})", unit_name("length", millimetres ? "mm" : "m"));
     if (sheet.enlarged() > 1)
         label += fmt::format(", diameters drawn {:.0f} times larger", sheet.enlarged());
     drawing.texts.push_back(
@@ -204,6 +203,8 @@ Drawing scene_drawing(const model::Case &scene) {
     sheet.axis = 20 + line * rows + 16 + sheet.radius;
     Drawing drawing = draw_rotor(scene, sheet);
     draw_callouts(drawing, upper_callouts(scene.rotor, sheet), sheet.axis - sheet.radius - 18, -1);
+    for (DrawText &text : drawing.texts)
+        text.text = in_written_units(text.text);
     return drawing;
 }
 
@@ -219,11 +220,13 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         fmt::format("mass {} kg (shaft {} kg)    centre of mass z = {} m    Id = {} kg m²    "
-                     "Ip = {} kg m²    {} rotor",
-                     readable(result.mass), readable(result.shaft_mass),
-                     readable(result.center_of_mass), readable(result.Id), readable(result.Ip),
-                     result.type),
+         fmt::format(
+             "mass {0} {5} (shaft {1} {5})    centre of mass z = {2} {6}    Id = {3} {7}    "
+             "Ip = {4} {7}    {8} rotor",
+             readable(result.mass * kilograms), readable(result.shaft_mass * kilograms),
+             readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
+             readable(result.Ip * inertia_si), unit_name("mass", "kg"), unit_name("length", "m"),
+             unit_name("inertia", "kg m²"), result.type),
          14,
          Anchor::middle,
          "#555555"});

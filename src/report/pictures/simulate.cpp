@@ -34,23 +34,23 @@ std::vector<Curve> amplitude_curves(const SimulateResult &result) {
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 1; k < time.size(); ++k) // at rest there is nothing to draw
-            points.push_back({time[k], result.series.amplitude[i][k] * 1e6});
+            points.push_back({time[k], result.series.amplitude[i][k] * micrometres});
         curves.push_back({balancer_name(result.balancers[i]), {points}});
     }
     for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
         const std::vector<double> &amplitude = result.other_starts[i].amplitude;
         std::vector<PlotPoint> points;
         for (std::size_t k = 1; k < std::min(time.size(), amplitude.size()); ++k)
-            points.push_back({time[k], amplitude[k] * 1e6});
+            points.push_back({time[k], amplitude[k] * micrometres});
         curves.push_back({fmt::format("start {}: {}", i + 2,
                                       results::outcome_name(result.other_starts[i].outcome)),
                           {points}});
     }
     for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
-            curves.push_back(
-                {"without balls",
-                 {{{time.front(), b.reference * 1e6}, {time.back(), b.reference * 1e6}}}});
+            curves.push_back({"without balls",
+                              {{{time.front(), b.reference * micrometres},
+                                {time.back(), b.reference * micrometres}}}});
     return curves;
 }
 

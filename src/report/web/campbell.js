@@ -45,8 +45,8 @@ if (uy.some(y => y !== null)) traces.unshift({x: ux, y: uy, text: ut, hoverinfo:
   name: "unstable", line: {color: "rgba(224,32,138,0.45)", width: 9}, marker: {size: 3, color: "#E0208A"}});
 const multiples = [...new Set([1, ...result.crossings.map(c => c.multiple)])];
 multiples.forEach(k => {
-  const end = Math.min(speeds[last], 60 * top / k);
-  traces.push({x: [speeds[0], end], y: [k * speeds[0] / 60, k * end / 60], mode: "lines", name: k + "×",
+  const end = Math.min(speeds[last], top / k * rpm / hertz);
+  traces.push({x: [speeds[0], end], y: [k * speeds[0] * hertz / rpm, k * end * hertz / rpm], mode: "lines", name: k + "×",
     hoverinfo: "name", line: {color: "#777", dash: "dot", width: 1.5}});
 });
 if (result.crossings.length) traces.push({x: result.crossings.map(c => c.speed * rpm), y: result.crossings.map(c => c.frequency * hertz),

@@ -1,6 +1,5 @@
 "use strict";
 const result = JSON.parse(document.getElementById("result").textContent);
-const rpm = 30 / Math.PI, hertz = 0.5 / Math.PI;
 const look = {
   forward: {color: "#0072B2", dash: "solid", symbol: "circle"},
   backward: {color: "#D55E00", dash: "dash", symbol: "circle-open"},

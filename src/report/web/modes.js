@@ -1,8 +1,8 @@
 const traces = [];
 result.modes.forEach((m, k) => {
   const yaxis = k ? "y" + (k + 1) : "y", showlegend = k === 0, mode = "lines";
-  traces.push({x: result.z, y: drawnModes[k].x, yaxis, name: "x", legendgroup: "x", showlegend, mode, line: {color: "#0072B2", width: 2.5}});
-  traces.push({x: result.z, y: drawnModes[k].y, yaxis, name: "y", legendgroup: "y", showlegend, mode, line: {color: "#D55E00", dash: "dash", width: 2.5}});
+  traces.push({x: result.z.map(z => z * metres), y: drawnModes[k].x, yaxis, name: "x", legendgroup: "x", showlegend, mode, line: {color: "#0072B2", width: 2.5}});
+  traces.push({x: result.z.map(z => z * metres), y: drawnModes[k].y, yaxis, name: "y", legendgroup: "y", showlegend, mode, line: {color: "#D55E00", dash: "dash", width: 2.5}});
 });
 const count = result.modes.length, layout = {height: 120 + 190 * count, xaxis: axis("z (m)", {anchor: count > 1 ? "y" + count : "y"}), annotations: []};
 result.modes.forEach((m, k) => {

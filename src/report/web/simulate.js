@@ -1,14 +1,14 @@
 const traces = [], time = result.series.time, lagging = result.outcome === "lagging";
 const turn = angle => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 result.balancers.forEach((b, i) => {
-  const name = `${b.name || "balancer"} at z = ${short(b.z, 5)} m`, line = {color: colours[i % 8], width: 1.5};
-  traces.push({x: time.slice(1), y: result.series.amplitude[i].slice(1).map(a => a * 1e6), name, line, mode: "lines",
+  const name = `${b.name || "balancer"} at z = ${short(b.z * metres, 5)} m`, line = {color: colours[i % 8], width: 1.5};
+  traces.push({x: time.slice(1), y: result.series.amplitude[i].slice(1).map(a => a * micrometres), name, line, mode: "lines",
     hovertemplate: "%{x:.6g} s: %{y:.5g} µm<extra>" + name + "</extra>"});
   if (b.amplitude_without_balls > 0)
-    traces.push({x: [0, time[time.length - 1]], y: [1, 1].map(one => one * b.amplitude_without_balls * 1e6),
+    traces.push({x: [0, time[time.length - 1]], y: [1, 1].map(one => one * b.amplitude_without_balls * micrometres),
       name: "without balls", showlegend: i === 0, line: {color: colours[i % 8], dash: "dot", width: 1}, mode: "lines", hoverinfo: "y"});
 });
-result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplitude.slice(1).map(a => a * 1e6), mode: "lines",
+result.other_starts.forEach((s, i) => traces.push({x: time.slice(1), y: s.amplitude.slice(1).map(a => a * micrometres), mode: "lines",
   name: `start ${i + 2}: ${s.outcome}`, line: {color: colours[(result.balancers.length + i) % 8], dash: "dash", width: 1.5}, hoverinfo: "x+y+name"}));
 let number = 0;
 result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {

@@ -1,0 +1,104 @@
+#include "cli/commands.h"
+#include "cli/messages.h"
+#include "input/case_file.h"
+#include "linalg/session.h"
+#include "model/errors.h"
+#include "process/processes.h"
+#include "report/common/json.h"
+#include "report/compare/comparison.h"
+#include "report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace whirl::cli {
+
+namespace {
+
+const Command *command_named(const std::string &name) {
+    const auto found = std::find_if(commands().begin(), commands().end(),
+                                    [&name](const Command &at) { return at.name == name; });
+    return found == commands().end() ? nullptr : &*found;
+}
+
+/// "cases/x@shaft.order=1" as the arguments of a command.
+Arguments arguments_of(const std::string &scene, const std::string &command,
+                       const std::vector<std::string> &overrides) {
+    Arguments out;
+    out.command = command;
+    out.overrides = overrides;
+    std::size_t at = scene.find('@');
+    out.scene = scene.substr(0, at);
+    while (at != std::string::npos) {
+        const std::size_t next = scene.find('@', at + 1);
+        out.overrides.push_back(
+            scene.substr(at + 1, next == std::string::npos ? next : next - at - 1));
+        at = next;
+    }
+    return out;
+}
+
+report::ComparedResult computed(const std::string &name, const Command &command,
+                                const std::vector<std::string> &overrides) {
+    const Arguments arguments = arguments_of(name, command.name, overrides);
+    const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    report::ComparedResult result{name, {}};
+    const Run work{arguments, scene, [&](report::Report report) {
+                       if (process::process_rank() != 0) // the first has all of it
+                           return;
+                       report.provenance.case_text =
+                           input::case_text(arguments.scene, arguments.overrides);
+                       result.json = report::Json::parse(report::to_si_json(report));
+                   }};
+    command.run(work);
+    return result;
+}
+
+bool is_result(const std::string &name) { return name.ends_with(".json"); }
+
+std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
+    std::vector<std::string> names = arguments.compared;
+    const Command *command = command_named(names.front());
+    if (command)
+        names.erase(names.begin());
+    std::vector<report::ComparedResult> results;
+    for (const std::string &name : names) {
+        if (is_result(name)) {
+            results.push_back(report::read_result(name));
+            continue;
+        }
+        if (!command)
+            throw model::BadInput(fmt::format(
+                "compare: expected a command before the cases (whirl compare critical {0} ...) or "
+                "results in files *.json, got \"{0}\"",
+                name));
+        results.push_back(computed(name, *command, arguments.overrides));
+    }
+    return results;
+}
+
+} // namespace
+
+void compare_results(const Arguments &arguments) {
+    const linalg::Session session;
+    std::vector<report::ComparedResult> results = results_of(arguments);
+    if (process::process_rank() != 0)
+        return;
+    const report::Comparison comparison = report::compare(std::move(results));
+    std::vector<std::filesystem::path> files;
+    if (!arguments.json || arguments.out)
+        files = report::write_comparison(
+            comparison, arguments.out.value_or(std::filesystem::path("out") / "compare"));
+    if (arguments.json)
+        say(report::json_text(report::comparison_json(comparison)));
+    else if (!arguments.quiet)
+        say(report::comparison_text(comparison) +
+            (files.front().extension() == ".svg"
+                 ? fmt::format("picture: {}\n", files.front().string())
+                 : std::string("note: gnuplot is not installed: no picture\n")) +
+            fmt::format("report:  {}\n", files.back().string()));
+}
+
+} // namespace whirl::cli

@@ -1,0 +1,357 @@
+#include "report/common/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace whirl::report {
+
+namespace {
+
+model::OutputUnits &current() {
+    static model::OutputUnits units;
+    return units;
+}
+/// By quantity, amplitudes and what does not vibrate told apart.
+std::map<std::string, model::OutputUnit> &conversions() {
+    static std::map<std::string, model::OutputUnit> of;
+    return of;
+}
+
+const model::OutputUnit *unit_of(const std::string &quantity) {
+    const auto found = conversions().find(quantity);
+    return found == conversions().end() ? nullptr : &found->second;
+}
+
+/// A unit as it stands in texts.
+struct UnitWord {
+    std::string_view text;
+    std::string_view quantity; ///< empty: stays as it is
+    double size = 1;           ///< one of it in SI
+    bool reading = false;      ///< numbers beside it in reports come from a Reading
+};
+
+constexpr double turn = 2 * pi;
+/// Longer ones before those that they begin with.
+constexpr std::array unit_words{
+    UnitWord{"N m/rad", "", 1, false},         UnitWord{"N s/m", "damping", 1, false},
+    UnitWord{"kg m2", "inertia", 1, false},    UnitWord{"kg m²", "inertia", 1, false},
+    UnitWord{"kg m", "imbalance", 1, false},   UnitWord{"kg", "mass", 1, false},
+    UnitWord{"N/m", "stiffness", 1, false},    UnitWord{"N m", "", 1, false},
+    UnitWord{"N", "force", 1, false},          UnitWord{"rad/s", "speed", 1, false},
+    UnitWord{"rpm", "speed", turn / 60, true}, UnitWord{"Hz", "frequency", turn, true},
+    UnitWord{"µm", "amplitude", 1e-6, true},   UnitWord{"mm", "length", 1e-3, false},
+    UnitWord{"m", "length", 1, false}};
+
+/// Letters, digits and what joins units: a unit ends before others.
+bool part_of_word(char letter) {
+    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '/' ||
+           letter == '_' || letter == '^' || (static_cast<unsigned char>(letter) & 0x80) != 0;
+}
+
+const UnitWord *word_at(std::string_view text, std::size_t at) {
+    if (at > 0 && part_of_word(text[at - 1]))
+        return nullptr;
+    for (const UnitWord &word : unit_words)
+        if (text.substr(at, word.text.size()) == word.text &&
+            (at + word.text.size() == text.size() || !part_of_word(text[at + word.text.size()])))
+            return &word;
+    return nullptr;
+}
+
+bool says(std::string_view text, std::initializer_list<const char *> words) {
+    for (const char *word : words)
+        if (text.find(word) != std::string_view::npos)
+            return true;
+    return false;
+}
+
+/// What the numbers are under a heading: metres may be places or vibration, rad/s spin or whirl.
+std::string quantity_of(const UnitWord &word, const std::string &heading,
+                        const std::string &context) {
+    const std::string quantity(word.quantity);
+    if (word.text == "rad/s")
+        return says(heading + context, {"requenc"}) ? "frequency" : quantity;
+    if (quantity != "length" && quantity != "amplitude")
+        return quantity;
+    if (says(heading, {"tatic", "sag", "x_", "y_"}))
+        return "deflection";
+    if (says(heading, {"mplitude", "peak", "major", "minor", "reading", "twice", "ircle"}) ||
+        heading.starts_with("x [") || heading.starts_with("y ["))
+        return "amplitude";
+    return quantity;
+}
+
+struct Found {
+    std::size_t at = 0;
+    const UnitWord *word = nullptr;
+};
+
+/// The last unit of a heading.
+std::optional<Found> last_unit(std::string_view heading) {
+    std::optional<Found> last;
+    for (std::size_t i = 0; i < heading.size(); ++i)
+        if (const UnitWord *word = word_at(heading, i)) {
+            last = Found{i, word};
+            i += word->text.size() - 1;
+        }
+    return last;
+}
+
+/// "amplitude [m]" to "amplitude pk-pk [um]".
+std::string renamed(const std::string &heading, const Found &found, const std::string &quantity) {
+    std::string out = heading;
+    out.replace(found.at, found.word->text.size(), unit_of(quantity)->name);
+    if (quantity == "amplitude" && current().peak_to_peak) {
+        const std::size_t before = out.find_last_of("[(", found.at);
+        out.insert(before == std::string::npos ? found.at : before, "pk-pk ");
+    }
+    return out;
+}
+
+/// Digits of a number as it was written, at least four: short ones are rather exact.
+std::string converted_number(std::string_view number, double factor) {
+    double value = 0;
+    std::from_chars(number.data(), number.data() + number.size(), value);
+    int digits = 0;
+    for (const char letter : number.substr(0, number.find_first_of("eE")))
+        digits += std::isdigit(static_cast<unsigned char>(letter)) != 0 ? 1 : 0;
+    return fmt::format("{:.{}g}", value * factor, std::max(4, digits));
+}
+
+/// Length of a plain number at a place of a text; 0: none.
+std::size_t number_at(std::string_view text, std::size_t at) {
+    if (at > 0 && (part_of_word(text[at - 1]) || text[at - 1] == '.' || text[at - 1] == '-' ||
+                   text[at - 1] == '+'))
+        return 0;
+    double value = 0;
+    const char *start = text.data() + at;
+    if (*start != '-' && std::isdigit(static_cast<unsigned char>(*start)) == 0)
+        return 0;
+    const auto [end, error] = std::from_chars(start, text.data() + text.size(), value);
+    return error == std::errc() ? static_cast<std::size_t>(end - start) : 0;
+}
+
+/// Numbers that share the unit behind the last of them: "3 to 4 rad/s", "1, 2 and 3 m".
+struct Chain {
+    std::vector<std::pair<std::size_t, std::size_t>> numbers; ///< place and length
+    Found unit;
+};
+std::optional<Chain> chain_at(std::string_view text, std::size_t at) {
+    Chain chain;
+    while (const std::size_t length = number_at(text, at)) {
+        chain.numbers.emplace_back(at, length);
+        at += length;
+        if (at < text.size() && text[at] == ' ')
+            if (const UnitWord *word = word_at(text, at + 1)) {
+                chain.unit = {at + 1, word};
+                return chain;
+            }
+        std::size_t next = at;
+        for (const char *joint :
+             {" ", " to ", " and ", ", ", " … ", " ... ", " | "}) // the longest counts
+            if (text.substr(at, std::strlen(joint)) == joint)
+                next = at + std::strlen(joint);
+        if (next == at)
+            break;
+        at = next;
+    }
+    return std::nullopt;
+}
+
+/// Numbers with their units.
+/// @param as_they_say  also those beside units of readers are converted
+std::string prose(std::string_view text, bool as_they_say) {
+    std::string out;
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto chain = chain_at(text, i);
+        if (!chain)
+            continue;
+        const UnitWord &word = *chain->unit.word;
+        const std::string quantity = quantity_of(word, "", "");
+        const model::OutputUnit *unit = unit_of(quantity);
+        const std::size_t end = chain->unit.at + word.text.size();
+        if (unit) {
+            const double factor = word.reading && !as_they_say ? 1 : word.size / unit->size;
+            for (const auto &[at, length] : chain->numbers) {
+                const auto number = text.substr(at, length);
+                out += text.substr(done, at - done);
+                out += factor == 1 ? std::string(number) : converted_number(number, factor);
+                done = at + length;
+            }
+            out += text.substr(done, chain->unit.at - done);
+            out += unit->name;
+            done = end;
+        }
+        i = end - 1;
+    }
+    return out.append(text.substr(done));
+}
+
+/// Marks around text that is converted already.
+constexpr char kept_begin = '\x01';
+constexpr char kept_end = '\x02';
+
+/// A function of the parts of a text between those that are kept.
+template <class Of>
+std::string between(const std::string &text, const std::string &kept, const Of &of) {
+    std::string out;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::size_t title = kept.empty() ? std::string_view::npos : rest.find(kept);
+        const std::size_t mark = rest.find(kept_begin);
+        const std::size_t stop = std::min({title, mark, rest.size()});
+        out += of(rest.substr(0, stop));
+        rest.remove_prefix(stop);
+        if (rest.empty())
+            break;
+        const bool marked = stop == mark;
+        const std::size_t end = std::min(rest.find(kept_end), rest.size());
+        const std::size_t length = marked ? end : kept.size();
+        out += rest.substr(marked ? 1 : 0, length - (marked ? 1 : 0));
+        rest.remove_prefix(std::min(rest.size(), length + (marked ? 1 : 0)));
+    }
+    return out;
+}
+
+} // namespace
+
+void write_in(const model::OutputUnits &units) {
+    current() = units;
+    conversions() = units.of;
+    if (units.peak_to_peak) // the usual unit of pictures where none is given
+        conversions().try_emplace("amplitude", model::OutputUnit{"um", 1e-6});
+    const auto amplitude = conversions().find("amplitude");
+    if (amplitude == conversions().end())
+        return;
+    conversions()["deflection"] = amplitude->second;
+    if (units.peak_to_peak)
+        amplitude->second.size /= 2;
+}
+
+const model::OutputUnits &written_units() { return current(); }
+
+Reading::operator double() const {
+    const model::OutputUnit *unit = unit_of(_quantity);
+    return unit ? 1 / unit->size : _usual;
+}
+
+UnitHeading heading_in_written_units(const std::string &heading, const std::string &context) {
+    const auto found = current().given() ? last_unit(heading) : std::nullopt;
+    if (!found)
+        return {heading, 1, false};
+    const std::string quantity = quantity_of(*found->word, heading, context);
+    const model::OutputUnit *unit = unit_of(quantity);
+    if (!unit)
+        return {heading, 1, false};
+    return {renamed(heading, *found, quantity), found->word->reading ? 1 : 1 / unit->size, true};
+}
+
+std::optional<double> written_factor(const std::string &quantity) {
+    const model::OutputUnit *unit = unit_of(quantity);
+    return unit ? std::optional(1 / unit->size) : std::nullopt;
+}
+
+std::string unit_name(const std::string &quantity, const std::string &usual) {
+    const model::OutputUnit *unit = unit_of(quantity);
+    if (!unit)
+        return usual;
+    return quantity == "amplitude" && current().peak_to_peak ? unit->name + " pk-pk" : unit->name;
+}
+
+std::string in_written_units(const std::string &text, const std::string &kept) {
+    if (!current().given())
+        return text;
+    return between(text, kept, [](std::string_view part) { return prose(part, false); });
+}
+
+std::string note_in_written_units(const std::string &note) {
+    return current().given() ? kept_begin + prose(note, true) + kept_end : note;
+}
+
+std::string kept_as_written(const std::string &text) {
+    return current().given() ? kept_begin + text + kept_end : text;
+}
+
+std::string cell_in_written_units(const std::string &cell) {
+    if (!current().given())
+        return cell;
+    const std::string converted = prose(cell, false);
+    return converted == cell ? cell : kept_begin + converted + kept_end;
+}
+
+std::size_t shown_size(const std::string &cell) {
+    return cell.size() - (!cell.empty() && cell.front() == kept_begin ? 2 : 0);
+}
+
+namespace {
+
+/// Words of labels whose numbers come from factors: "(N)", and those of readers anywhere but behind
+/// a number, where they have been renamed.
+std::string labels(std::string text) {
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        const UnitWord *word = word_at(text, i);
+        if (!word)
+            continue;
+        const std::size_t end = i + word->text.size();
+        const bool in_brackets =
+            text[i - 1] == '(' && end < text.size() && text[end] == ')' && word->text != "rad/s";
+        const bool behind_number =
+            i > 1 && text[i - 1] == ' ' && std::isdigit(static_cast<unsigned char>(text[i - 2]));
+        if (!in_brackets && !(word->reading && !behind_number))
+            continue;
+        const std::size_t start = text.find_last_of("\n'", i);
+        const std::string label = text.substr(start + 1, i - start - 1);
+        const std::string quantity = quantity_of(*word, label, "");
+        const std::string name = unit_name(quantity, std::string(word->text));
+        text.replace(i, word->text.size(), name);
+        i += name.size();
+    }
+    return text;
+}
+
+} // namespace
+
+std::string script_in_written_units(const std::string &script, const std::string &kept) {
+    if (!current().given())
+        return script;
+    return between(script, kept, [](std::string_view part) { return labels(prose(part, false)); });
+}
+
+std::string script_units() {
+    return fmt::format("const rpm = {}, hertz = {}, metres = {}, micrometres = {}, newtons = {};\n",
+                       double(rpm), double(hertz), double(metres), double(micrometres),
+                       double(newtons));
+}
+
+std::string page_script_in_written_units(const std::string &script) {
+    if (!current().given())
+        return script;
+    std::string text = script;
+    for (const auto &[usual, quantity] : {std::pair("rpm", "speed"),
+                                          {"Hz", "frequency"},
+                                          {"µm", "amplitude"},
+                                          {"m", "length"},
+                                          {"N", "force"}})
+        for (const char *form : {"({})", "}} {}"}) {
+            const std::string from = fmt::format(fmt::runtime(form), usual);
+            const std::string to = fmt::format(fmt::runtime(form), unit_name(quantity, usual));
+            for (std::size_t at = text.find(from); at != std::string::npos;
+                 at = text.find(from, at + to.size())) {
+                const std::size_t end = at + from.size();
+                if (end == text.size() || !part_of_word(text[end]))
+                    text.replace(at, from.size(), to);
+            }
+        }
+    return text;
+}
+
+} // namespace whirl::report

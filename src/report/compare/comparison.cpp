@@ -1,0 +1,103 @@
+#include "report/compare/comparison.h"
+
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace whirl::report {
+
+namespace {
+
+std::string command_of_result(const Json &json) { return json.value("command", ""); }
+
+const Quantity *named(const std::vector<Quantity> &all, const std::string &name) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&name](const Quantity &at) { return at.name == name; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+Difference difference_of(const Quantity *first, const Quantity *other, std::size_t place) {
+    Difference out;
+    out.quantity = (first ? first : other)->name;
+    out.unit = (first ? first : other)->unit;
+    out.other = place;
+    if (first)
+        out.first_value = first->value;
+    if (other)
+        out.other_value = other->value;
+    if (!first || !other)
+        return out;
+    out.difference = other->value - first->value;
+    const double mean = (std::abs(first->value) + std::abs(other->value)) / 2;
+    out.relative = mean > 0 ? *out.difference / mean : 0;
+    if (first->error && other->error) {
+        out.error = *first->error + *other->error;
+        out.within = std::abs(*out.difference) <= *out.error;
+    }
+    return out;
+}
+
+void add_notes(Comparison &out) {
+    for (std::size_t i = 1; i < out.results.size(); ++i) {
+        long only = 0;
+        for (const Difference &at : out.differences)
+            only += at.other == i && !at.difference ? 1 : 0;
+        if (only > 0)
+            out.notes.push_back(fmt::format("{} numbers are only in one of {} and {}", only,
+                                            out.results[0].name, out.results[i].name));
+    }
+    if (std::any_of(out.differences.begin(), out.differences.end(),
+                    [](const Difference &at) { return at.difference && !at.within; }))
+        out.notes.emplace_back("where an error is not known, whether a difference is within the "
+                               "errors is not said");
+}
+
+} // namespace
+
+ComparedResult read_result(const std::filesystem::path &file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    Json json = Json::parse(text.str(), nullptr, false);
+    if (!stream || !json.is_object() || json.value("program", Json()) != "whirl" ||
+        json.value("format", Json()) != 1 || !json.value("command", Json()).is_string())
+        throw model::BadInput(
+            fmt::format("{}: expected a result that whirl wrote (JSON, format 1)", file.string()));
+    if (json.contains("units"))
+        throw model::BadInput(fmt::format("{}: expected a result in SI, got one that was written "
+                                          "with --json-units",
+                                          file.string()));
+    return {file.string(), std::move(json)};
+}
+
+Comparison compare(std::vector<ComparedResult> results) {
+    if (results.size() < 2)
+        throw model::BadInput("compare: expected two results or more");
+    Comparison out;
+    out.results = std::move(results);
+    out.command = command_of_result(out.results.front().json);
+    for (const ComparedResult &result : out.results)
+        if (command_of_result(result.json) != out.command)
+            throw model::BadInput(fmt::format(
+                "compare: expected results of one command, got {} ({}) and {} ({})", out.command,
+                out.results.front().name, command_of_result(result.json), result.name));
+    const std::vector<Quantity> first = quantities_of(out.results.front());
+    for (std::size_t i = 1; i < out.results.size(); ++i) {
+        const std::vector<Quantity> other = quantities_of(out.results[i]);
+        for (const Quantity &quantity : first)
+            out.differences.push_back(difference_of(&quantity, named(other, quantity.name), i));
+        for (const Quantity &quantity : other)
+            if (!named(first, quantity.name))
+                out.differences.push_back(difference_of(nullptr, &quantity, i));
+    }
+    add_notes(out);
+    return out;
+}
+
+} // namespace whirl::report

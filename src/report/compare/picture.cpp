@@ -1,0 +1,215 @@
+#include "report/compare/picture.h"
+
+#include "report/common/words.h"
+#include "report/pictures/style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+namespace {
+
+/// Differences below this are drawn here: zero has no logarithm.
+constexpr double least_drawn = 1e-17;
+
+std::optional<double> plotted(const Json &values, std::size_t i, double factor) {
+    return i < values.size() && values[i].is_number()
+               ? std::optional(values[i].get<double>() * factor)
+               : std::nullopt;
+}
+
+/// Curves of one result, named in the legend.
+struct Overlaid {
+    std::string title;
+    std::vector<std::vector<PlotPoint>> lines;
+};
+
+std::vector<PlotPoint> line_of(const Json &speeds, const Json &values, double factor) {
+    std::vector<PlotPoint> line;
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        line.push_back({speeds[i].get<double>() * rpm, plotted(values, i, factor)});
+    return line;
+}
+
+std::vector<Overlaid> campbell_curves(const ComparedResult &result) {
+    Overlaid out{result.name, {}};
+    for (const Json &mode : result.json.at("modes"))
+        out.lines.push_back(line_of(result.json.at("speeds"), mode.at("frequency"), hertz));
+    return {out};
+}
+
+/// Amplitudes of a station over `speeds`: dense around peaks where the result has them so.
+struct StationCurve {
+    const Json &speeds;
+    const Json &amplitude;
+};
+StationCurve station_curve(const ComparedResult &result, std::size_t i) {
+    const Json &curves = result.json.at("curves");
+    if (curves.at("speeds").empty())
+        return {result.json.at("speeds"), result.json.at("nodes")[i].at("amplitude")};
+    return {curves.at("speeds"), curves.at("nodes")[i].at("amplitude")};
+}
+
+std::string station_name(const Json &node) {
+    return place(node.value("name", ""), node.value("z", 0.0));
+}
+
+/// Names of the stations that move most.
+std::vector<std::string> stations_of(const ComparedResult &result) {
+    const Json &nodes = result.json.at("nodes");
+    std::vector<std::pair<double, std::string>> sizes;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double largest = 0;
+        for (const Json &value : station_curve(result, i).amplitude)
+            largest = std::max(largest, value.is_number() ? value.get<double>() : 0);
+        sizes.emplace_back(-largest, station_name(nodes[i]));
+    }
+    std::sort(sizes.begin(), sizes.end());
+    constexpr std::size_t most = 2;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min(sizes.size(), most); ++i)
+        names.push_back(sizes[i].second);
+    return names;
+}
+
+/// Of the stations with these names; down to a millionth of the largest amplitude, below which
+/// there is only the start from rest.
+std::vector<Overlaid> response_curves(const ComparedResult &result,
+                                      const std::vector<std::string> &stations) {
+    std::vector<Overlaid> out;
+    const Json &nodes = result.json.at("nodes");
+    for (const std::string &station : stations)
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (station_name(nodes[i]) != station)
+                continue;
+            const StationCurve curve = station_curve(result, i);
+            std::vector<PlotPoint> line = line_of(curve.speeds, curve.amplitude, micrometres);
+            double largest = 0;
+            for (const PlotPoint &point : line)
+                largest = std::max(largest, point.y.value_or(0));
+            for (PlotPoint &point : line)
+                if (point.y && !(*point.y > 1e-6 * largest))
+                    point.y.reset();
+            out.push_back({fmt::format("{}, {}", result.name, station), {line}});
+        }
+    return out;
+}
+
+std::vector<Overlaid> curves_of(const Comparison &comparison, std::size_t index) {
+    const std::string &command = comparison.command;
+    const ComparedResult &result = comparison.results[index];
+    if (command == "campbell")
+        return campbell_curves(result);
+    if (command == "response")
+        return response_curves(result, stations_of(comparison.results.front()));
+    if (command == "stability")
+        return {{result.name, {line_of(result.json.at("speeds"), result.json.at("growth"), 1)}}};
+    Overlaid out{result.name, {}}; // critical: a mark each
+    for (const Json &at : result.json.at("critical_speeds"))
+        out.lines.push_back({{at.at("speed").get<double>() * rpm, -static_cast<double>(index)}});
+    return {out};
+}
+
+bool has_curves(const std::string &command) {
+    return command == "campbell" || command == "response" || command == "stability" ||
+           command == "critical";
+}
+
+std::string upper_panel(const Comparison &comparison, double pixel, double bottom, double top) {
+    const std::string &command = comparison.command;
+    const bool marks = command == "critical";
+    std::string data;
+    std::string plots;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < comparison.results.size(); ++i)
+        for (const Overlaid &curve : curves_of(comparison, i)) {
+            const LineStyle style = series_style(count);
+            const std::string name = fmt::format("curve{}", count++);
+            data += data_block(name, curve.lines);
+            plots += fmt::format(", ${} with {} lc rgb '{}' title {}", name,
+                                 marks ? fmt::format("points pt {} ps 1.5 lw 1.6", style.point)
+                                       : fmt::format("lines lw 2 dt {}", style.dash),
+                                 style.colour, plot_text(curve.title));
+        }
+    const std::string y = command == "campbell"    ? "set ylabel 'Whirl frequency (Hz)'\n"
+                          : command == "response"  ? "set ylabel 'Amplitude (µm)'\nset logscale "
+                                                     "y\nset format y '10^{%L}'\n"
+                          : command == "stability" ? "set ylabel 'Growth (1/s)'\n"
+                                                   : "unset ytics\nunset ylabel\n";
+    return data + panel_margins(0.09, 0.96, bottom, top) + y +
+           (marks ? fmt::format("set yrange [{}:0.7]\n",
+                                0.3 - static_cast<double>(comparison.results.size()))
+                  : std::string("set autoscale y\n")) +
+           fmt::format("set xlabel 'Spin speed (rpm)'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+                       "set key at screen 0.525,{} center center vertical maxrows 4 samplen 4 font "
+                       "',10'\nplot NaN notitle{}\n"
+                       "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n",
+                       1 - 112 * pixel, plots);
+}
+
+std::string lower_panel(const Comparison &comparison, double pixel, double bottom, double top) {
+    std::string data;
+    std::string plots;
+    double high = 1e-12;
+    for (std::size_t other = 1; other < comparison.results.size(); ++other) {
+        std::vector<PlotPoint> differences;
+        std::vector<PlotPoint> errors;
+        int number = 0;
+        for (std::size_t i = 0; i < comparison.differences.size(); ++i) {
+            const Difference &at = comparison.differences[i];
+            number += at.other == other ? 1 : 0;
+            if (at.other != other || !at.relative)
+                continue;
+            const double x = number;
+            differences.push_back({x, std::max(least_drawn, std::abs(*at.relative))});
+            const double mean = (std::abs(*at.first_value) + std::abs(*at.other_value)) / 2;
+            errors.push_back({x, at.error && mean > 0
+                                     ? std::optional(std::max(least_drawn, *at.error / mean))
+                                     : std::nullopt});
+            high = std::max({high, *differences.back().y, errors.back().y.value_or(0)});
+        }
+        const LineStyle style = series_style(other);
+        data += data_block(fmt::format("d{}", other), {differences}) +
+                data_block(fmt::format("e{}", other), {errors});
+        // A bar is a short line across its number.
+        plots += fmt::format(
+            ", $d{0} with points pt {1} ps 1.1 lw 1.5 lc rgb '{2}' title {3}, $e{0} using "
+            "($1-0.32):2:(0.64):(0) with vectors nohead lw 1 lc rgb '{2}' notitle",
+            other, style.point, style.colour, plot_text(comparison.results[other].name));
+    }
+    return data + panel_margins(0.09, 0.96, bottom, top) +
+           fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:{}]\nset xrange "
+                       "[0.3:*]\nset xtics auto\nset xlabel 'Quantity, number in the table of its "
+                       "result'\nset ylabel 'Relative difference'\nset grid lc rgb '#E4E4E4' lt 1 "
+                       "lw 0.6\nset key at screen 0.525,{} center center horizontal samplen 2 font "
+                       "',10'\nplot NaN notitle{}, keyentry with lines lw 1 lc rgb '#555555' title "
+                       "'both error bars'\n",
+                       least_drawn / 3, 10 * high, top + 16 * pixel, plots);
+}
+
+} // namespace
+
+Figure comparison_figure(const Comparison &comparison) {
+    Figure figure;
+    const bool curves = has_curves(comparison.command);
+    const bool marks = comparison.command == "critical";
+    const int upper = !curves ? 0 : marks ? 330 : 560;
+    figure.width = 1180;
+    figure.height = upper + 430;
+    const double pixel = 1.0 / figure.height;
+    figure.script =
+        figure_head("Comparison: " + comparison.command,
+                    comparison.results.front().name + " against " +
+                        (comparison.results.size() == 2
+                             ? comparison.results[1].name
+                             : fmt::format("{} others", comparison.results.size() - 1)),
+                    figure.height) +
+        (curves ? upper_panel(comparison, pixel, (430 + 20) * pixel, 1 - 155 * pixel) : "") +
+        lower_panel(comparison, pixel, 60 * pixel, 340 * pixel) + "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,205 @@
+#include "report/report.h"
+#include "report/common/csv.h"
+#include "report/common/files.h"
+#include "report/common/gnuplot.h"
+#include "report/common/html.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/compare/comparison.h"
+#include "report/compare/picture.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace whirl::report {
+
+namespace {
+
+/// A difference with the name of the other result.
+struct Line {
+    const Difference &at;
+    const std::string &other;
+};
+
+std::vector<Line> lines_of(const Comparison &comparison) {
+    std::vector<Line> lines;
+    for (const Difference &at : comparison.differences)
+        lines.push_back({at, comparison.results[at.other].name});
+    return lines;
+}
+
+std::string verdict(const Line &line) {
+    if (!line.at.difference)
+        return line.at.first_value ? "only in the first" : "only in the other";
+    if (!line.at.within)
+        return "error not known";
+    return *line.at.within ? "within errors" : "beyond errors";
+}
+
+const Columns<Line> columns{
+    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
+    {"quantity",
+     "quantity",
+     {"Quantity"},
+     {"quantity"},
+     [](const Line &line) { return line.at.quantity; }},
+    {"unit", "unit", {"Unit"}, {"unit"}, [](const Line &line) { return line.at.unit; }},
+    {"other", "other", {"Other result"}, {}, [](const Line &line) { return line.other; }},
+    {"first_value",
+     "first_value",
+     {"First", "{:.10g}"},
+     {"first", precise},
+     [](const Line &line) { return line.at.first_value; }},
+    {"other_value",
+     "other_value",
+     {"Other", "{:.10g}"},
+     {"other", precise},
+     [](const Line &line) { return line.at.other_value; }},
+    {"difference",
+     "difference",
+     {"Difference", "{:+.4g}"},
+     {"difference", "{:+.4g}"},
+     [](const Line &line) { return line.at.difference; }},
+    {"relative",
+     "relative",
+     {"Relative", "{:+.3g}"},
+     {"relative", "{:+.3g}"},
+     [](const Line &line) { return line.at.relative; }},
+    {"error",
+     "error",
+     {"Both error bars", "{:.2g}"},
+     {"error bars", rough},
+     [](const Line &line) { return line.at.error; }},
+    {"within_errors", "within_errors", {}, {}, [](const Line &line) { return line.at.within; }},
+    {"", "", {"Verdict"}, {""}, verdict}};
+
+/// "1: before.json, critical, order 10, 3 elements".
+std::string result_text(const ComparedResult &result, std::size_t index) {
+    const Json &json = result.json;
+    const auto word = [&json](const char *key) {
+        const auto found = json.find(key);
+        return found == json.end()  ? std::string("?")
+               : found->is_string() ? found->get<std::string>()
+                                    : found->dump();
+    };
+    return fmt::format("{}: {} (case {}, order {}, {} elements, {})", index + 1, result.name,
+                       word("case"), word("order"), word("elements"), word("title"));
+}
+
+std::vector<Line> of_other(const std::vector<Line> &lines, std::size_t other) {
+    std::vector<Line> out;
+    for (const Line &line : lines)
+        if (line.at.other == other)
+            out.push_back(line);
+    return out;
+}
+
+std::string sections(const Comparison &comparison) {
+    std::string html = element("h2", "Results");
+    for (std::size_t i = 0; i < comparison.results.size(); ++i)
+        html += element("p", result_text(comparison.results[i], i));
+    const auto lines = lines_of(comparison);
+    for (std::size_t i = 1; i < comparison.results.size(); ++i)
+        html += element("h2", fmt::format("{} against {}", comparison.results[i].name,
+                                          comparison.results[0].name)) +
+                page_table(columns, of_other(lines, i));
+    return html;
+}
+
+std::string page_of(const Comparison &comparison, const std::string &still) {
+    std::string notes;
+    for (const std::string &note : comparison.notes)
+        notes += element("p", note, "note");
+    std::string cases;
+    std::string date;
+    for (const ComparedResult &result : comparison.results)
+        if (const auto found = result.json.find("provenance"); found != result.json.end()) {
+            date = found->value("date", "");
+            cases += "# " + result.name + "\n" + found->value("case", "") + "\n";
+        }
+    return filled(embedded("page.html"),
+                  {{"heading", "Comparison"},
+                   {"title", escaped("Comparison: " + comparison.command)},
+                   {"case", escaped(comparison.results.front().name)},
+                   {"command", "compare"},
+                   {"version", program_version()},
+                   {"style", embedded("page.css")},
+                   {"notes", notes},
+                   {"rotor", ""},
+                   {"plot", still},
+                   {"sections", sections(comparison)},
+                   {"model", ""},
+                   {"date", date},
+                   {"case_text", escaped(cases)},
+                   {"json", json_for_script(json_text(comparison_json(comparison)))},
+                   {"scripts", ""}});
+}
+
+std::string element_of(const std::filesystem::path &svg) {
+    std::ifstream file(svg, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    const std::size_t start = text.str().find("<svg");
+    return start == std::string::npos ? "" : text.str().substr(start);
+}
+
+} // namespace
+
+std::string comparison_text(const Comparison &comparison) {
+    std::string text = "Comparison of results of " + comparison.command + "\n";
+    for (std::size_t i = 0; i < comparison.results.size(); ++i)
+        text += "  " + result_text(comparison.results[i], i) + "\n";
+    const auto lines = lines_of(comparison);
+    for (std::size_t i = 1; i < comparison.results.size(); ++i) {
+        const auto of = of_other(lines, i);
+        text += fmt::format("\n{} against {}:\n", comparison.results[i].name,
+                            comparison.results[0].name) +
+                (of.empty() ? "  nothing to compare\n" : text_table(columns, of));
+    }
+    for (const std::string &note : comparison.notes)
+        text += "note: " + note + "\n";
+    return text;
+}
+
+Json comparison_json(const Comparison &comparison) {
+    Json results = Json::array();
+    for (const ComparedResult &result : comparison.results) {
+        Json entry{{"name", result.name}};
+        for (const char *key : {"case", "title", "version", "order", "elements", "provenance"})
+            if (const auto found = result.json.find(key); found != result.json.end())
+                entry[key] = *found;
+        results.push_back(entry);
+    }
+    return {{"program", "whirl"},
+            {"version", program_version()},
+            {"format", 1},
+            {"command", "compare"},
+            {"of", comparison.command},
+            {"results", results},
+            {"differences", json_rows(columns, lines_of(comparison))},
+            {"notes", comparison.notes}};
+}
+
+std::vector<std::filesystem::path> write_comparison(const Comparison &comparison,
+                                                    const std::filesystem::path &folder) {
+    OutputFiles files(folder);
+    PlotJobs jobs;
+    const Figure figure = comparison_figure(comparison);
+    std::string still;
+    const auto svg = files.reserve("compare.svg");
+    if (jobs.start(figure, PictureFormat::svg, svg)) {
+        jobs.start(figure, PictureFormat::png, files.reserve("compare.png"));
+        jobs.finish();
+        still = element_of(svg);
+    } else {
+        files.drop("compare.svg"); // no gnuplot
+    }
+    files.add("compare.json", json_text(comparison_json(comparison)));
+    files.add("compare.csv", csv_table(columns, lines_of(comparison)));
+    files.add("report.html", page_of(comparison, still));
+    return files.commit();
+}
+
+} // namespace whirl::report

@@ -1,0 +1,234 @@
+#include "report/critical_map.h"
+
+#include "report/common/csv.h"
+#include "report/common/table.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace whirl::report {
+
+using results::CriticalMap;
+using results::CriticalMapBearing;
+using results::CriticalMapCrossing;
+using results::CriticalMapCurve;
+
+namespace {
+
+/// A crossing with the words for its bearing.
+struct Crossing {
+    const CriticalMapCrossing &found;
+    const CriticalMapBearing &across;
+    std::string bearings;
+};
+
+std::vector<Crossing> crossings_of(const model::Case &scene, const CriticalMap &map) {
+    std::vector<Crossing> rows;
+    for (const CriticalMapCrossing &found : map.crossings)
+        rows.push_back({found, map.bearings[found.bearing],
+                        bearings_text(scene, map.bearings[found.bearing].bearings)});
+    return rows;
+}
+
+const Columns<Crossing> crossing_columns{
+    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
+    {"bearings", "", {}, {}, [](const auto &at) { return at.across.bearings; }},
+    {"", "bearings", {"Bearing"}, {"bearing"}, &Crossing::bearings},
+    {"of", "of", {"Coefficient"}, {"of"}, [](const auto &at) { return at.found.of; }},
+    {"stiffness",
+     "stiffness [N/m]",
+     {"Stiffness (N/m)", "{:.10g}"},
+     {"N/m", precise},
+     [](const auto &at) { return at.found.stiffness; }},
+    {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &at) { return at.found.speed * rpm; }},
+    {"speed",
+     "speed [rad/s]",
+     {"rad/s", "{:.10g}"},
+     {"rad/s", precise},
+     [](const auto &at) { return at.found.speed; }},
+    {"whirl", "whirl", {"Whirl"}, {"whirl"}, [](const auto &at) { return at.found.whirl; }},
+    {"number", "number", {"Curve"}, {"curve"}, [](const auto &at) { return at.found.number; }},
+    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, [](const auto &at) {
+         return at.found.error;
+     }}};
+
+/// A curve as a list, and at its ends.
+const Columns<CriticalMapCurve> curve_columns{
+    {"whirl", "", {"Whirl"}, {"whirl"}, &CriticalMapCurve::whirl},
+    {"number", "", {"Curve"}, {"curve"}, &CriticalMapCurve::number},
+    {"",
+     "",
+     {"Soft end (rpm)", "{:.10g}"},
+     {"soft end (rpm)"},
+     [](const auto &of) { return of.speed.front() * rpm; }},
+    {"",
+     "",
+     {"Soft end (rad/s)", "{:.10g}"},
+     {"soft end (rad/s)", precise},
+     [](const auto &of) { return of.speed.front(); }},
+    {"",
+     "",
+     {"Stiff end (rpm)", "{:.10g}"},
+     {"stiff end (rpm)"},
+     [](const auto &of) { return of.speed.back() * rpm; }},
+    {"",
+     "",
+     {"Stiff end (rad/s)", "{:.10g}"},
+     {"stiff end (rad/s)", precise},
+     [](const auto &of) { return of.speed.back(); }},
+    {"speed", "", {}, {}, &CriticalMapCurve::speed},
+    {"error", "", {}, {}, &CriticalMapCurve::error},
+    {"soft_shape", "", {}, {}, &CriticalMapCurve::soft},
+    {"stiff_shape", "", {}, {}, &CriticalMapCurve::stiff}};
+
+/// A line of the file: a point of a curve, of a bearing, or a deflection.
+struct Line {
+    std::string kind;
+    std::string bearings, of;
+    std::optional<double> stiffness, speed;
+    std::optional<results::Whirl> whirl;
+    std::optional<int> number;
+    std::optional<double> error, z, deflection;
+};
+
+const Columns<Line> line_columns{
+    {"", "kind", {}, {}, &Line::kind},
+    {"", "bearings", {}, {}, &Line::bearings},
+    {"", "of", {}, {}, &Line::of},
+    {"", "stiffness [N/m]", {}, {}, &Line::stiffness},
+    {"", "speed [rad/s]", {}, {}, &Line::speed},
+    {"",
+     "whirl",
+     {},
+     {},
+     [](const Line &at) { return at.whirl ? results::whirl_name(*at.whirl) : ""; }},
+    {"", "number", {}, {}, &Line::number},
+    {"", "error", {}, {}, &Line::error},
+    {"", "z [m]", {}, {}, &Line::z},
+    {"", "deflection", {}, {}, &Line::deflection}};
+
+void add_shape(const CriticalMap &map, const CriticalMapCurve &curve, bool soft,
+               std::vector<Line> &lines) {
+    const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
+    for (std::size_t i = 0; i < shape.size() && i < map.z.size(); ++i)
+        lines.push_back({"shape", "", "", soft ? map.stiffness.front() : map.stiffness.back(),
+                         soft ? curve.speed.front() : curve.speed.back(), curve.whirl, curve.number,
+                         std::nullopt, map.z[i], shape[i]});
+}
+
+std::string csv_of(const model::Case &scene, const CriticalMap &map) {
+    std::vector<Line> lines;
+    for (const CriticalMapCurve &curve : map.curves)
+        for (std::size_t i = 0; i < map.stiffness.size(); ++i)
+            if (!std::isnan(curve.speed[i]))
+                lines.push_back({"curve",
+                                 "",
+                                 "",
+                                 map.stiffness[i],
+                                 curve.speed[i],
+                                 curve.whirl,
+                                 curve.number,
+                                 curve.error[i],
+                                 {},
+                                 {}});
+    for (const CriticalMapBearing &across : map.bearings)
+        for (const bool x : {true, false})
+            for (std::size_t i = 0; i < across.speeds.size() && (x || !across.isotropic); ++i)
+                lines.push_back({"bearing",
+                                 bearings_text(scene, across.bearings),
+                                 across.isotropic ? "k"
+                                 : x              ? "kxx"
+                                                  : "kyy",
+                                 (x ? across.kxx : across.kyy)[i],
+                                 across.speeds[i],
+                                 {},
+                                 {},
+                                 {},
+                                 {},
+                                 {}});
+    for (const Crossing &at : crossings_of(scene, map))
+        lines.push_back({"crossing",
+                         at.bearings,
+                         at.found.of,
+                         at.found.stiffness,
+                         at.found.speed,
+                         at.found.whirl,
+                         at.found.number,
+                         at.found.error,
+                         {},
+                         {}});
+    for (const CriticalMapCurve &curve : map.curves)
+        for (const bool soft : {true, false})
+            add_shape(map, curve, soft, lines);
+    return csv_table(line_columns, lines);
+}
+
+std::string varied_text(const model::Case &scene, const CriticalMap &map) {
+    return map.bearing ? "stiffness of " + bearings_text(scene, {*map.bearing})
+                       : std::string("stiffness of all bearings together");
+}
+
+std::string range_of_map(const CriticalMap &map) {
+    return fmt::format("{:.6g} to {:.6g} N/m, {} points", map.stiffness.front(),
+                       map.stiffness.back(), map.stiffness.size());
+}
+
+} // namespace
+
+std::string bearings_text(const model::Case &scene, const std::vector<std::size_t> &bearings) {
+    std::vector<std::string> names;
+    for (const std::size_t i : bearings) {
+        const model::Bearing &bearing = scene.rotor.bearings[i];
+        names.push_back(
+            bearing.name.empty()
+                ? fmt::format("bearing at {:.6g} {}", bearing.z * metres, unit_name("length", "m"))
+                : bearing.name);
+    }
+    return joined(names, ", ");
+}
+
+std::string curve_name(results::Whirl whirl, int number) {
+    return fmt::format("{}{}", number, whirl == results::Whirl::forward ? "F" : "B");
+}
+
+Json critical_map_json(const model::Case &scene, const CriticalMap &map) {
+    Json bearings = Json::array();
+    for (const CriticalMapBearing &across : map.bearings)
+        bearings.push_back({{"bearings", across.bearings},
+                            {"speeds", across.speeds},
+                            {"kxx", across.kxx},
+                            {"kyy", across.kyy}});
+    return {{"bearing", map.bearing},
+            {"stiffness", map.stiffness},
+            {"curves", json_rows(curve_columns, map.curves)},
+            {"z", map.z},
+            {"bearings", bearings},
+            {"crossings", json_rows(crossing_columns, crossings_of(scene, map))}};
+}
+
+std::vector<Section> critical_map_sections(const model::Case &scene, const CriticalMap &map) {
+    return {{"Critical speed map: crossings with the stiffness of the bearings",
+             page_table(crossing_columns, crossings_of(scene, map))},
+            {fmt::format("Critical speed map: ends, {}, {}", varied_text(scene, map),
+                         range_of_map(map)),
+             page_table(curve_columns, map.curves)}};
+}
+
+std::string critical_map_text(const model::Case &scene, const CriticalMap &map) {
+    const auto crossings = crossings_of(scene, map);
+    return fmt::format("\nCritical speed map: {}, {}:\n", varied_text(scene, map),
+                       range_of_map(map)) +
+           text_table(curve_columns, map.curves) +
+           "\nCrossings with the stiffness of the bearings:\n" +
+           (crossings.empty() ? "  none on the map\n" : text_table(crossing_columns, crossings));
+}
+
+Picture critical_map_picture(const model::Case &scene, const CriticalMap &map) {
+    return {"critical_map", critical_map_figure(scene, map), csv_of(scene, map)};
+}
+
+} // namespace whirl::report

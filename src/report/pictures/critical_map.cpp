@@ -1,0 +1,217 @@
+#include "report/pictures/figures.h"
+
+#include "report/critical_map.h"
+#include "report/pictures/operation.h"
+#include "report/pictures/style.h"
+#include "results/critical_map.h"
+#include "results/whirl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::CriticalMap;
+using results::CriticalMapBearing;
+using results::CriticalMapCurve;
+using results::Whirl;
+
+namespace {
+
+constexpr double map_left = 0.085;
+constexpr double map_right = 0.955;
+
+/// Speeds of the map, rpm, with room above and below on a logarithmic axis.
+Range speed_range(const CriticalMap &map) {
+    double low = HUGE_VAL;
+    double high = 0;
+    for (const CriticalMapCurve &curve : map.curves)
+        for (const double speed : curve.speed)
+            if (speed > 0) {
+                low = std::min(low, speed * rpm);
+                high = std::max(high, speed * rpm);
+            }
+    return high > 0 ? Range{low / 1.3, high * 1.3} : Range{1, 10};
+}
+
+/// The place of a value on a logarithmic axis, 0 to 1.
+double along(double value, Range range) {
+    return std::log(value / range.low) / std::log(range.high / range.low);
+}
+
+std::string bearing_words(const model::Case &scene, const CriticalMapBearing &across) {
+    const std::size_t count = across.bearings.size();
+    if (count <= 2)
+        return bearings_text(scene, across.bearings);
+    return fmt::format("{} and {} more", bearings_text(scene, {across.bearings.front()}),
+                       count - 1);
+}
+
+/// The stiffness of a bearing over speed: kxx full, kyy broken.
+std::string bearing_curves(const model::Case &scene, const CriticalMap &map, std::string &data) {
+    std::string plots;
+    for (std::size_t i = 0; i < map.bearings.size(); ++i) {
+        const CriticalMapBearing &across = map.bearings[i];
+        const LineStyle style = series_style(i + 2); // the first two are those of whirl
+        for (const bool x : {true, false}) {
+            if (!x && across.isotropic)
+                continue;
+            std::vector<PlotPoint> points;
+            for (std::size_t k = 0; k < across.speeds.size(); ++k) {
+                const double stiffness = (x ? across.kxx : across.kyy)[k];
+                // Outside of what a logarithmic axis shows: the line ends.
+                points.push_back(
+                    {stiffness > 0 ? stiffness * newtons_per_metre : 1.0,
+                     stiffness > 0 ? std::optional(across.speeds[k] * rpm) : std::nullopt});
+            }
+            const std::string name = fmt::format("{}{}", x ? "kx" : "ky", i);
+            data += data_block(name, {points});
+            plots += fmt::format(", ${} with lines lw 2 dt {} lc rgb '{}' title {}", name,
+                                 x ? "1" : "(3,4)", style.colour,
+                                 plot_text(fmt::format("{}, {}",
+                                                       across.isotropic ? "k"
+                                                       : x              ? "kxx"
+                                                                        : "kyy",
+                                                       bearing_words(scene, across))));
+        }
+    }
+    return plots;
+}
+
+/// Names of the curves at their stiff ends, apart from one another.
+std::string curve_labels(const CriticalMap &map, Range y) {
+    std::vector<double> wanted;
+    for (const CriticalMapCurve &curve : map.curves)
+        wanted.push_back(curve.speed.back() > 0 ? along(curve.speed.back() * rpm, y) : -1);
+    const auto places = spread(wanted, 0.036, {0.02, 0.98});
+    std::string labels;
+    for (std::size_t i = 0; i < map.curves.size(); ++i)
+        if (wanted[i] >= 0)
+            labels += fmt::format("set label '{}' at graph 1.008,graph {:.5g} left font ',10' "
+                                  "textcolor '{}'\n",
+                                  curve_name(map.curves[i].whirl, map.curves[i].number), places[i],
+                                  whirl_style(map.curves[i].whirl).colour);
+    return labels;
+}
+
+/// Crossings as circles with their numbers in the table, where there is room for these.
+std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string &data) {
+    std::vector<PlotPoint> points;
+    LabelPlacer placer;
+    for (const auto &at : map.crossings) {
+        const double u = along(at.stiffness * newtons_per_metre, x);
+        const double v = along(at.speed * rpm, y);
+        placer.block({u - 0.006, v - 0.012, 0.012, 0.024});
+        points.push_back({at.stiffness * newtons_per_metre, at.speed * rpm});
+    }
+    std::string labels;
+    for (std::size_t i = 0; i < map.crossings.size(); ++i) {
+        const auto &at = map.crossings[i];
+        const auto box = placer.place(along(at.stiffness * newtons_per_metre, x),
+                                      along(at.speed * rpm, y), i < 9 ? 0.013 : 0.022, 0.032);
+        // One that found room only far away would name another ring.
+        if (box &&
+            std::abs(box->x + box->width / 2 - along(at.stiffness * newtons_per_metre, x)) <
+                0.025 &&
+            std::abs(box->y + box->height / 2 - along(at.speed * rpm, y)) < 0.045)
+            labels += fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' "
+                                  "front\n",
+                                  i + 1, box->x + box->width / 2, box->y + box->height / 2);
+    }
+    data += data_block("crossings", {points});
+    return labels;
+}
+
+std::string map_panel(const model::Case &scene, const CriticalMap &map, double pixel) {
+    const Range x{map.stiffness.front() * newtons_per_metre,
+                  map.stiffness.back() * newtons_per_metre};
+    const Range y = speed_range(map);
+    std::string data;
+    std::string plots;
+    for (std::size_t i = 0; i < map.curves.size(); ++i) {
+        const CriticalMapCurve &curve = map.curves[i];
+        std::vector<PlotPoint> points;
+        for (std::size_t k = 0; k < map.stiffness.size(); ++k)
+            points.push_back({map.stiffness[k] * newtons_per_metre, curve.speed[k] * rpm});
+        const LineStyle style = whirl_style(curve.whirl);
+        const bool first = i == 0 || map.curves[i - 1].whirl != curve.whirl;
+        data += data_block(fmt::format("curve{}", i), {points});
+        plots +=
+            fmt::format("{}$curve{} with lines lw 2 dt {} lc rgb '{}' {}", i ? ", " : "", i,
+                        style.dash, style.colour, first ? "title '" + style.name + "'" : "notitle");
+    }
+    if (plots.empty())
+        plots = "NaN notitle";
+    plots += bearing_curves(scene, map, data) + operation_key(scene, y);
+    const std::string labels = curve_labels(map, y) + crossing_marks(map, x, y, data);
+    if (!map.crossings.empty())
+        plots += ", $crossings with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000' title 'crossing, "
+                 "number in the table'";
+    return data + panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) +
+           fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
+                       "set format x '10^{{%L}}'\nset format y '%g'\n"
+                       "set xlabel 'Stiffness of the supports (N/m)'\n"
+                       "set ylabel 'Critical speed (rpm)'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+                       "set key at screen 0.5,{} center center horizontal samplen 3 font ',10'\n",
+                       x.low, x.high, y.low, y.high, 1 - 84 * pixel) +
+           operation_band(scene, y, SpeedAxis::y) + labels + "plot " + plots +
+           "\nunset label\nunset object\nunset arrow\nunset logscale\nset format\n";
+}
+
+/// Deflections of the lowest forward motions at one end of the map.
+std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
+    constexpr int most = 4;
+    std::string data;
+    std::string plots;
+    int drawn = 0;
+    for (const CriticalMapCurve &curve : map.curves) {
+        const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
+        if (curve.whirl != Whirl::forward || shape.empty() || drawn == most)
+            continue;
+        std::vector<PlotPoint> points;
+        for (std::size_t i = 0; i < shape.size(); ++i)
+            points.push_back({map.z[i] * metres, shape[i]});
+        const std::string name = fmt::format("{}{}", soft ? "soft" : "stiff", drawn);
+        const LineStyle style = series_style(static_cast<std::size_t>(drawn++));
+        data += data_block(name, {points});
+        plots += fmt::format("${} with lines lw 2 dt {} lc rgb '{}' title '{}, {} rpm', ", name,
+                             style.dash, style.colour, curve_name(curve.whirl, curve.number),
+                             readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6));
+    }
+    const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
+    const double left = soft ? map_left : 0.54;
+    return data + panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
+           fmt::format("set title 'Shapes at the {} end, {} N/m' font ',12' offset 0,1.3\n"
+                       "set xrange [{}:{}]\nset yrange [-1.25:1.25]\nset ytics -1,1,1\n"
+                       "set xlabel 'z (m)'\nset ylabel ''\n"
+                       "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n"
+                       "plot {}$bearings with points pt 9 ps 1.4 lc rgb '#555555' notitle\n",
+                       soft ? "soft" : "stiff",
+                       readable(soft ? map.stiffness.front() : map.stiffness.back(), 4),
+                       -0.03 * length, 1.03 * length, left + 0.2075, 204 * pixel, plots);
+}
+
+} // namespace
+
+Figure critical_map_figure(const model::Case &scene, const CriticalMap &map) {
+    Figure figure;
+    figure.width = 1200;
+    figure.height = 960;
+    const double pixel = 1.0 / figure.height;
+    std::vector<PlotPoint> bearings;
+    for (const auto &bearing : scene.rotor.supports())
+        bearings.push_back({bearing.z * metres, -1.12});
+    figure.script = figure_head("Critical speed map: " + title_of(scene),
+                                "undamped critical speeds over the stiffness of " +
+                                    (map.bearing ? bearings_text(scene, {*map.bearing})
+                                                 : std::string("all bearings together")),
+                                figure.height) +
+                    map_panel(scene, map, pixel) + data_block("bearings", {bearings}) +
+                    shape_panel(map, true, pixel) + shape_panel(map, false, pixel) +
+                    "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report
