@@ -62,6 +62,20 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _system.resize(4 * planes, 4 * planes);
     _turned.resize(r, 2);
     _push.resize(2 * r);
+    _external.setZero(2 * r);
+}
+
+std::vector<double> RotorMotion::jumps() const {
+    std::vector<double> times = _parts.excitation.jumps();
+    if (!_parts.motor)
+        for (const double jump : _parts.spin.jumps())
+            times.push_back(jump);
+    for (const FixedMass &mass : _parts.fixed)
+        if (mass.from > 0)
+            times.push_back(mass.from);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
 }
 
 int RotorMotion::coordinates() const { return first_angle() + _parts.free_angles(); }
@@ -124,8 +138,16 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     }
 }
 
+void RotorMotion::outside_forces(double t) const {
+    if (_parts.excitation.none())
+        return;
+    _base = _parts.excitation.base(t, _piece);
+    _external.setZero();
+    _parts.excitation.add_loads(t, _piece, _external);
+    _forces.col(0) += _external;
+}
+
 void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
-    const Index r = _rows.rows();
     const int n = coordinates();
     _loads.setZero();
     _coupling.setZero();
@@ -140,20 +162,31 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
         angles += size;
         const Index at = 4 * parts.plane;
         for (const balancers::MassEquation *end = equation + size; equation != end; ++equation) {
-            const balancers::MassEquation &e = *equation;
+            balancers::MassEquation &e = *equation;
+            e.b += e.u.head<2>().dot(_base);
             _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
             _loads.col(1).segment<4>(at) += e.per_spin;
             _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
             _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
         }
     }
+    fixed_loads(spin);
+}
+
+void RotorMotion::fixed_loads(const Spin::At &spin) const {
+    const Index r = _rows.rows();
     for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
         const FixedMass &mass = _parts.fixed[i];
         balancers::MassEquation &e = _fixed_equations[i];
+        if (!is_there(mass)) {
+            e = {};
+            continue;
+        }
         const auto plane = static_cast<std::size_t>(std::max(mass.plane, 0));
         const bool own = mass.plane < 0; // a mere eccentricity: where it is makes no difference
         e = mass.mass.equation(own ? balancers::PlaneMotion{} : _motions[plane],
                                spin.angle + mass.phase, spin.speed);
+        e.b += e.u.head<2>().dot(_base);
         if (!own) {
             const Index at = 4 * mass.plane;
             _loads.col(0).segment<4>(at) += e.force;
@@ -249,6 +282,7 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
         const Eigen::Matrix2d w = _planes.middleRows<2>(4 * parts.plane);
         for (int i = 0; i < parts.motion->size(); ++i, ++e) {
             torque += e->torque;
+            torque(0) += _base(1) * e->offset(0) - _base(0) * e->offset(1);
             torque.head(columns) +=
                 (w.row(1) * e->offset(0) - w.row(0) * e->offset(1)).transpose().head(columns);
         }
@@ -261,6 +295,7 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     const int r2 = first_angle();
     Spin::At now = spin(t, state);
     rotor_forces(now, state, state + n);
+    outside_forces(t);
     mass_loads(now, state);
     const int columns = _parts.motor || now.acceleration != 0 ? 2 : 1;
     solve_accelerations(columns);

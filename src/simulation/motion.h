@@ -3,6 +3,7 @@
 #include "balancers/circle_mass.h"
 #include "balancers/parts_motion.h"
 #include "reduction/reduced_rotor.h"
+#include "simulation/excitation.h"
 #include "simulation/spin.h"
 
 #include <Eigen/Dense>
@@ -31,6 +32,7 @@ struct FixedMass {
     reduction::Row row;
     balancers::CircleMass mass;
     double phase = 0; ///< rad
+    double from = 0;  ///< s: not there before
 };
 
 /// Constant torque minus slope times speed.
@@ -48,6 +50,7 @@ struct MovingParts {
     double polar_inertia = 0; ///< kg m2, of all that turns with the rotor but masses listed above
     Spin spin{0.0};
     std::optional<Motor> motor; ///< then the speed is an unknown and spin is not read
+    Excitation excitation;
 
     [[nodiscard]] int free_angles() const {
         int sum = 0;
@@ -74,8 +77,10 @@ class RotorMotion {
     [[nodiscard]] int first_angle() const { return 2 * _parts.rotor.size(); }
     [[nodiscard]] int books() const { return size() - 3; } ///< index of work, loss, impulse
 
-    /// Acceleration of the prescribed spin is that of the piece around this time.
+    /// Whatever jumps is as in the piece between two jumps that holds this time.
     void enter_piece(double time) { _piece = time; }
+    /// Times at which the rates jump or bend, ascending, > 0.
+    [[nodiscard]] std::vector<double> jumps() const;
     [[nodiscard]] Spin::At spin(double t, const double *state) const;
 
     /// dy/dt.
@@ -108,9 +113,17 @@ class RotorMotion {
     mutable Eigen::MatrixXd _system;   ///< 4P x 4P
     mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
     mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
+    mutable Eigen::VectorXd _external; ///< 2r: loads from outside
+    mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 
     void rotor_forces(const Spin::At &spin, const double *p, const double *v) const;
+    void outside_forces(double t) const;
     void mass_loads(const Spin::At &spin, const double *state) const;
+    void fixed_loads(const Spin::At &spin) const;
+    void add_outside_work(const Spin::At &spin, const double *state, double *books) const;
+    [[nodiscard]] bool is_there(const FixedMass &mass) const {
+        return mass.from <= 0 || _piece > mass.from;
+    }
     void solve_accelerations(int columns) const;
     void gather(Eigen::Index column) const;
     [[nodiscard]] Eigen::Vector2d torque(const Spin::At &spin, const double *state,
