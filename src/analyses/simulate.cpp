@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <variant>
 
 namespace whirl::analyses {
 
@@ -57,6 +59,17 @@ std::vector<std::vector<double>> last_angles(const model::Case &scene,
     return angles;
 }
 
+/// Pairs of angles nearer to each other than this.
+int overlapping_pairs(const std::vector<double> &angles, double nearest) {
+    constexpr double turn = 2 * std::numbers::pi;
+    int pairs = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (std::abs(std::remainder(angles[i] - angles[j], turn)) < nearest)
+                ++pairs;
+    return pairs;
+}
+
 /// A motion that grows beyond all numbers has an outcome all the same: what was followed is judged.
 void end_early(results::SimulateResult &result, const std::string &failure) {
     constexpr std::size_t enough = 100; // points of the series
@@ -67,6 +80,32 @@ void end_early(results::SimulateResult &result, const std::string &failure) {
         result.balancers[i].amplitude = result.series.amplitude[i].back();
     result.model.notes.push_back(
         fmt::format("{}; it was followed for {:.6g} s", failure, result.time));
+}
+
+/// Balls that pass through each other are no balls: those that end in one place are named.
+void note_overlaps(const model::Case &scene, results::SimulateResult &result) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < scene.rotor.balancers.size(); ++i) {
+        const model::Balancer &b = scene.rotor.balancers[i];
+        const std::size_t coordinates = balancers::kind_of(b)->coordinates().size();
+        const auto *balls = std::get_if<model::Balls>(&b.parts);
+        std::size_t ball = first;
+        first += coordinates;
+        if (!balls || balls->contact)
+            continue;
+        for (const model::BallRow &row : balls->rows) {
+            std::vector<double> angles;
+            for (int j = 0; j < row.n; ++j)
+                angles.push_back(result.series.angles[ball++].back());
+            const int pairs = overlapping_pairs(angles, row.touching_angle());
+            if (row.diameter > 0 && pairs > 0)
+                result.model.notes.push_back(fmt::format(
+                    "{}: {} {} of balls overlap at the end: their centres are nearer than the "
+                    "diameter of a ball, {:.4g} m; contact = true keeps them apart",
+                    b.name.empty() ? fmt::format("balancer[{}]", i) : b.name, pairs,
+                    pairs == 1 ? "pair" : "pairs", row.diameter));
+        }
+    }
 }
 
 /// Amplitudes without balls, and what the eigenvalues promise.
@@ -80,7 +119,14 @@ void compare_with_no_balls(const model::Case &scene, int order, results::Simulat
         result.model.notes.push_back(fmt::format(
             "{}; balanced is judged by the amplitude of a free rotor", no_growth.what()));
     }
-    if (simulation::ends_at_constant_speed(result))
+    // Resistance to rolling makes whole intervals of positions stable, which no eigenvalue knows.
+    const bool dry = std::any_of(scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
+                                 [](const model::Balancer &b) {
+                                     const auto *balls = std::get_if<model::Balls>(&b.parts);
+                                     return balls && balls->resists();
+                                 });
+    note_overlaps(scene, result);
+    if (!dry && simulation::ends_at_constant_speed(result))
         result.linear_growth =
             simulation::linear_growth(scene, result.speed, last_angles(scene, result.series));
 }
@@ -146,6 +192,14 @@ void add_other_starts(const model::Case &scene, simulation::MotionScene &motion,
 }
 
 } // namespace
+
+results::SimulateResult simulate_alone(const model::Case &scene) {
+    simulation::MotionScene motion = simulation::motion_scene(scene);
+    results::SimulateResult result = motion_from(scene, motion, nullptr);
+    if (result.restart)
+        throw model::AnalysisFailure("interrupted");
+    return result;
+}
 
 results::SimulateResult simulate(const model::Case &scene, const model::Restart *from) {
     if (process::process_rank() != 0)

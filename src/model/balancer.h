@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -26,6 +27,12 @@ struct Balls {
     std::vector<BallRow> rows{BallRow{}};
     bool contact = false;   ///< balls of one row do not pass each other
     double restitution = 1; ///< speed after over speed before an impact, with contact
+
+    /// Some ball has dry resistance to rolling.
+    [[nodiscard]] bool resists() const {
+        return std::any_of(rows.begin(), rows.end(),
+                           [](const BallRow &r) { return r.rolling > 0; });
+    }
 };
 
 /// Four pendulums: two tied pairs on two perpendicular lines.

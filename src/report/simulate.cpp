@@ -47,6 +47,7 @@ const Columns<SimulateResult> columns{
      {"Amplitude left over that without balls", "{:.5g}"},
      {},
      &SimulateResult::residual_ratio},
+    {"impacts", "", {"Impacts between balls", "{}"}, {}, &SimulateResult::impacts},
     {"trend",
      "",
      {"Growth of the amplitude over the last half (1/s)", "{:.4g}"},
@@ -201,7 +202,8 @@ Json json_of(const SimulateResult &result) {
     json["audit"] = {{"energy_error", audit.energy_error},
                      {"energy_scale", audit.energy_scale},
                      {"momentum_error", audit.momentum_error},
-                     {"momentum_scale", audit.momentum_scale}};
+                     {"momentum_scale", audit.momentum_scale},
+                     {"impact_gain", audit.impact_gain}};
     json["series"] = {{"time", result.series.time},
                       {"speed", result.series.speed},
                       {"amplitude", result.series.amplitude},
@@ -250,6 +252,8 @@ std::string outcome_text(const SimulateResult &result) {
         text += fmt::format("  by its eigenvalues the balanced position is {}: {:.4g} 1/s\n",
                             *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
                             *result.linear_growth);
+    if (result.impacts)
+        text += fmt::format("  {} impacts between balls\n", *result.impacts);
     if (result.decision_time)
         text += fmt::format("  a motion of {:.3g} s would decide\n", *result.decision_time);
     return text;

@@ -54,6 +54,7 @@ struct MotionAudit {
     double energy_scale = 0;   ///< J, largest of work, loss and change of energy
     double momentum_error = 0; ///< kg m2/s
     double momentum_scale = 0; ///< kg m2/s, largest of impulse and change of momentum
+    double impact_gain = 0;    ///< largest share of the energy that an impact created: rounding
 };
 
 /// A motion from another start, told by its end.
@@ -83,6 +84,7 @@ struct SimulateResult {
     double speed = 0;       ///< rad/s, at the end
     double revolutions = 0; ///< from the start
     std::vector<BalancerMotion> balancers;
+    std::optional<long> impacts; ///< between balls that do not pass each other or resist rolling
     MotionSeries series;
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     std::vector<OtherStart> other_starts;

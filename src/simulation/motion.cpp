@@ -63,6 +63,10 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _turned.resize(r, 2);
     _push.resize(2 * r);
     _external.setZero(2 * r);
+    for (const FreeParts &free : _parts.free)
+        _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
+                         free.plane);
+    set_dry({});
 }
 
 std::vector<double> RotorMotion::jumps() const {
@@ -164,9 +168,11 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
         for (const balancers::MassEquation *end = equation + size; equation != end; ++equation) {
             balancers::MassEquation &e = *equation;
             e.b += e.u.head<2>().dot(_base);
+            const auto i = static_cast<std::size_t>(equation - _free_equations.data());
+            add_sliding(i, e);
             _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
             _loads.col(1).segment<4>(at) += e.per_spin;
-            _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
+            _coupling.block<4, 4>(at, at).noalias() -= e.u * _friction[i].row.transpose() / e.a;
             _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
         }
     }
@@ -277,15 +283,25 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
         }
         torque += Eigen::Vector2d(e.b, e.a);
     }
-    const balancers::MassEquation *e = _free_equations.data();
-    for (const FreeParts &parts : _parts.free) {
-        const Eigen::Matrix2d w = _planes.middleRows<2>(4 * parts.plane);
-        for (int i = 0; i < parts.motion->size(); ++i, ++e) {
-            torque += e->torque;
-            torque(0) += _base(1) * e->offset(0) - _base(0) * e->offset(1);
-            torque.head(columns) +=
-                (w.row(1) * e->offset(0) - w.row(0) * e->offset(1)).transpose().head(columns);
-        }
+    return torque + free_torque(columns);
+}
+
+/// What the free parts ask of the drive.
+Eigen::Vector2d RotorMotion::free_torque(int columns) const {
+    Eigen::Vector2d torque(0, 0);
+    for (std::size_t i = 0; i < _free_equations.size(); ++i) {
+        const balancers::MassEquation &e = _free_equations[i];
+        const Eigen::Matrix<double, 4, 2> y = _planes.block<4, 2>(4 * _plane_of[i], 0);
+        torque += e.torque;
+        torque(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
+        torque.head(columns) +=
+            (y.row(1) * e.offset(0) - y.row(0) * e.offset(1)).transpose().head(columns);
+        if (_dry.resists.empty() || !_dry.resists[i])
+            continue;
+        const double lever = _dry.slip[i] * e.lever;
+        torque(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
+        const Eigen::Vector2d along = y.transpose() * e.normal_y;
+        torque.head(columns) -= lever * along.head(columns);
     }
     return torque;
 }
@@ -297,8 +313,11 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     rotor_forces(now, state, state + n);
     outside_forces(t);
     mass_loads(now, state);
-    const int columns = _parts.motor || now.acceleration != 0 ? 2 : 1;
-    solve_accelerations(columns);
+    const int held = add_constraint_columns();
+    const int columns = held > 0 || _parts.motor || now.acceleration != 0 ? 2 : 1;
+    solve_accelerations(columns + held);
+    if (held > 0)
+        apply_constraints(now, state, held);
     const Eigen::Vector2d needed = torque(now, state, columns);
     if (_parts.motor) {
         const double given = _parts.motor->torque - _parts.motor->slope * now.speed;
@@ -311,16 +330,17 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
         _forces.col(0) += now.acceleration * _forces.col(1);
         _planes.col(0) += now.acceleration * _planes.col(1);
     }
+    settle_friction();
     std::copy(state + n, state + 2 * n, rates);
     std::copy(_forces.data(), _forces.data() + r2, rates + n);
-    const balancers::MassEquation *e = _free_equations.data();
     double *own = rates + n + r2;
-    for (const FreeParts &parts : _parts.free)
-        for (int i = 0; i < parts.motion->size(); ++i, ++e, ++own) {
-            *own = -(e->u.dot(_planes.col(0).segment<4>(4 * parts.plane)) + e->b) / e->a;
-            if (!e->in_rotor)
-                *own -= now.acceleration;
-        }
+    for (std::size_t i = 0; i < _free_equations.size(); ++i, ++own) {
+        const balancers::MassEquation &e = _free_equations[i];
+        const DryTorque &f = _friction[i];
+        *own = (f.push - f.row.dot(_planes.col(0).segment<4>(4 * _plane_of[i])) - e.b) / e.a;
+        if (!e.in_rotor)
+            *own -= now.acceleration;
+    }
     keep_energy_balance(now, torque, state, rates + books());
 }
 

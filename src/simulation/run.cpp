@@ -2,6 +2,7 @@
 
 #include "process/interruption.h"
 #include "process/progress.h"
+#include "simulation/dry/dry_scene.h"
 #include "simulation/restart.h"
 #include "simulation/steady_start.h"
 
@@ -52,9 +53,13 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
       _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-      _solver(problem(), _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order) {
+      _solver(problem(), method()) {
     if (!motion.stations.rows.empty())
         _stations.emplace(_motion, motion.stations.rows, scene.simulate.time, motion.fastest);
+    _motion.set_dry(dry_state(_motion.parts(), motion.start_angles, motion.fastest));
+    if (_motion.dry().any())
+        _dry.emplace(_motion, motion.fastest,
+                     [this] { return std::make_unique<OdeSolver>(problem(), method()); });
 }
 
 Run::Scales Run::scales_of(const MotionScene &motion) {
@@ -142,13 +147,14 @@ void Run::begin(const model::Restart *from) {
     _motion.enter_piece(std::nextafter(_t, HUGE_VAL));
     if (_stations)
         _stations->begin(_t, state.data());
+    if (_dry)
+        _dry->begin(_t, state);
     _solver.start(_t, state.data(), from ? from->step : 0);
 }
 
 /// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
 void Run::pass_jump(double time) {
-    const Eigen::VectorXd state =
-        Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
     _energy -= _motion.energy(time, state.data());
     _momentum -= _motion.momentum(time, state.data());
     _motion.enter_piece(std::nextafter(time, HUGE_VAL));
@@ -156,14 +162,33 @@ void Run::pass_jump(double time) {
     _momentum += _motion.momentum(time, state.data());
     if (_stations)
         _stations->begin(time, state.data());
+    if (_dry)
+        _dry->begin(time, state);
     _solver.start(time, state.data());
+}
+
+/// One step of the integrator, or as much of it as there is until an event.
+void Run::step(double stop) {
+    if (!_dry) {
+        _t = _solver.step(stop);
+        return;
+    }
+    const Eigen::VectorXd before =
+        Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+    const double from = _t;
+    _t = _solver.step(stop);
+    if (auto event = _dry->within(from, before, _t, _solver.state())) {
+        _t = event->time;
+        _dry->pass(*event);
+        _solver.start(_t, event->state.data());
+    }
 }
 
 bool Run::reach(double stop) {
     while (_t < stop) {
         if (process::take_interruption())
             return false;
-        _t = _solver.step(stop);
+        step(stop);
         _recorder.step(_t, _solver.state());
         if (_stations)
             _stations->step(_t, _solver.state());
@@ -243,6 +268,14 @@ void Run::fill(results::SimulateResult &result) {
     if (_stations) {
         fill_stations(result);
         return;
+    }
+    if (_dry) {
+        result.impacts = _dry->impacts();
+        result.audit.impact_gain = _dry->created();
+        if (_dry->lifted())
+            result.model.notes.emplace_back(
+                "a ball was pulled off its race for a time: the normal force there was below 0, "
+                "which resistance to rolling does not know");
     }
     for (const double amplitude : _recorder.last_amplitudes()) {
         result.balancers.emplace_back();

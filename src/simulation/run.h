@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "model/restart.h"
 #include "results/simulate.h"
+#include "simulation/dry/dry_events.h"
 #include "simulation/equations.h"
 #include "simulation/ode_solver.h"
 #include "simulation/recorder.h"
@@ -42,6 +43,7 @@ class Run {
     Scales _scales;
     bool _stiff;
     OdeSolver _solver;
+    std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
     double _energy = 0;
     double _momentum = 0;
@@ -49,11 +51,15 @@ class Run {
     [[nodiscard]] static Scales scales_of(const MotionScene &motion);
     void allowed_error(const double *state, double *allowed) const;
     [[nodiscard]] OdeProblem problem();
+    [[nodiscard]] OdeMethod method() const {
+        return _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order;
+    }
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
     void begin(const model::Restart *from);
     void pass_jump(double time);
     bool reach(double stop);
+    void step(double stop);
     void fill_audit(results::SimulateResult &result) const;
     void fill_stations(results::SimulateResult &result);
     [[nodiscard]] results::PeakInTime refined(std::size_t station, const PeakCandidate &candidate);

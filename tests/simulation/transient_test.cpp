@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(UpAndDown, Passages,
 TEST(RunUp, StandsBesideTheSteadyPeak) {
     RigidJeffcott rotor;
     const double z = rotor.ratio();
-    const model::Case scene = ramp_scene(rotor, {0, 2 * rotor.natural(), 5}, 5);
+    const model::Case scene = ramp_scene(rotor, {0, 2 * rotor.natural(), 0.5}, 0.5);
     const results::SimulateResult result = analyses::simulate(scene);
     const results::StationMotion &station = result.stations[disc];
     const double peak = moment / rotor.mass / (2 * z * std::sqrt(1 - z * z));
@@ -127,21 +127,19 @@ TEST(RunUp, StandsBesideTheSteadyPeak) {
     EXPECT_EQ(result.outcome, results::Outcome::transient);
 }
 
-// Slower and slower the peak becomes the steady one.
+// With q = acceleration/(decay rate)^2 the receptance at rest H of a slow passage becomes
+// H + i a H''/2: near the peak (1 + i q) of it, whose size is within q^2 of the steady one.
 TEST(RunUp, BecomesTheSteadyResponseWhenSlow) {
-    RigidJeffcott rotor;
-    double before = 1;
-    for (const double turns : {20.0, 80.0, 320.0}) {
+    const RigidJeffcott rotor;
+    for (const double turns : {320.0, 960.0}) {
         const double time = turns * 2 * std::numbers::pi / rotor.natural();
         const results::StationMotion station =
             analyses::simulate(ramp_scene(rotor, {0, 2 * rotor.natural(), time}, time))
                 .stations[disc];
-        const double lack = 1 - station.peak.value / station.steady_peak.value();
-        EXPECT_GT(lack, 0);
-        EXPECT_LT(lack, before / 3);
-        before = lack;
+        const double decay = rotor.ratio() * rotor.natural();
+        const double q = 2 * rotor.natural() / time / (decay * decay);
+        EXPECT_NEAR(station.peak.value / station.steady_peak.value(), 1, q * q);
     }
-    EXPECT_LT(before, 0.01);
 }
 
 // --- Sudden imbalance ---------------------------------------------------------------------------
@@ -163,7 +161,7 @@ TEST(BladeLoss, IsTheStepResponseOfADampedOscillator) {
     const results::SimulateResult result = analyses::simulate(scene);
     const Complex i(0, 1);
     const Complex steady =
-        moment * speed * speed * std::exp(i * Complex(speed * loss + 0.4)) /
+        Complex(moment * speed * speed) * std::exp(i * Complex(speed * loss + 0.4)) /
         (Complex(rotor.kx - rotor.mass * speed * speed) + i * Complex(rotor.c * speed));
     const auto [l1, l2] = free_roots(rotor);
     // At rest when it begins: steady + a + b = 0, i speed steady + l1 a + l2 b = 0.
@@ -245,7 +243,7 @@ TEST(HarmonicForce, EndsInTheSteadyClosedForm) {
         // By the end exp(-0.1 * 316 * 1.17) = 1e-16 of the start is left; maxima of polynomials.
         EXPECT_NEAR(result.stations[disc].amplitude, expected, 2e-5 * expected);
         const Complex i(0, 1);
-        const Complex response = 30 * std::exp(i * Complex(0.3)) /
+        const Complex response = Complex(30) * std::exp(i * Complex(0.3)) /
                                  (Complex(rotor.kx - rotor.mass * frequency * frequency) +
                                   i * Complex(rotor.c * frequency));
         const double t = result.series.time.back();

@@ -99,13 +99,18 @@ void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
 }
 
 /// The motor that drives the rotor, where its speed is not prescribed.
-void read_motor(CheckedTable &table, model::SimulateSettings &simulate) {
+void read_motor(CheckedTable &table, const model::Rotor &rotor, model::SimulateSettings &simulate) {
     simulate.torque = table.optional_number("torque", Quantity::torque);
     simulate.torque_slope =
         table.number_or("torque_slope", 0, Quantity::tilt_damping, Range::not_negative());
     simulate.inertia = table.number_or("inertia", 0, Quantity::inertia, Range::not_negative());
     if (simulate.torque && !simulate.run_up.empty())
         table.fail("torque", "expected either run_up or the torque of a motor, got both");
+    for (const model::Balancer &b : rotor.balancers)
+        if (const auto *balls = std::get_if<model::Balls>(&b.parts);
+            simulate.torque && balls && (balls->contact || balls->resists()))
+            table.fail("torque", "expected a prescribed speed (run_up, or [speeds]) where balls "
+                                 "touch or resist rolling, got the torque of a motor");
     for (const char *key : {"torque_slope", "inertia"})
         if (!simulate.torque && table.has(key))
             table.fail(key, "expected only together with torque, got it alone");
@@ -139,7 +144,7 @@ void read_simulate(CheckedTable &root, model::Case &scene) {
     read_starts(*table, simulate);
     simulate.tolerance = table->number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
                                           Range::inside(0, 1));
-    read_motor(*table, simulate);
+    read_motor(*table, scene.rotor, simulate);
     read_outside(*table, scene);
     read_simulate_options(*table, scene);
     table->refuse_unknown();

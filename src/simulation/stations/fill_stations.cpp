@@ -12,8 +12,7 @@ results::PeakInTime Run::refined(std::size_t station, const PeakCandidate &candi
     const reduction::Row &row = _prepared.stations.rows[station];
     // Between two jumps, in the piece that the step belongs to.
     _motion.enter_piece(std::nextafter(candidate.start, HUGE_VAL));
-    OdeSolver solver(problem(),
-                     _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order);
+    OdeSolver solver(problem(), method());
     Eigen::Vector2d w;
     double speed = speed_at(candidate.time);
     const auto growth = [&](double since) {
