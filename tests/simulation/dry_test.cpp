@@ -169,7 +169,7 @@ TEST(Contact, KeepsBallsApartByTheirDiameter) {
         balls_of(scene).contact = true;
         balls_of(scene).restitution = restitution;
         scene.speeds = model::SpeedRange{speed, speed, 1};
-        scene.simulate.time = 6;
+        scene.simulate.time = 3;
         scene.simulate.tolerance = 1e-9;
         const double touching = balls_of(scene).rows.front().touching_angle();
         const results::SimulateResult result = analyses::simulate(scene);
@@ -192,7 +192,7 @@ TEST(Contact, IsMissedWhereBallsOverlap) {
     scene.rotor.balancers.front().imbalance = 0.003;
     balls_of(scene).rows.front().damping = 1;
     scene.speeds = model::SpeedRange{speed, speed, 1};
-    scene.simulate.time = 6;
+    scene.simulate.time = 3;
     const results::SimulateResult result = analyses::simulate(scene);
     EXPECT_TRUE(std::any_of(result.model.notes.begin(), result.model.notes.end(),
                             [](const std::string &note) {
