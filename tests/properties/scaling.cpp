@@ -66,6 +66,9 @@ model::Case scene_in_units(const std::filesystem::path &file,
         if (force.to)
             *force.to /= 20;
     }
+    if (auto &base = scene.simulate.base)
+        for (model::BaseMotion::Row &row : base->table)
+            row.time /= 20;
     scene.simulate.output_points = 400;
     scene.simulate.other_starts.clear();
     scene.balance.simulated = 0;
