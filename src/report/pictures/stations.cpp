@@ -117,6 +117,20 @@ std::string amplitude_over_time(const SimulateResult &result) {
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.text();
 }
 
+/// Linear, or logarithmic where the steady peaks would leave nothing of the motion to see.
+std::string amplitude_range(const SimulateResult &result) {
+    constexpr double comparable = 4;
+    constexpr double decades = 1e-3; ///< of the highest: the least that is drawn
+    double steady = 0;
+    for (const StationMotion &station : result.stations)
+        if (std::isfinite(station.steady_peak.value_or(0)))
+            steady = std::max(steady, station.steady_peak.value_or(0));
+    const double peak = result.stations[results::largest_station(result.stations)].peak.value;
+    if (steady <= comparable * peak)
+        return "set yrange [0:*]\n";
+    return fmt::format("set logscale y\nset yrange [{}:*]\n", decades * peak * 1e6);
+}
+
 /// The steady response behind, the motion in front.
 std::string amplitude_over_speed(const SimulateResult &result) {
     Lines lines("s");
@@ -151,8 +165,8 @@ std::string amplitude_over_speed(const SimulateResult &result) {
     const auto [low, high] =
         std::minmax_element(result.series.speed.begin(), result.series.speed.end());
     return axes("Amplitude (µm)", "Spin speed (rpm)") +
-           fmt::format("set xrange [{}:{}]\nset yrange [0:*]\n", *low * rpm, *high * rpm) +
-           lines.text();
+           fmt::format("set xrange [{}:{}]\n", *low * rpm, *high * rpm) + amplitude_range(result) +
+           lines.text() + "unset logscale y\n";
 }
 
 /// x and y of the station that moves most.
