@@ -250,7 +250,7 @@ TEST(ContactAndRolling, KeepTheBooks) {
         balls.rows.front().diameter = 0.015;
         balls.rows.front().rolling = 2e-5;
     }
-    scene.simulate.time = 1;
+    scene.simulate.time = 0.2;
     scene.simulate.gravity = 9.81;
     scene.simulate.tolerance = 1e-9;
     const results::SimulateResult result = analyses::simulate(scene);
