@@ -18,4 +18,7 @@ namespace whirl::analyses {
 [[nodiscard]] results::SimulateResult simulate(const model::Case &scene,
                                                const model::Restart *from = nullptr);
 
+/// The motion from the first start of the case alone, by this process alone.
+[[nodiscard]] results::SimulateResult simulate_alone(const model::Case &scene);
+
 } // namespace whirl::analyses

@@ -62,9 +62,18 @@ class BallMotion final : public PartsMotion {
   public:
     struct Ball {
         CircleMass mass;
-        double drag = 0; ///< h_A R^2, N m s/rad
+        double drag = 0;    ///< h_A R^2, N m s/rad
+        double mass_kg = 0; ///< m
+        double gravity = 0; ///< m/s2
+        double lever = 0;   ///< of the resistance to rolling at the axis, per normal force, m
     };
-    explicit BallMotion(std::vector<Ball> balls) : _balls(std::move(balls)) {}
+    BallMotion(std::vector<Ball> balls, std::vector<TouchingRow> touching)
+        : _balls(std::move(balls)), _touching(std::move(touching)) {}
+
+    [[nodiscard]] std::vector<TouchingRow> touching() const override { return _touching; }
+    [[nodiscard]] bool resists(int ball) const override {
+        return _balls[static_cast<std::size_t>(ball)].lever > 0;
+    }
 
     [[nodiscard]] int size() const override { return static_cast<int>(_balls.size()); }
 
@@ -76,6 +85,8 @@ class BallMotion final : public PartsMotion {
             e.friction = _balls[j].drag * rates[j];
             e.b += e.friction;
             e.torque(0) = -e.friction;
+            if (_balls[j].lever > 0)
+                press(_balls[j], spin.angle + angles[j], spin.speed + rates[j], e);
         }
     }
 
@@ -89,6 +100,16 @@ class BallMotion final : public PartsMotion {
 
   private:
     std::vector<Ball> _balls;
+    std::vector<TouchingRow> _touching;
+
+    /// m [R g'^2 - Re(exp(-i g) w'') - G sin g], pressing outwards.
+    static void press(const Ball &ball, double angle, double rate, MassEquation &e) {
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
+        e.lever = ball.lever;
+        e.normal = ball.mass.moment * rate * rate - ball.mass_kg * ball.gravity * sine;
+        e.normal_y.head<2>() << -ball.mass_kg * cosine, -ball.mass_kg * sine;
+    }
 };
 
 } // namespace
@@ -117,8 +138,9 @@ Reach BallKind::reach() const {
 }
 
 bool BallKind::damped() const {
-    return std::all_of(_balls.rows.begin(), _balls.rows.end(),
-                       [](const model::BallRow &row) { return row.damping > 0; });
+    return std::all_of(_balls.rows.begin(), _balls.rows.end(), [](const model::BallRow &row) {
+        return row.damping > 0 || row.rolling > 0;
+    });
 }
 
 std::optional<double> BallKind::rate() const {
@@ -183,14 +205,20 @@ SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
 
 std::shared_ptr<const PartsMotion> BallKind::motion(bool tilt, double gravity) const {
     std::vector<BallMotion::Ball> balls;
+    std::vector<TouchingRow> touching;
     for (const model::BallRow &row : _balls.rows) {
+        if (_balls.contact && row.n > 1)
+            touching.push_back(
+                {static_cast<int>(balls.size()), row.n, row.touching_angle(), _balls.restitution});
         const double inertia = row.mass * row.radius * row.radius;
         const CircleMass mass{row.mass * row.radius, inertia, tilt ? inertia : 0,
                               row.mass * row.radius * gravity};
+        // The moment on the ball, rolling * N, is a force 2 rolling / diameter * N along the race.
+        const double lever = row.rolling > 0 ? 2 * row.rolling / row.diameter * row.radius : 0;
         balls.insert(balls.end(), static_cast<std::size_t>(row.n),
-                     {mass, row.damping * row.radius * row.radius});
+                     {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever});
     }
-    return std::make_shared<BallMotion>(std::move(balls));
+    return std::make_shared<BallMotion>(std::move(balls), std::move(touching));
 }
 
 std::vector<std::string> BallKind::coordinates() const {

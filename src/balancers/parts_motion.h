@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace whirl::balancers {
 
 /// Deflection w = (x, y) in the first two entries, slope in the last two; or their rates.
@@ -36,6 +38,12 @@ struct MassEquation {
     Eigen::Vector2d torque = Eigen::Vector2d::Zero();
     Eigen::Vector2d offset = Eigen::Vector2d::Zero(); ///< S: and Im(conj(S) w'') besides, kg m
     double weight = 0;                                ///< torque of gravity about the axis, N m
+
+    /// Resistance to rolling: at most `lever` times the normal force of the race, which is
+    /// normal + normal_y . y, N.
+    double lever = 0; ///< m
+    double normal = 0;
+    PlaneVector normal_y = PlaneVector::Zero();
 };
 
 /// Contributions to the energy and to the angular momentum about the z axis beyond those of the
@@ -55,6 +63,13 @@ struct MassMomenta {
     }
 };
 
+/// Parts in one race that cannot pass each other.
+struct TouchingRow {
+    int first = 0, count = 0; ///< their coordinates
+    double touching = 0;      ///< angle between the centres of two that touch, rad
+    double restitution = 1;
+};
+
 /// Equations of motion of the parts of one balancer: one angle in the rotor a coordinate, no two of
 /// which share an inertia. docs/theory.md, "Motion in time".
 class PartsMotion {
@@ -69,6 +84,9 @@ class PartsMotion {
     /// @param out           `size()` equations
     virtual void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
                            const double *rates, MassEquation *out) const = 0;
+    [[nodiscard]] virtual std::vector<TouchingRow> touching() const { return {}; }
+    /// A coordinate has dry resistance.
+    [[nodiscard]] virtual bool resists([[maybe_unused]] int coordinate) const { return false; }
     /// Of all parts together.
     [[nodiscard]] virtual MassMomenta momenta(const PlaneMotion &plane, const SpinState &spin,
                                               const double *angles, const double *rates) const = 0;

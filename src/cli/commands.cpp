@@ -124,7 +124,7 @@ const std::vector<Command> &commands() {
          {},
          on_case(analyses::rigid_limit)},
         {"simulate",
-         "nonlinear motion in time with real balls or pendulums",
+         "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
          {"simulate", "speeds"},
          {},
          simulate_or_leave_restart},

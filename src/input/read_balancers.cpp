@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace whirl::input {
 namespace {
@@ -30,13 +32,38 @@ model::BallRow read_row(CheckedTable &table) {
     row.n = table.whole_or("n", row.n, 1, largest_count);
     row.radius = table.number("radius", Quantity::length, Range::positive());
     row.damping = table.number_or("damping", 0, Quantity::damping, Range::not_negative());
+    constexpr double steel = 7800; // kg/m3
+    row.diameter =
+        table.number_or("ball_diameter", std::cbrt(6 * row.mass / (std::numbers::pi * steel)),
+                        Quantity::length, Range::positive());
+    if (row.diameter >= 2 * row.radius && table.has("ball_diameter"))
+        table.fail("ball_diameter", fmt::format("expected less than twice the radius of the circle "
+                                                "of ball centres, {} m, got {} m",
+                                                2 * row.radius, row.diameter));
+    row.rolling = table.number_or("rolling_resistance", 0, Quantity::length, Range::not_negative());
     return row;
+}
+
+/// Balls that do not pass each other must have room.
+void read_contact(CheckedTable &table, model::Balls &balls) {
+    balls.contact = table.flag_or("contact", false);
+    balls.restitution = table.number_or("restitution", 0.9, Quantity::dimensionless, Range{0, 1});
+    if (!balls.contact && table.has("restitution"))
+        table.fail("restitution", "expected only with contact = true, got it alone");
+    for (const model::BallRow &row : balls.rows) {
+        const double room = row.n * row.touching_angle();
+        if (balls.contact && !(room <= 2 * std::numbers::pi))
+            table.fail("contact", fmt::format("expected balls that fit beside each other in their "
+                                              "race, got {} of {:.6g} m on a circle of {:.6g} m",
+                                              row.n, row.diameter, row.radius));
+    }
 }
 
 void read_ball(CheckedTable &table, model::Balancer &balancer) {
     model::Balls balls;
     if (table.has("rows")) {
-        for (const char *key : {"n", "mass", "radius", "damping"})
+        for (const char *key :
+             {"n", "mass", "radius", "damping", "ball_diameter", "rolling_resistance"})
             if (table.has(key))
                 table.fail(key, "expected either rows or n, mass, radius, damping, got both");
         balls.rows.clear();
@@ -50,6 +77,7 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
     } else {
         balls.rows = {read_row(table)};
     }
+    read_contact(table, balls);
     int count = 0;
     for (const model::BallRow &row : balls.rows)
         count += row.n;
@@ -116,7 +144,10 @@ struct KindOfTable {
 
 // A new kind: its row here.
 const std::array kinds{
-    KindOfTable{"ball", {"n", "radius", "position", "rows"}, read_ball},
+    KindOfTable{"ball",
+                {"n", "radius", "position", "rows", "contact", "restitution", "ball_diameter",
+                 "rolling_resistance"},
+                read_ball},
     KindOfTable{"pendulum4", {"arm", "pivot"}, read_pendulum},
     KindOfTable{"ring",
                 {"n", "position", "journal_radius", "clearance", "outer_radius", "inertia", "drag"},

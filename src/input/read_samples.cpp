@@ -13,7 +13,7 @@ namespace whirl::input {
 namespace {
 
 const std::vector<std::string> distribution_words{"normal", "uniform", "values"};
-const std::vector<std::string> answer_words{"critical", "peaks", "ends"};
+const std::vector<std::string> answer_words{"critical", "peaks", "ends", "residual"};
 
 /// The value that the entry has in the case; nan where it is wrong, which is told elsewhere.
 double value_in_case(const CheckedTable &root, const std::string &path, Quantity quantity) {
@@ -119,7 +119,7 @@ void read_wanted(CheckedTable &table, model::SamplesSettings &samples) {
                                      fmt::join(answer_words, "\" or \""), shown(*list)));
         return;
     }
-    const std::array wanted{&samples.critical, &samples.peaks, &samples.ends};
+    const std::array wanted{&samples.critical, &samples.peaks, &samples.ends, &samples.residual};
     samples.critical = false;
     for (std::size_t i = 0; i < list->items.size(); ++i) {
         const Node &item = list->items[i];

@@ -129,6 +129,8 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
         check_positions(rotor.planes, "plane", length, check);
         check_positions(rotor.imbalances, "imbalance", length, check);
         check_positions(rotor.probes, "probe", length, check);
+        check_positions(scene.simulate.imbalances, "simulate.imbalance", length, check);
+        check_positions(scene.simulate.forces, "simulate.force", length, check);
         if (scene.level1)
             check_position(scene.level1->z, "level1.z", length, check);
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -10,14 +12,27 @@ namespace whirl::model {
 /// Equal balls in one race.
 struct BallRow {
     int n = 2;
-    double mass = 0;    ///< of one ball, kg
-    double radius = 0;  ///< of the circle of ball centres, m
-    double damping = 0; ///< of one ball along the race, N s/m
+    double mass = 0;     ///< of one ball, kg
+    double radius = 0;   ///< of the circle of ball centres, m
+    double damping = 0;  ///< of one ball along the race, N s/m
+    double diameter = 0; ///< of one ball, m; 0: not known
+    double rolling = 0;  ///< lever arm of the resistance to rolling: moment over normal force, m
+
+    /// Angle between the centres of two balls that touch, rad.
+    [[nodiscard]] double touching_angle() const { return 2 * std::asin(diameter / (2 * radius)); }
 };
 
 /// Balls in races filled with fluid: one row, or several side by side of different balls and radii.
 struct Balls {
     std::vector<BallRow> rows{BallRow{}};
+    bool contact = false;   ///< balls of one row do not pass each other
+    double restitution = 1; ///< speed after over speed before an impact, with contact
+
+    /// Some ball has dry resistance to rolling.
+    [[nodiscard]] bool resists() const {
+        return std::any_of(rows.begin(), rows.end(),
+                           [](const BallRow &r) { return r.rolling > 0; });
+    }
 };
 
 /// Four pendulums: two tied pairs on two perpendicular lines.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/excitation.h"
 #include "model/operation.h"
 #include "model/output_units.h"
 #include "model/rotor.h"
@@ -64,8 +65,12 @@ struct SimulateSettings {
     double torque_slope = 0;      ///< N m s: the motor's torque is torque - torque_slope * speed
     double inertia = 0;           ///< kg m2, polar, of what turns with the rotor and is not in it
     double gravity = 0;           ///< m/s2 towards -y
-    int output_points = 2000;     ///< of the time series
-    int modes = 0;                ///< of the shaft that are kept; 0: as many as needed
+    bool steady_start = false;    ///< in the steady motion at the first speed, instead of at rest
+    std::vector<SuddenImbalance> imbalances;
+    std::vector<StationForce> forces;
+    std::optional<BaseMotion> base;
+    int output_points = 2000;          ///< of the time series
+    int modes = 0;                     ///< of the shaft that are kept; 0: as many as needed
     double reduction_tolerance = 1e-3; ///< relative error that keeping few modes may cause
     std::filesystem::path restart;     ///< file of an interrupted run to go on from, or empty
 };

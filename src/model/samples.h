@@ -26,9 +26,10 @@ struct UncertainInput {
 struct SamplesSettings {
     int count = 1;
     int seed = 1;
-    bool critical = true;                           ///< answers wanted: critical speeds,
-    bool peaks = false;                             ///< peaks of the response to imbalance,
-    bool ends = false;                              ///< ends of the unstable bands
+    bool critical = true;  ///< answers wanted: critical speeds,
+    bool peaks = false;    ///< peaks of the response to imbalance,
+    bool ends = false;     ///< ends of the unstable bands
+    bool residual = false; ///< what a motion in time leaves of the unbalanced amplitude
     std::vector<double> quantiles{0.05, 0.5, 0.95}; ///< ascending, each inside (0, 1)
     std::vector<UncertainInput> vary;
 };

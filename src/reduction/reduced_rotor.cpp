@@ -188,6 +188,10 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
     ReducedRotor reduced;
     reduced.shapes = shapes;
     reduced.mass_times = pair.M * shapes;
+    const std::vector<double> translation = d.rigid_motion(false);
+    reduced.mass_load =
+        reduced.mass_times.transpose() *
+        Eigen::Map<const Eigen::VectorXd>(translation.data(), std::ssize(translation));
     project_rotor(d, reduced);
     std::set<double> speeds;
     for (const model::Bearing &bearing : d.rotor().bearings)
@@ -220,6 +224,7 @@ ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
     ReducedRotor out = rotor;
     out.shapes = rotor.shapes * s.asDiagonal();
     out.mass_times = rotor.mass_times * s.cwiseInverse().asDiagonal();
+    out.mass_load = s.asDiagonal() * rotor.mass_load;
     out.frequencies = rotor.frequencies.cwiseMin(fastest);
     for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})
         *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();

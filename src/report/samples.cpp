@@ -23,9 +23,10 @@ using results::SamplesResult;
 namespace {
 
 std::string of_and_name(const SampledAnswer &answer) {
-    return answer.of == "critical" ? "critical " + answer.name
-           : answer.of == "ends"   ? "unstable " + answer.name
-                                   : answer.name;
+    return answer.of == "critical"   ? "critical " + answer.name
+           : answer.of == "ends"     ? "unstable " + answer.name
+           : answer.of == "residual" ? "residual: " + answer.name
+                                     : answer.name;
 }
 
 const Columns<SampleQuantile> quantile_columns{{"p", "", {}, {}, &SampleQuantile::share},

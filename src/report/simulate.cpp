@@ -7,6 +7,7 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/simulate_stations.h"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,7 @@ const Columns<SimulateResult> columns{
      {"Amplitude left over that without balls", "{:.5g}"},
      {},
      &SimulateResult::residual_ratio},
+    {"impacts", "", {"Impacts between balls", "{}"}, {}, &SimulateResult::impacts},
     {"trend",
      "",
      {"Growth of the amplitude over the last half (1/s)", "{:.4g}"},
@@ -191,6 +193,9 @@ Json json_of(const SimulateResult &result) {
     json["balls"] = json_list(result.balancers, [](const auto &b) { return b.angles; });
     json["balancers"] = json_rows(balancer_columns, result.balancers);
     json["other_starts"] = json_rows(start_columns, result.other_starts);
+    json["stations"] = stations_json(result);
+    json["steady"] = {{"speeds", result.steady.speeds}, {"amplitude", result.steady.amplitudes}};
+    json["waterfall"] = waterfall_json(result);
     json["reduction"] = {{"modes", result.modes},
                          {"shapes", result.shapes},
                          {"response_error", result.response_error},
@@ -201,7 +206,8 @@ Json json_of(const SimulateResult &result) {
     json["audit"] = {{"energy_error", audit.energy_error},
                      {"energy_scale", audit.energy_scale},
                      {"momentum_error", audit.momentum_error},
-                     {"momentum_scale", audit.momentum_scale}};
+                     {"momentum_scale", audit.momentum_scale},
+                     {"impact_gain", audit.impact_gain}};
     json["series"] = {{"time", result.series.time},
                       {"speed", result.series.speed},
                       {"amplitude", result.series.amplitude},
@@ -229,8 +235,11 @@ std::string csv_of(const SimulateResult &result) {
 }
 
 std::vector<Section> sections_of(const SimulateResult &result) {
-    std::vector<Section> sections{{"How it ended", page_properties(columns, result)},
-                                  {"Balancers", page_table(balancer_columns, result.balancers)}};
+    std::vector<Section> sections{{"How it ended", page_properties(columns, result)}};
+    if (!result.balancers.empty())
+        sections.push_back({"Balancers", page_table(balancer_columns, result.balancers)});
+    if (!result.stations.empty())
+        sections.push_back({"Stations", stations_page(result)});
     if (!result.other_starts.empty())
         sections.push_back({"From other starts", page_table(start_columns, all_starts(result))});
     sections.push_back({"How good the numbers are", page_properties(quality_columns, result)});
@@ -247,6 +256,8 @@ std::string outcome_text(const SimulateResult &result) {
         text += fmt::format("  by its eigenvalues the balanced position is {}: {:.4g} 1/s\n",
                             *result.linear_growth > 0 ? "unstable, small motions grow" : "stable",
                             *result.linear_growth);
+    if (result.impacts)
+        text += fmt::format("  {} impacts between balls\n", *result.impacts);
     if (result.decision_time)
         text += fmt::format("  a motion of {:.3g} s would decide\n", *result.decision_time);
     return text;
@@ -270,7 +281,9 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
         heading(scene, fmt::format("Motion in time, {:.6g} s, {:.6g} revolutions, {:.6g} rpm at "
                                    "the end",
                                    result.time, result.revolutions, result.speed * rpm)) +
-        outcome_text(result) + "\n" + text_table(balancer_columns, result.balancers);
+        outcome_text(result) + "\n" +
+        (result.stations.empty() ? text_table(balancer_columns, result.balancers)
+                                 : stations_text(result));
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", text_angles(start.start_angles),
@@ -282,8 +295,19 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
 } // namespace
 
 Report describe(const model::Case &scene, const SimulateResult &result) {
-    return report_of<SimulateResult>("simulate", "Motion in time", scene, result,
-                                     {json_of, csv_of, sections_of, text_of, simulate_figure});
+    Report report =
+        report_of<SimulateResult>("simulate", "Motion in time", scene, result,
+                                  {json_of, csv_of, sections_of, text_of,
+                                   result.stations.empty() ? simulate_figure : stations_figure});
+    if (result.waterfall) {
+        report.pictures = [&scene, &result] {
+            return std::vector<Picture>{{"waterfall", waterfall_figure(scene, *result.waterfall),
+                                         waterfall_csv(*result.waterfall)}};
+        };
+        report.pictures_heading = "Waterfall";
+        report.pictures_after = 2;
+    }
+    return report;
 }
 
 } // namespace whirl::report

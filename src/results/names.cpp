@@ -4,6 +4,9 @@
 #include "results/stability.h"
 #include "results/whirl.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace whirl::results {
 
 std::string form_name(Form form) {
@@ -77,6 +80,21 @@ std::string verdict_name(Verdict verdict) {
     }
 }
 
+std::size_t largest_station(const std::vector<StationMotion> &stations) {
+    constexpr double alike = 1e-9;
+    double most = 0;
+    for (const StationMotion &station : stations)
+        most = std::max(most, station.peak.value);
+    const double middle = (stations.front().z + stations.back().z) / 2;
+    std::size_t best = stations.size();
+    for (std::size_t i = 0; i < stations.size(); ++i)
+        if (stations[i].peak.value >= (1 - alike) * most &&
+            (best == stations.size() ||
+             std::abs(stations[i].z - middle) < std::abs(stations[best].z - middle)))
+            best = i;
+    return best;
+}
+
 std::string outcome_name(Outcome outcome) {
     switch (outcome) {
     case Outcome::balanced:
@@ -89,6 +107,10 @@ std::string outcome_name(Outcome outcome) {
         return "whirling";
     case Outcome::growing:
         return "growing";
+    case Outcome::steady:
+        return "steady";
+    case Outcome::transient:
+        return "transient";
     default:
         return "undecided";
     }

@@ -2,6 +2,7 @@
 
 #include "model/restart.h"
 #include "results/model_summary.h"
+#include "results/transient.h"
 
 #include <optional>
 #include <string>
@@ -11,15 +12,17 @@ namespace whirl::results {
 
 /// How a motion ended.
 enum class Outcome {
-    balanced, ///< all stands still in the rotor and little of the unbalanced amplitude is left
-    offset,   ///< all stands still in the rotor, which is not balanced
-    lagging,  ///< balls turn slower (or faster) than the rotor
-    whirling, ///< balls or pendulums swing in the rotor without end
-    growing,  ///< the motion grows steadily, wherever it may end
-    undecided ///< the motion still changes, or what it looks like cannot last
+    balanced,  ///< all stands still in the rotor and little of the unbalanced amplitude is left
+    offset,    ///< all stands still in the rotor, which is not balanced
+    lagging,   ///< balls turn slower (or faster) than the rotor
+    whirling,  ///< balls or pendulums swing in the rotor without end
+    growing,   ///< the motion grows steadily, wherever it may end
+    steady,    ///< without balancers: the amplitudes stay as they are
+    transient, ///< without balancers: speed or amplitudes still change
+    undecided  ///< the motion still changes, or what it looks like cannot last
 };
 
-/// "balanced", "offset", "lagging", "whirling", "growing" or "undecided".
+/// "balanced", "offset", "lagging", "whirling", "growing", "undecided"; "steady", "transient".
 [[nodiscard]] std::string outcome_name(Outcome outcome);
 
 /// Over the output times.
@@ -51,6 +54,7 @@ struct MotionAudit {
     double energy_scale = 0;   ///< J, largest of work, loss and change of energy
     double momentum_error = 0; ///< kg m2/s
     double momentum_scale = 0; ///< kg m2/s, largest of impulse and change of momentum
+    double impact_gain = 0;    ///< largest share of the energy that an impact created: rounding
 };
 
 /// A motion from another start, told by its end.
@@ -80,9 +84,14 @@ struct SimulateResult {
     double speed = 0;       ///< rad/s, at the end
     double revolutions = 0; ///< from the start
     std::vector<BalancerMotion> balancers;
+    std::optional<long> impacts; ///< between balls that do not pass each other or resist rolling
     MotionSeries series;
     std::vector<double> start_angles; ///< of all balls and pairs, rad
     std::vector<OtherStart> other_starts;
+    /// Without balancers: the series above are those of the stations, in this order.
+    std::vector<StationMotion> stations;
+    SteadyCurves steady;
+    std::optional<Waterfall> waterfall;
 
     int modes = 0;              ///< lowest modes among the shapes
     int shapes = 0;             ///< planar shapes the shaft moves in

@@ -46,11 +46,37 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
         impulse += e.weight;
     }
     for (const FixedMass &mass : _parts.fixed)
-        if (mass.mass.weight != 0)
+        if (mass.mass.weight != 0 && is_there(mass))
             impulse -= mass.mass.weight * std::cos(spin.angle + mass.phase);
     books[0] = torque * spin.speed;
     books[1] = loss;
     books[2] = impulse;
+    if (!_parts.excitation.none())
+        add_outside_work(spin, state, books);
+}
+
+/// Work and angular impulse of the forces at stations and of the field -a of the foundation, on the
+/// rotor and on the masses that have equations of their own.
+void RotorMotion::add_outside_work(const Spin::At &spin, const double *state, double *books) const {
+    const Index r = _parts.rotor.size();
+    const ConstPair x(state, r, 2);
+    books[0] += _external.dot(ConstMap(state + coordinates(), 2 * r));
+    books[2] += x.col(0).dot(_external.tail(r)) - x.col(1).dot(_external.head(r));
+    if (!_parts.excitation.shakes())
+        return;
+    const double *rate = state + coordinates() + first_angle();
+    for (const balancers::MassEquation &e : _free_equations) {
+        const double along = e.u.head<2>().dot(_base);
+        const double turning = _base(1) * e.offset(0) - _base(0) * e.offset(1);
+        const double own = *rate++;
+        books[0] -= along * (e.in_rotor ? own : spin.speed + own) + turning * spin.speed;
+        books[2] -= e.in_rotor ? turning : along;
+    }
+    for (const balancers::MassEquation &e : _fixed_equations) {
+        const double along = e.u.head<2>().dot(_base);
+        books[0] -= along * spin.speed;
+        books[2] -= along;
+    }
 }
 
 double RotorMotion::energy(double t, const double *state) const {
@@ -77,6 +103,8 @@ double RotorMotion::energy(double t, const double *state) const {
         angles += parts.motion->size();
     }
     for (const FixedMass &mass : _parts.fixed) {
+        if (!is_there(mass))
+            continue;
         const balancers::MassMomenta part =
             mass.mass.momenta({fixed_motion(mass, state), fixed_motion(mass, state + n)},
                               now.angle + mass.phase, now.speed);
@@ -111,6 +139,8 @@ double RotorMotion::momentum(double t, const double *state) const {
         angles += parts.motion->size();
     }
     for (const FixedMass &mass : _parts.fixed) {
+        if (!is_there(mass))
+            continue;
         const balancers::PlaneVector place = fixed_motion(mass, state);
         const balancers::MassMomenta part = mass.mass.momenta(
             {place, fixed_motion(mass, state + n)}, now.angle + mass.phase, now.speed);

@@ -9,6 +9,7 @@
 #include "model/errors.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
+#include "simulation/scene_outside.h"
 
 #include <fmt/format.h>
 
@@ -89,14 +90,16 @@ double polar_inertia(const assembly::Discretization &d, const model::Case &scene
 std::string where(const model::Case &scene) { return scene.file.string(); }
 
 void refuse_what_is_missing(const model::Case &scene) {
-    if (scene.rotor.balancers.empty())
-        throw model::BadInput(fmt::format("{}: balancer: expected at least one [[balancer]] whose "
-                                          "motion to simulate, got none",
-                                          where(scene)));
     if (scene.simulate.time <= 0)
         throw model::BadInput(fmt::format("{}: simulate: expected a table [simulate] with the "
                                           "time to simulate, got none",
                                           where(scene)));
+    if (!has_drive(scene))
+        throw model::BadInput(
+            fmt::format("{}: simulate: expected something that moves the rotor: [[imbalance]], "
+                        "[[balancer]], [[simulate.imbalance]], [[simulate.force]] or "
+                        "[simulate.base], got none",
+                        where(scene)));
     if (scene.rotor.shaft.asymmetric())
         throw model::AnalysisFailure("motion in time needs a shaft of equal bending stiffnesses; "
                                      "this one has a segment with asymmetry");
@@ -188,10 +191,11 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
         motion.parts.fixed.push_back(mass);
     }
     motion.start_angles = start_of(scene.rotor, scene.simulate.ball_angles);
+    add_outside(scene, d, motion);
 }
 
 /// The drive; fills fastest.
-void set_drive(const model::Case &scene, MotionScene &motion) {
+void set_drive(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
     const model::SimulateSettings &s = scene.simulate;
     if (s.torque) {
         motion.parts.motor = Motor{*s.torque, s.torque_slope};
@@ -210,6 +214,9 @@ void set_drive(const model::Case &scene, MotionScene &motion) {
         motion.parts.spin = s.run_up.empty() ? Spin(scene.speeds->from) : Spin(s.run_up);
         motion.fastest = motion.parts.spin.fastest(s.time);
     }
+    const bool shaken = !scene.simulate.forces.empty() || scene.simulate.base;
+    if (scene.rotor.balancers.empty() && shaken)
+        motion.fastest = std::max(motion.fastest, scale_at_rest(scene, d));
     if (!(motion.fastest > 0))
         throw model::BadInput(fmt::format("{}: speeds.from: expected a spin speed other than 0, "
                                           "got a rotor at rest",
@@ -236,7 +243,7 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
     }
     if (!scene.rotor.damped())
         motion.notes.emplace_back("no damping in the bearings: whirl does not die out");
-    if (scene.simulate.ball_angles.empty())
+    if (scene.simulate.ball_angles.empty() && !scene.rotor.balancers.empty())
         motion.notes.emplace_back(
             "start chosen here (simulate.ball_angles is not given): balls spread evenly, the first "
             "of each balancer out of place by 0.01 rad; other starts may end otherwise");
@@ -277,10 +284,10 @@ MotionScene motion_scene(const model::Case &scene) {
     refuse_what_is_missing(scene);
     MotionScene motion;
     motion.order = element_order(scene);
-    const assembly::Discretization d(rotor_with_masses(scene.rotor), motion.order);
+    const assembly::Discretization d(rotor_with_masses(rotor_with_nodes(scene)), motion.order);
     motion.elements = static_cast<int>(d.shaft_mesh().spans.size());
     motion.parts.polar_inertia = scene.simulate.inertia + polar_inertia(d, scene);
-    set_drive(scene, motion);
+    set_drive(scene, d, motion);
     reduction::ReductionGoal goal;
     goal.speed = motion.fastest;
     goal.tolerance = scene.simulate.reduction_tolerance;
@@ -289,6 +296,7 @@ MotionScene motion_scene(const model::Case &scene) {
         goal.places.push_back(b.z);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances)
         goal.places.push_back(imbalance.z);
+    add_places(scene, goal.places);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         goal.tilted.push_back(anisotropy.z);
     std::sort(goal.places.begin(), goal.places.end());

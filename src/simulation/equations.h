@@ -11,11 +11,20 @@ namespace whirl::simulation {
 /// A case made ready to move: the parts, and where results come from.
 struct MotionScene {
     MovingParts parts;
-    std::vector<int> plane_of;        ///< of each balancer, index into parts.planes
+    std::vector<int> plane_of; ///< of each balancer, index into parts.planes
+    /// Of a rotor without balancers: wherever something is attached.
+    struct Stations {
+        std::vector<reduction::Row> rows;
+        std::vector<double> z; ///< m
+        std::vector<std::string> names;
+    } stations;
     std::vector<double> start_angles; ///< of all coordinates of the balancers, rad
-    double moment = 0;                ///< a size of the moments of mass of the free parts, kg m
-    double fastest = 0;               ///< rad/s, |speed| (motor: a bound)
-    int order = 0;                    ///< of the shaft elements
+    /// A size of the moments of mass of the free parts, and of the forces from outside by the
+    /// speed squared, kg m.
+    double moment = 0;
+    double fastest = 0; ///< rad/s, |speed| (motor: a bound); of a rotor at rest
+                        ///< scale_at_rest()
+    int order = 0;      ///< of the shaft elements
     int elements = 0;
     std::vector<std::string> notes;
 };

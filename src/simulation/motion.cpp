@@ -62,6 +62,24 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _system.resize(4 * planes, 4 * planes);
     _turned.resize(r, 2);
     _push.resize(2 * r);
+    _external.setZero(2 * r);
+    for (const FreeParts &free : _parts.free)
+        _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
+                         free.plane);
+    set_dry({});
+}
+
+std::vector<double> RotorMotion::jumps() const {
+    std::vector<double> times = _parts.excitation.jumps();
+    if (!_parts.motor)
+        for (const double jump : _parts.spin.jumps())
+            times.push_back(jump);
+    for (const FixedMass &mass : _parts.fixed)
+        if (mass.from > 0)
+            times.push_back(mass.from);
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
 }
 
 int RotorMotion::coordinates() const { return first_angle() + _parts.free_angles(); }
@@ -124,8 +142,16 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     }
 }
 
+void RotorMotion::outside_forces(double t) const {
+    if (_parts.excitation.none())
+        return;
+    _base = _parts.excitation.base(t, _piece);
+    _external.setZero();
+    _parts.excitation.add_loads(t, _piece, _external);
+    _forces.col(0) += _external;
+}
+
 void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
-    const Index r = _rows.rows();
     const int n = coordinates();
     _loads.setZero();
     _coupling.setZero();
@@ -140,20 +166,33 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
         angles += size;
         const Index at = 4 * parts.plane;
         for (const balancers::MassEquation *end = equation + size; equation != end; ++equation) {
-            const balancers::MassEquation &e = *equation;
+            balancers::MassEquation &e = *equation;
+            e.b += e.u.head<2>().dot(_base);
+            const auto i = static_cast<std::size_t>(equation - _free_equations.data());
+            add_sliding(i, e);
             _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
             _loads.col(1).segment<4>(at) += e.per_spin;
-            _coupling.block<4, 4>(at, at).noalias() -= e.u * e.u.transpose() / e.a;
+            _coupling.block<4, 4>(at, at).noalias() -= e.u * _friction[i].row.transpose() / e.a;
             _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
         }
     }
+    fixed_loads(spin);
+}
+
+void RotorMotion::fixed_loads(const Spin::At &spin) const {
+    const Index r = _rows.rows();
     for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
         const FixedMass &mass = _parts.fixed[i];
         balancers::MassEquation &e = _fixed_equations[i];
+        if (!is_there(mass)) {
+            e = {};
+            continue;
+        }
         const auto plane = static_cast<std::size_t>(std::max(mass.plane, 0));
         const bool own = mass.plane < 0; // a mere eccentricity: where it is makes no difference
         e = mass.mass.equation(own ? balancers::PlaneMotion{} : _motions[plane],
                                spin.angle + mass.phase, spin.speed);
+        e.b += e.u.head<2>().dot(_base);
         if (!own) {
             const Index at = 4 * mass.plane;
             _loads.col(0).segment<4>(at) += e.force;
@@ -244,14 +283,25 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
         }
         torque += Eigen::Vector2d(e.b, e.a);
     }
-    const balancers::MassEquation *e = _free_equations.data();
-    for (const FreeParts &parts : _parts.free) {
-        const Eigen::Matrix2d w = _planes.middleRows<2>(4 * parts.plane);
-        for (int i = 0; i < parts.motion->size(); ++i, ++e) {
-            torque += e->torque;
-            torque.head(columns) +=
-                (w.row(1) * e->offset(0) - w.row(0) * e->offset(1)).transpose().head(columns);
-        }
+    return torque + free_torque(columns);
+}
+
+/// What the free parts ask of the drive.
+Eigen::Vector2d RotorMotion::free_torque(int columns) const {
+    Eigen::Vector2d torque(0, 0);
+    for (std::size_t i = 0; i < _free_equations.size(); ++i) {
+        const balancers::MassEquation &e = _free_equations[i];
+        const Eigen::Matrix<double, 4, 2> y = _planes.block<4, 2>(4 * _plane_of[i], 0);
+        torque += e.torque;
+        torque(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
+        torque.head(columns) +=
+            (y.row(1) * e.offset(0) - y.row(0) * e.offset(1)).transpose().head(columns);
+        if (_dry.resists.empty() || !_dry.resists[i])
+            continue;
+        const double lever = _dry.slip[i] * e.lever;
+        torque(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
+        const Eigen::Vector2d along = y.transpose() * e.normal_y;
+        torque.head(columns) -= lever * along.head(columns);
     }
     return torque;
 }
@@ -261,9 +311,13 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     const int r2 = first_angle();
     Spin::At now = spin(t, state);
     rotor_forces(now, state, state + n);
+    outside_forces(t);
     mass_loads(now, state);
-    const int columns = _parts.motor || now.acceleration != 0 ? 2 : 1;
-    solve_accelerations(columns);
+    const int held = add_constraint_columns();
+    const int columns = held > 0 || _parts.motor || now.acceleration != 0 ? 2 : 1;
+    solve_accelerations(columns + held);
+    if (held > 0)
+        apply_constraints(now, state, held);
     const Eigen::Vector2d needed = torque(now, state, columns);
     if (_parts.motor) {
         const double given = _parts.motor->torque - _parts.motor->slope * now.speed;
@@ -276,16 +330,17 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
         _forces.col(0) += now.acceleration * _forces.col(1);
         _planes.col(0) += now.acceleration * _planes.col(1);
     }
+    settle_friction();
     std::copy(state + n, state + 2 * n, rates);
     std::copy(_forces.data(), _forces.data() + r2, rates + n);
-    const balancers::MassEquation *e = _free_equations.data();
     double *own = rates + n + r2;
-    for (const FreeParts &parts : _parts.free)
-        for (int i = 0; i < parts.motion->size(); ++i, ++e, ++own) {
-            *own = -(e->u.dot(_planes.col(0).segment<4>(4 * parts.plane)) + e->b) / e->a;
-            if (!e->in_rotor)
-                *own -= now.acceleration;
-        }
+    for (std::size_t i = 0; i < _free_equations.size(); ++i, ++own) {
+        const balancers::MassEquation &e = _free_equations[i];
+        const DryTorque &f = _friction[i];
+        *own = (f.push - f.row.dot(_planes.col(0).segment<4>(4 * _plane_of[i])) - e.b) / e.a;
+        if (!e.in_rotor)
+            *own -= now.acceleration;
+    }
     keep_energy_balance(now, torque, state, rates + books());
 }
 

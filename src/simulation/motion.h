@@ -1,61 +1,14 @@
 #pragma once
 
-#include "balancers/circle_mass.h"
-#include "balancers/parts_motion.h"
-#include "reduction/reduced_rotor.h"
-#include "simulation/spin.h"
+#include "simulation/dry/dry_state.h"
+#include "simulation/moving_parts.h"
 
 #include <Eigen/Dense>
 
-#include <memory>
-#include <optional>
+#include <cmath>
 #include <vector>
 
 namespace whirl::simulation {
-
-/// A plane with a balancer or a point mass: rows of its deflection and slope.
-struct MassPlane {
-    reduction::Row w;
-    reduction::Row phi;
-};
-
-/// The parts of a balancer, which move by themselves.
-struct FreeParts {
-    int plane = 0;
-    std::shared_ptr<const balancers::PartsMotion> motion;
-};
-
-/// A mass that turns with the rotor. Without inertia: an eccentricity, on a row of its own.
-struct FixedMass {
-    int plane = -1; ///< -1: `row`
-    reduction::Row row;
-    balancers::CircleMass mass;
-    double phase = 0; ///< rad
-};
-
-/// Constant torque minus slope times speed.
-struct Motor {
-    double torque = 0; ///< N m
-    double slope = 0;  ///< N m s
-};
-
-/// Everything that moves.
-struct MovingParts {
-    reduction::ReducedRotor rotor;
-    std::vector<MassPlane> planes;
-    std::vector<FreeParts> free;
-    std::vector<FixedMass> fixed;
-    double polar_inertia = 0; ///< kg m2, of all that turns with the rotor but masses listed above
-    Spin spin{0.0};
-    std::optional<Motor> motor; ///< then the speed is an unknown and spin is not read
-
-    [[nodiscard]] int free_angles() const {
-        int sum = 0;
-        for (const FreeParts &parts : free)
-            sum += parts.motion->size();
-        return sum;
-    }
-};
 
 /// Right-hand side of the motion in time; docs/theory.md, "Motion in time".
 ///
@@ -74,9 +27,31 @@ class RotorMotion {
     [[nodiscard]] int first_angle() const { return 2 * _parts.rotor.size(); }
     [[nodiscard]] int books() const { return size() - 3; } ///< index of work, loss, impulse
 
-    /// Acceleration of the prescribed spin is that of the piece around this time.
+    /// Whatever jumps is as in the piece between two jumps that holds this time.
     void enter_piece(double time) { _piece = time; }
+    /// Times at which the rates jump or bend, ascending, > 0.
+    [[nodiscard]] std::vector<double> jumps() const;
     [[nodiscard]] Spin::At spin(double t, const double *state) const;
+
+    /// Contact and dry friction, docs/theory.md: what touches and stands is for others to say.
+    void set_dry(DryState dry);
+    [[nodiscard]] DryState &dry() { return _dry; }
+    [[nodiscard]] const DryState &dry() const { return _dry; }
+    [[nodiscard]] double gap_of(const Gap &gap, const double *angles) const;
+    // At the state of the last rates(), N m about the axis: what holds two together, what holds one
+    // that stands, what friction could hold beyond that; a torque that moves a part at this rate.
+    [[nodiscard]] double pressure(std::size_t gap) const { return _multipliers[gap]; }
+    [[nodiscard]] double holding_torque(std::size_t i) const { return _friction[i].stand; }
+    [[nodiscard]] double friction_reserve(std::size_t i) const {
+        return _friction[i].limit - std::abs(_friction[i].stand);
+    }
+    [[nodiscard]] double torque_scale(int i, double rate) const {
+        return _free_equations[static_cast<std::size_t>(i)].a * rate * rate;
+    }
+    [[nodiscard]] bool lifts(std::size_t i) const { return _friction[i].normal < 0; }
+    /// Change of all velocities by a unit impulse (N m s) that parts the two of a gap.
+    [[nodiscard]] Eigen::VectorXd impulse_response(double t, const double *state,
+                                                   const Gap &gap) const;
 
     /// dy/dt.
     void rates(double t, const double *state, double *rates) const;
@@ -89,12 +64,18 @@ class RotorMotion {
 
   private:
     MovingParts _parts;
-    Eigen::MatrixXd _rows;      ///< r x 2P: w, phi of each plane
-    Eigen::MatrixXd _products;  ///< _rows^T _rows
-    Eigen::MatrixXd _stiffness; ///< 2r x 2r with constant supports
-    Eigen::MatrixXd _damping;   ///< of the supports
-    bool _tables = false;       ///< supports depend on speed
-    bool _circulating = false;  ///< the supports' stiffness is not symmetric
+    DryState _dry;
+    std::vector<Eigen::Index> _plane_of; ///< of each free coordinate
+    mutable bool _frictionless = false;
+    mutable std::vector<DryTorque> _friction;     ///< of each free coordinate
+    mutable std::vector<Constraint> _constraints; ///< active
+    mutable std::vector<double> _multipliers;     ///< of gaps, then of standing parts, N m
+    Eigen::MatrixXd _rows;                        ///< r x 2P: w, phi of each plane
+    Eigen::MatrixXd _products;                    ///< _rows^T _rows
+    Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports
+    Eigen::MatrixXd _damping;                     ///< of the supports
+    bool _tables = false;                         ///< supports depend on speed
+    bool _circulating = false;                    ///< the supports' stiffness is not symmetric
     bool _internal = false;
     double _piece = 0;
     // Room for one evaluation of the rates, kept between them.
@@ -108,9 +89,24 @@ class RotorMotion {
     mutable Eigen::MatrixXd _system;   ///< 4P x 4P
     mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
     mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
+    mutable Eigen::VectorXd _external; ///< 2r: loads from outside
+    mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 
     void rotor_forces(const Spin::At &spin, const double *p, const double *v) const;
+    void outside_forces(double t) const;
     void mass_loads(const Spin::At &spin, const double *state) const;
+    void fixed_loads(const Spin::At &spin) const;
+    void add_sliding(std::size_t i, balancers::MassEquation &e) const;
+    int add_constraint_columns() const;
+    void push_column(const Constraint &c, Eigen::Index column) const;
+    [[nodiscard]] double free_acceleration(int i, Eigen::Index column) const;
+    void apply_constraints(const Spin::At &spin, const double *state, int held) const;
+    void settle_friction() const;
+    [[nodiscard]] Eigen::Vector2d free_torque(int columns) const;
+    void add_outside_work(const Spin::At &spin, const double *state, double *books) const;
+    [[nodiscard]] bool is_there(const FixedMass &mass) const {
+        return mass.from <= 0 || _piece > mass.from;
+    }
     void solve_accelerations(int columns) const;
     void gather(Eigen::Index column) const;
     [[nodiscard]] Eigen::Vector2d torque(const Spin::At &spin, const double *state,

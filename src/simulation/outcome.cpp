@@ -3,6 +3,7 @@
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "rigid/projection.h"
+#include "simulation/stations/stations.h"
 #include "simulation/trend.h"
 
 #include <fmt/format.h>
@@ -209,6 +210,10 @@ bool ends_at_constant_speed(const results::SimulateResult &result) {
 }
 
 void classify(const model::Case &scene, results::SimulateResult &result) {
+    if (scene.rotor.balancers.empty()) {
+        classify_stations(scene, result);
+        return;
+    }
     fill_balancers(scene, result);
     double amplitude = 0;
     double reference = 0;

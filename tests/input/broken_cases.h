@@ -2,6 +2,7 @@
 
 #include "broken_attachments.h"
 #include "broken_maps.h"
+#include "broken_motion.h"
 #include "broken_operation.h"
 #include "broken_rotating.h"
 #include "broken_samples.h"
@@ -16,7 +17,7 @@ namespace whirl::tests {
 inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
     for (const auto &part : {broken_attachments(), broken_rotating_parts(), broken_settings(),
-                             broken_samples(), broken_operation(), broken_maps()})
+                             broken_samples(), broken_operation(), broken_maps(), broken_motion()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

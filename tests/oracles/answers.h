@@ -40,6 +40,8 @@ struct Answer {
 [[nodiscard]] Answer answer_pendulums(const Request &request);
 [[nodiscard]] Answer answer_rigid_limit(const Request &request);
 [[nodiscard]] Answer answer_simulate(const Request &request);
+/// `simulate` of one disc in the middle of a rigid shaft without mass, no balancers.
+[[nodiscard]] Answer answer_transient(const Request &request);
 [[nodiscard]] Answer answer_samples(const Request &request);
 /// Separation margins and level-I stability, of `response` and `stability`.
 [[nodiscard]] Answer answer_operation(const Request &request);

@@ -200,7 +200,7 @@ Answer answer_rigid_limit(const Request &request) {
 Answer answer_simulate(const Request &request) {
     const CaseRotor &rotor = request.rotor;
     if (rotor.balancers.empty())
-        no_answer("simulate: no balancer");
+        return answer_transient(request);
     const Balancer &balancer = rotor.balancers.front();
     if (request.path == "/balls/0" && !balancer.pendulums)
         return {"balanced position", symmetric_position(balancer.n, capacity(balancer)), {}, {}};

@@ -240,6 +240,14 @@ void read_analyses(const toml::table &root, CaseRotor &rotor) {
             rotor.external_dampings.push_back(number(item));
     const toml::table &simulate = part(root, "simulate");
     rotor.time = number(simulate, "time");
+    const toml::table &ramp = part(simulate, "run_up");
+    rotor.run_up.from = number(ramp, "from", rotor.speed_from);
+    rotor.run_up.to = number(ramp, "to", rotor.speed_from);
+    rotor.run_up.duration = number(ramp, "duration");
+    rotor.run_up.steady_start = simulate["start"].value_or(std::string("rest")) == "steady";
+    for (const toml::table *t : tables_of(simulate, "imbalance"))
+        rotor.run_up.sudden.push_back(
+            {{number(*t, "z"), number(*t, "mr"), number(*t, "phase")}, number(*t, "time")});
     if (const toml::node *angles = simulate.get("ball_angles"))
         rotor.ball_angles = lists(*angles);
     if (const toml::node *starts = simulate.get("other_starts"))

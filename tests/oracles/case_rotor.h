@@ -85,6 +85,20 @@ struct Operation {
     double anticipated = 0;  ///< N/m
 };
 
+/// An imbalance from a moment on.
+struct SuddenImbalance {
+    Imbalance imbalance;
+    double time = 0; ///< s
+};
+
+/// Of [simulate]: run_up = {from, to, duration}.
+struct RunUp {
+    double from = 0, to = 0; ///< rad/s
+    double duration = 0;     ///< s; 0: constant speed
+    bool steady_start = false;
+    std::vector<SuddenImbalance> sudden;
+};
+
 /// What the oracles take from a case file: SI and radians.
 struct CaseRotor {
     std::vector<Segment> shaft;
@@ -103,9 +117,10 @@ struct CaseRotor {
     double speed_to = 0;   ///< rad/s
     int speed_count = 1;
     std::vector<PendulumDesign> designs;
-    std::vector<double> external_dampings;        ///< H of [balance]
-    double gravity = 0;                           ///< m/s2, of [response]
-    double time = 0;                              ///< s, of [simulate]
+    std::vector<double> external_dampings; ///< H of [balance]
+    double gravity = 0;                    ///< m/s2, of [response]
+    double time = 0;                       ///< s, of [simulate]
+    RunUp run_up;
     std::vector<std::vector<double>> ball_angles; ///< at the start, one list a balancer
     std::vector<std::vector<std::vector<double>>> other_starts;
     SampledCase samples;

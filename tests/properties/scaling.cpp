@@ -59,6 +59,16 @@ model::Case scene_in_units(const std::filesystem::path &file,
     scene.simulate.time /= 20;
     for (auto &[time, speed] : scene.simulate.run_up)
         time /= 20;
+    for (model::SuddenImbalance &imbalance : scene.simulate.imbalances)
+        imbalance.time /= 20;
+    for (model::StationForce &force : scene.simulate.forces) {
+        force.from /= 20;
+        if (force.to)
+            *force.to /= 20;
+    }
+    if (auto &base = scene.simulate.base)
+        for (model::BaseMotion::Row &row : base->table)
+            row.time /= 20;
     scene.simulate.output_points = 400;
     scene.simulate.other_starts.clear();
     scene.balance.simulated = 0;

@@ -66,6 +66,17 @@ void scale(model::Balancer &b, const Factors &f) {
         *b.imbalance_radius *= f.length;
 }
 
+/// @param amplitude  of the unit of its components
+void scale(model::StationForce &force, double amplitude, const Factors &f) {
+    force.z *= f.length;
+    force.x *= amplitude;
+    force.y *= amplitude;
+    force.frequency *= f.speed;
+    force.from *= f.time;
+    if (force.to)
+        *force.to *= f.time;
+}
+
 void scale(model::SimulateSettings &s, const Factors &f) {
     s.time *= f.time;
     for (auto &[time, speed] : s.run_up) {
@@ -76,7 +87,23 @@ void scale(model::SimulateSettings &s, const Factors &f) {
         *s.torque *= f.moment;
     s.torque_slope *= f.inertia / f.time;
     s.inertia *= f.inertia;
-    s.gravity *= f.length / (f.time * f.time);
+    const double acceleration = f.length / (f.time * f.time);
+    s.gravity *= acceleration;
+    for (model::SuddenImbalance &imbalance : s.imbalances) {
+        imbalance.z *= f.length;
+        imbalance.time *= f.time;
+        imbalance.mr *= f.mass * f.length;
+    }
+    for (model::StationForce &force : s.forces)
+        scale(force, f.mass * acceleration, f);
+    if (s.base && s.base->harmonic)
+        scale(*s.base->harmonic, acceleration, f);
+    if (s.base)
+        for (model::BaseMotion::Row &row : s.base->table) {
+            row.time *= f.time;
+            row.x *= acceleration;
+            row.y *= acceleration;
+        }
 }
 
 /// Operating speeds and the cross coupling that level I adds.

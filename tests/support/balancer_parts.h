@@ -38,6 +38,8 @@ inline void scale_parts(model::Balancer &balancer, double length, double mass, d
             one.mass *= mass;
             one.radius *= length;
             one.damping *= mass / time;
+            one.diameter *= length;
+            one.rolling *= length;
         }
     } else if (auto *pendulums = std::get_if<model::Pendulums>(&balancer.parts)) {
         pendulums->mass *= mass;

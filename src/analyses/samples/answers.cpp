@@ -2,6 +2,7 @@
 
 #include "analyses/critical.h"
 #include "analyses/response.h"
+#include "analyses/simulate.h"
 #include "analyses/stability.h"
 #include "assembly/discretization.h"
 #include "balancers/balanced_position.h"
@@ -9,6 +10,7 @@
 #include "model/errors.h"
 #include "model/variants.h"
 #include "results/critical.h"
+#include "results/simulate.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
@@ -86,6 +88,21 @@ std::vector<Answer> answers_of(const UnstableBands &found, const model::SpeedRan
     return out;
 }
 
+/// What is left at the end of the motion in time.
+std::vector<Answer> answers_of(const results::SimulateResult &motion) {
+    std::vector<Answer> out;
+    if (motion.residual_ratio)
+        out.push_back({"residual ratio", "residual", "amplitude over that without balls", "1",
+                       *motion.residual_ratio, true, not_known});
+    for (std::size_t i = 0; i < motion.balancers.size(); ++i) {
+        const results::BalancerMotion &b = motion.balancers[i];
+        const std::string where = b.name.empty() ? fmt::format("z = {:.6g} m", b.z) : b.name;
+        out.push_back({fmt::format("residual amplitude {}", i), "residual", "amplitude at " + where,
+                       "m", b.amplitude, true, not_known});
+    }
+    return out;
+}
+
 UnstableBands bands_of(const model::Case &scene, bool with_errors) {
     return unstable_bands_of(scene, balancers::arrangement_at_balance(scene.rotor), with_errors);
 }
@@ -137,6 +154,15 @@ Answers::Answers(const model::Case &scene) : _wanted(*scene.samples) {
         _ends_order = model.order;
         take_model(model);
     }
+    if (_wanted.residual) {
+        if (scene.rotor.balancers.empty())
+            throw model::BadInput("samples.of: expected a [[balancer]] whose residual to look at, "
+                                  "got a rotor without");
+        const results::SimulateResult motion = simulate_alone(scene);
+        append(_nominal, answers_of(motion));
+        _motion_order = motion.model.order;
+        take_model(motion.model);
+    }
 }
 
 /// The first of them is shown; the notes are those of all.
@@ -162,6 +188,8 @@ std::vector<Answer> Answers::of(const model::Case &scene) const {
         const model::Case own = with_order(scene, _ends_order);
         append(out, answers_of(bands_of(own, false), model::required_speeds(own)));
     }
+    if (_wanted.residual)
+        append(out, answers_of(simulate_alone(with_order(scene, _motion_order))));
     return out;
 }
 

@@ -12,7 +12,7 @@ namespace whirl::analyses {
 /// A number that a rotor answers with.
 struct Answer {
     std::string key; ///< which one: the same for all rotors
-    std::string of;  ///< "critical", "peaks" or "ends"
+    std::string of;  ///< "critical", "peaks", "ends" or "residual"
     std::string name;
     std::string unit; ///< SI
     double value = 0;
@@ -41,7 +41,7 @@ class Answers {
     model::SamplesSettings _wanted;
     std::vector<Answer> _nominal;
     results::ModelSummary _model;
-    int _critical_order = 1, _peaks_order = 1, _ends_order = 1;
+    int _critical_order = 1, _peaks_order = 1, _ends_order = 1, _motion_order = 1;
 
     void take_model(const results::ModelSummary &model);
 };

@@ -26,6 +26,7 @@ struct SamplesResult;
 struct ShowResult;
 struct SimulateResult;
 struct StabilityResult;
+struct Waterfall;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -89,6 +90,16 @@ struct ModeCurves {
 /// changes.
 [[nodiscard]] Figure simulate_figure(const model::Case &scene,
                                      const results::SimulateResult &result);
+
+/// Motion of a rotor without balancers: amplitudes of the stations over time, their peaks marked;
+/// where the speed changes over it too, beside the steady response, else deflections over time.
+[[nodiscard]] Figure stations_figure(const model::Case &scene,
+                                     const results::SimulateResult &result);
+
+/// Spectra one behind the other, over speed where that only rises or only falls, else over time;
+/// multiples of the spin speed as lines.
+[[nodiscard]] Figure waterfall_figure(const model::Case &scene,
+                                      const results::Waterfall &waterfall);
 
 /// Relative differences between model and rigid closed forms, logarithmic: over the stiffness of
 /// the shaft, with a guide of slope -1 and the stiffness of 1 %, and over the number of elements.

@@ -30,6 +30,7 @@ std::string axis_of(const SampledAnswer &answer) {
     return answer.unit == "rad/s" ? "Spin speed (rpm)"
            : answer.unit == "m"   ? "Amplitude (µm)"
            : answer.unit == "N"   ? "Force (N)"
+           : answer.unit == "1"   ? "Share"
                                   : answer.unit;
 }
 

@@ -22,7 +22,24 @@ result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
   traces.push({x: time, y, yaxis: "y2", mode: "lines", name: `${b.coordinates[j]} of ${i + 1}`,
     line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}});
 }));
-draw(traces, {height: 760, xaxis: axis("Time (s)", {anchor: "y2"}),
-  yaxis: axis("Amplitude (µm)", {type: "log", dtick: 1, exponentformat: "power", domain: [0.52, 1]}),
-  yaxis2: axis(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)",
-    lagging ? {domain: [0, 0.44]} : {domain: [0, 0.44], range: [-190, 190], dtick: 90})});
+// Without balancers: the stations, over time and beside the steady response over speed.
+result.stations.forEach((s, k) => {
+  const name = (s.name ? s.name + ", " : "") + `z = ${short(s.z, 4)} m`, line = {color: colours[k % 8], width: 1.5};
+  const common = {mode: "lines", legendgroup: "s" + k}, micro = list => list.map(a => a === null ? null : a * 1e6);
+  traces.push({...common, x: time, y: micro(result.series.amplitude[k]), name, line, hovertemplate: "%{x:.6g} s: %{y:.5g} µm<extra>" + name + "</extra>"});
+  traces.push({mode: "markers", legendgroup: "s" + k, showlegend: false, x: [s.peak_time], y: [s.peak * 1e6], marker: {color: line.color, size: 8},
+    hovertemplate: "peak at %{x:.6g} s: %{y:.6g} µm<extra>" + name + "</extra>"});
+  traces.push({...common, x: result.series.speed.map(v => v * rpm), y: micro(result.series.amplitude[k]), name, showlegend: false, line, xaxis: "x2", yaxis: "y2",
+    hovertemplate: "%{x:.6g} rpm: %{y:.5g} µm<extra>" + name + "</extra>"});
+  if (result.steady.speeds.length > 0)
+    traces.push({...common, x: result.steady.speeds.map(v => v * rpm), y: micro(result.steady.amplitude[k]), showlegend: false,
+      line: {color: line.color, dash: "dot", width: 1}, xaxis: "x2", yaxis: "y2", hovertemplate: "steady, %{x:.6g} rpm: %{y:.5g} µm<extra>" + name + "</extra>"});
+});
+if (result.stations.length > 0)
+  draw(traces, {height: 820, grid: {rows: 2, columns: 1, pattern: "independent"}, xaxis: axis("Time (s)"), yaxis: axis("Amplitude (µm)", {rangemode: "tozero"}),
+    xaxis2: axis("Spin speed (rpm)"), yaxis2: axis("Amplitude, steady dotted (µm)", {rangemode: "tozero"})});
+else
+  draw(traces, {height: 760, xaxis: axis("Time (s)", {anchor: "y2"}),
+    yaxis: axis("Amplitude (µm)", {type: "log", dtick: 1, exponentformat: "power", domain: [0.52, 1]}),
+    yaxis2: axis(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)",
+      lagging ? {domain: [0, 0.44]} : {domain: [0, 0.44], range: [-190, 190], dtick: 90})});

@@ -1,0 +1,113 @@
+#include "input/simulate/read_outside.h"
+
+#include "input/csv_table.h"
+
+#include <fmt/core.h>
+
+namespace whirl::input {
+namespace {
+
+void read_imbalance(CheckedTable &table, model::SimulateSettings &simulate) {
+    model::SuddenImbalance imbalance;
+    imbalance.name = table.text("name").value_or("");
+    imbalance.z = table.number("z", Quantity::length);
+    imbalance.time = table.number("time", Quantity::time, Range::not_negative());
+    imbalance.mr = table.number("mr", Quantity::imbalance);
+    imbalance.phase = table.number_or("phase", 0, Quantity::angle);
+    if (imbalance.time >= simulate.time)
+        table.fail("time", fmt::format("expected a time before the end of the motion, {} s, got {} "
+                                       "s",
+                                       simulate.time, imbalance.time));
+    table.refuse_unknown();
+    simulate.imbalances.push_back(imbalance);
+}
+
+/// Components, frequency, phases and when it acts: of a force, or of the foundation's acceleration.
+model::StationForce read_harmonic(CheckedTable &table, Quantity quantity) {
+    model::StationForce force;
+    force.x = table.number_or("x", 0, quantity);
+    force.y = table.number_or("y", 0, quantity);
+    if (!table.has("x") && !table.has("y"))
+        table.fail("x", "missing, expected " + describe(quantity) + " in x or in y, or both");
+    force.frequency =
+        table.number_or("frequency", 0, Quantity::angular_speed, Range::not_negative());
+    force.phase = table.number_or("phase", 0, Quantity::angle);
+    force.phase_y = table.number_or("phase_y", force.phase, Quantity::angle);
+    force.from = table.number_or("from", 0, Quantity::time, Range::not_negative());
+    force.to = table.optional_number("to", Quantity::time, Range::positive());
+    if (force.to && *force.to <= force.from)
+        table.fail("to",
+                   fmt::format("expected more than from = {} s, got {} s", force.from, *force.to));
+    return force;
+}
+
+std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path &file,
+                                                    Problems &problems) {
+    std::vector<model::BaseMotion::Row> rows;
+    CsvTable csv(
+        file,
+        {{"time", Quantity::time}, {"x", Quantity::acceleration}, {"y", Quantity::acceleration}},
+        problems);
+    if (!csv.usable())
+        return rows;
+    for (std::size_t i = 0; i < csv.rows(); ++i) {
+        const double time = csv.number(i, "time", Range::not_negative());
+        if (!rows.empty() && time <= rows.back().time)
+            problems.add(csv.origin(i), "time",
+                         fmt::format("expected times that ascend, got {} s after {} s", time,
+                                     rows.back().time));
+        rows.push_back({time, csv.optional_number(i, "x", Range::any()).value_or(0),
+                        csv.optional_number(i, "y", Range::any()).value_or(0)});
+    }
+    if (rows.size() == 1)
+        problems.add(csv.origin(0), "time", "expected two rows or more, got one");
+    return rows;
+}
+
+model::BaseMotion read_base(CheckedTable &table) {
+    model::BaseMotion base;
+    ReadContext &context = table.context();
+    if (const auto file = table.text("table")) {
+        for (const char *key : {"x", "y", "frequency", "phase", "phase_y", "from", "to"})
+            if (table.has(key))
+                table.fail(key, "expected either a table or a harmonic acceleration, got both");
+        base.table = read_base_table(context.folder / *file, context.problems);
+    } else {
+        base.harmonic = read_harmonic(table, Quantity::acceleration);
+    }
+    table.refuse_unknown();
+    return base;
+}
+
+void read_start(CheckedTable &table, model::Case &scene) {
+    scene.simulate.steady_start = table.choice("start", {"rest", "steady"}, 0) == 1;
+    if (!scene.simulate.steady_start)
+        return;
+    if (!scene.rotor.balancers.empty() || !scene.rotor.anisotropies.empty())
+        table.fail("start",
+                   "expected \"rest\" where the rotor has a balancer or an anisotropy, got "
+                   "\"steady\"");
+    if (scene.simulate.torque)
+        table.fail("start", "expected \"rest\" with the torque of a motor, got \"steady\"");
+}
+
+} // namespace
+
+void read_outside(CheckedTable &simulate, model::Case &scene) {
+    read_start(simulate, scene);
+    for (CheckedTable &table : simulate.tables("imbalance"))
+        read_imbalance(table, scene.simulate);
+    for (CheckedTable &table : simulate.tables("force")) {
+        const std::string name = table.text("name").value_or("");
+        const double z = table.number("z", Quantity::length);
+        model::StationForce force = read_harmonic(table, Quantity::force);
+        force.name = name;
+        force.z = z;
+        table.refuse_unknown();
+        scene.simulate.forces.push_back(force);
+    }
+    if (auto base = simulate.table("base"))
+        scene.simulate.base = read_base(*base);
+}
+
+} // namespace whirl::input

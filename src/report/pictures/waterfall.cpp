@@ -1,0 +1,143 @@
+#include "report/pictures/figures.h"
+
+#include "report/pictures/style.h"
+#include "results/transient.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace whirl::report {
+
+using results::Waterfall;
+
+namespace {
+
+constexpr double hertz = 0.5 / pi;
+constexpr double shown_share = 2e-3; ///< of the largest: nothing of that size beyond is not drawn
+constexpr double room = 8;           ///< the highest line is as high as so many gaps between lines
+constexpr double orders[] = {1, 2, 3};
+
+/// The speed changes, and only rises or only falls.
+bool monotonic(const std::vector<double> &speeds) {
+    return speeds.front() != speeds.back() &&
+           (std::is_sorted(speeds.begin(), speeds.end()) ||
+            std::is_sorted(speeds.begin(), speeds.end(), std::greater<>()));
+}
+
+/// Highest frequency, Hz, with something to see, and at least twice the spin speed.
+double highest_frequency(const Waterfall &waterfall, double largest) {
+    std::size_t last = 0;
+    for (const std::vector<double> &spectrum : waterfall.amplitude)
+        for (std::size_t i = last; i < spectrum.size(); ++i)
+            if (spectrum[i] > shown_share * largest)
+                last = i;
+    double fastest = 0;
+    for (const double speed : waterfall.speeds)
+        fastest = std::max(fastest, std::abs(speed));
+    const double wanted = std::max(1.2 * waterfall.frequencies[last], 2.2 * fastest);
+    return std::min(wanted, waterfall.frequencies.back()) * hertz;
+}
+
+/// Where the lines stand and how high they are.
+class Layout {
+  public:
+    explicit Layout(const Waterfall &waterfall)
+        : _waterfall(waterfall), _over_speed(monotonic(waterfall.speeds)) {
+        for (const std::vector<double> &spectrum : waterfall.amplitude)
+            _largest = std::max(_largest, *std::max_element(spectrum.begin(), spectrum.end()));
+        for (std::size_t k = 0; k < waterfall.times.size(); ++k)
+            if (!_over_speed || k == 0 || waterfall.speeds[k] != waterfall.speeds[k - 1])
+                _order.push_back(k); // of those at one speed the first
+        std::sort(_order.begin(), _order.end(),
+                  [&](std::size_t a, std::size_t b) { return base(a) > base(b); });
+        const double gap = (highest() - lowest()) / static_cast<double>(_order.size());
+        _scale = _largest > 0 ? room * gap / _largest : 0;
+        _right = highest_frequency(waterfall, _largest);
+    }
+
+    [[nodiscard]] bool over_speed() const { return _over_speed; }
+    [[nodiscard]] double largest() const { return _largest; } ///< m
+    [[nodiscard]] double right() const { return _right; }     ///< Hz
+    [[nodiscard]] double base(std::size_t k) const {
+        return _over_speed ? _waterfall.speeds[k] * rpm : _waterfall.times[k];
+    }
+    [[nodiscard]] double lowest() const { return base(_order.back()); }
+    [[nodiscard]] double highest() const { return base(_order.front()); }
+    [[nodiscard]] double top() const { return highest() + _scale * _largest; }
+    /// From the back to the front, which hides what is behind.
+    [[nodiscard]] const std::vector<std::size_t> &order() const { return _order; }
+
+    [[nodiscard]] std::vector<PlotPoint> line(std::size_t k) const {
+        std::vector<PlotPoint> points;
+        for (std::size_t i = 0; i < _waterfall.frequencies.size(); ++i)
+            if (_waterfall.frequencies[i] * hertz <= _right)
+                points.push_back({_waterfall.frequencies[i] * hertz,
+                                  base(k) + _scale * _waterfall.amplitude[k][i]});
+        return points;
+    }
+    /// A multiple of the spin speed across the lines.
+    [[nodiscard]] std::vector<PlotPoint> multiple(double order) const {
+        std::vector<PlotPoint> points;
+        for (const std::size_t k : _order)
+            if (const double x = order * std::abs(_waterfall.speeds[k]) * hertz; x <= _right)
+                points.push_back({x, base(k)});
+        return points;
+    }
+
+  private:
+    const Waterfall &_waterfall;
+    bool _over_speed;
+    double _largest = 0;
+    double _scale = 0; ///< of the axis per m
+    double _right = 0;
+    std::vector<std::size_t> _order;
+};
+
+/// Data blocks and plot command.
+std::string lines_of(const Layout &layout) {
+    std::string data;
+    std::string plots;
+    for (const std::size_t k : layout.order()) {
+        data += data_block(fmt::format("w{}", k), {layout.line(k)});
+        plots += fmt::format("$w{0} with filledcurves y1={1} fc rgb '#FFFFFF' notitle, $w{0} with "
+                             "lines lc rgb '{2}' lw 0.9 notitle, ",
+                             k, layout.base(k), series_style(0).colour);
+    }
+    std::size_t number = 0;
+    for (const double order : orders) {
+        const std::string name = fmt::format("o{}", ++number);
+        data += data_block(name, {layout.multiple(order)});
+        plots += fmt::format("{}${} with lines lc rgb '{}' lw 1.3 dt (4,4) title {}",
+                             number > 1 ? ", " : "", name, series_style(number).colour,
+                             plot_text(readable(order) + "× spin speed"));
+    }
+    return data + "plot " + plots + "\n";
+}
+
+} // namespace
+
+Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall) {
+    const Layout layout(waterfall);
+    Figure figure;
+    figure.width = 1080;
+    figure.height = 760;
+    const std::string place =
+        waterfall.name.empty() ? "z = " + readable(waterfall.z, 4) + " m" : waterfall.name;
+    figure.script =
+        figure_head("Waterfall: " + title_of(scene),
+                    fmt::format("{}, windows of {} s; the highest line is {} µm", place,
+                                readable(waterfall.window, 3), readable(layout.largest() * 1e6, 4)),
+                    figure.height) +
+        panel_margins(0.085, 0.84, 0.09, 0.885) +
+        fmt::format("set xlabel 'Frequency (Hz)'\nset ylabel {}\nset xrange [0:{}]\nset yrange "
+                    "[{}:{}]\nset key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
+                    plot_text(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)"),
+                    layout.right(), layout.lowest(), layout.top()) +
+        lines_of(layout) + "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "simulation/motion.h"
+#include "simulation/ode_solver.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace whirl::simulation {
+
+/// Whatever changes which parts touch or stand: impacts, parts that come apart, come to rest or
+/// begin to move. Found as roots between the ends of a step, which is integrated again.
+class DryEvents {
+  public:
+    /// @param scale  rad/s: of the rates of the parts
+    /// @param solver makes one for the motion
+    DryEvents(RotorMotion &motion, double scale,
+              std::function<std::unique_ptr<OdeSolver>()> solver);
+
+    /// Touching and standing parts at the start, all others move.
+    void begin(double t, Eigen::VectorXd &state);
+    struct Event {
+        double time = 0;
+        Eigen::VectorXd state;
+    };
+    /// The first event in a step; none: there is none.
+    [[nodiscard]] std::optional<Event> within(double from, const Eigen::VectorXd &before, double to,
+                                              const double *after);
+    /// Impacts change the velocities and take energy, booked as loss; then who touches and stands.
+    void pass(Event &event);
+
+    [[nodiscard]] long impacts() const { return _impacts; }
+    /// Largest share by which one impact raised the energy of all: rounding.
+    [[nodiscard]] double created() const { return _created; }
+    /// A part was pulled off its race.
+    [[nodiscard]] bool lifted() const { return _lifted; }
+
+  private:
+    RotorMotion &_motion;
+    double _scale;
+    std::function<std::unique_ptr<OdeSolver>()> _make_solver;
+    std::unique_ptr<OdeSolver> _solver;
+    std::vector<double> _rates;
+    long _impacts = 0;
+    double _created = 0;
+    bool _lifted = false;
+
+    [[nodiscard]] std::vector<double> values(double t, const double *state);
+    [[nodiscard]] bool gap_dips(const Gap &gap, const double *before, const double *after,
+                                double length, double &share) const;
+    void choose(double t, Eigen::VectorXd &state);
+    bool free_the_worst();
+    bool collide(double t, Eigen::VectorXd &state);
+};
+
+} // namespace whirl::simulation

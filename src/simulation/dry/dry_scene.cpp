@@ -1,0 +1,63 @@
+#include "simulation/dry/dry_scene.h"
+
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::simulation {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double rounding = 1e-9; ///< rad, of angles as they are written in a case
+
+/// The gaps between neighbours around one race.
+void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<double> &angles,
+              std::vector<Gap> &gaps) {
+    std::vector<std::pair<double, int>> around;
+    for (int i = first + row.first; i < first + row.first + row.count; ++i) {
+        const double angle = angles[static_cast<std::size_t>(i)];
+        around.emplace_back(angle - turn * std::floor(angle / turn), i);
+    }
+    std::sort(around.begin(), around.end());
+    for (std::size_t k = 0; k < around.size() && around.size() > 1; ++k) {
+        const auto [here, i] = around[k];
+        const auto [there, j] = around[(k + 1) % around.size()];
+        const double apart = there - here + (k + 1 == around.size() ? turn : 0);
+        const double between =
+            angles[static_cast<std::size_t>(j)] - angles[static_cast<std::size_t>(i)];
+        if (apart < row.touching - rounding)
+            throw model::BadInput(fmt::format(
+                "simulate.ball_angles: expected balls that do not overlap, {:.6g} rad apart or "
+                "more, got {:.6g} rad between two that cannot pass each other (contact = true)",
+                row.touching, apart));
+        gaps.push_back({i, j, apart - between, row.touching, row.restitution});
+    }
+}
+
+} // namespace
+
+DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, double rate) {
+    DryState dry;
+    dry.rate = rate;
+    std::vector<bool> resists;
+    for (const FreeParts &free : parts.free) {
+        const int first = static_cast<int>(resists.size());
+        for (const balancers::TouchingRow &row : free.motion->touching())
+            add_gaps(row, first, angles, dry.gaps);
+        for (int i = 0; i < free.motion->size(); ++i)
+            resists.push_back(free.motion->resists(i));
+    }
+    dry.closed.assign(dry.gaps.size(), false);
+    if (std::find(resists.begin(), resists.end(), true) == resists.end())
+        return dry;
+    dry.resists = resists;
+    dry.slip.assign(resists.size(), 0);
+    return dry;
+}
+
+} // namespace whirl::simulation

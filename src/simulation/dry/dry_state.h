@@ -1,0 +1,47 @@
+#pragma once
+
+#include "balancers/parts_motion.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace whirl::simulation {
+
+/// Two neighbours in a race, coordinates of free parts:
+/// angle[second] - angle[first] + offset - touching >= 0.
+struct Gap {
+    int first = 0, second = 0;
+    double offset = 0;   ///< whole turns between their unwrapped angles, rad
+    double touching = 0; ///< angle between the centres of parts that touch, rad
+    double restitution = 1;
+};
+
+/// Which free parts touch and which stand by friction; docs/theory.md, "Contact and rolling".
+struct DryState {
+    std::vector<Gap> gaps;
+    std::vector<bool> closed;  ///< of each gap: its parts stay together while they press
+    std::vector<bool> resists; ///< of each free coordinate: it has resistance to rolling
+    /// Of each free coordinate that resists: sense of its motion in the rotor, 0 where it stands.
+    std::vector<int> slip;
+    double rate = 0; ///< 1/s, at which what a constraint lacks by rounding is made good
+
+    [[nodiscard]] bool any() const { return !gaps.empty() || !slip.empty(); }
+    [[nodiscard]] bool stands(std::size_t i) const { return resists[i] && slip[i] == 0; }
+};
+
+/// Contact and friction on a free coordinate at one moment.
+struct DryTorque {
+    balancers::PlaneVector row = balancers::PlaneVector::Zero(); ///< of y in its equation
+    double push = 0;                                             ///< torque of all constraints, N m
+    double stand = 0;  ///< of that the torque that keeps it standing, N m
+    double limit = 0;  ///< largest torque of friction, N m
+    double normal = 0; ///< force of the race, N
+};
+
+/// Holds two coordinates together, or one (first = -1) in the rotor.
+struct Constraint {
+    int first = -1, second = 0;
+    std::size_t multiplier = 0; ///< its place
+};
+
+} // namespace whirl::simulation

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "model/excitation.h"
+#include "reduction/reduced_rotor.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace whirl::simulation {
+
+/// What acts on the rotor from outside over time: forces at stations, and the acceleration of the
+/// foundation, which in axes that move with it acts on every mass as a uniform field -a(t).
+class Excitation {
+  public:
+    void add(const reduction::Row &row, const model::StationForce &force);
+    /// @param mass_load  ReducedRotor::mass_load
+    void set_base(const reduction::Row &mass_load, const model::BaseMotion &base);
+
+    [[nodiscard]] bool none() const { return _forces.empty() && !_base; }
+    [[nodiscard]] bool shakes() const { return _base.has_value(); }
+    /// Times at which it jumps or bends, > 0, unordered.
+    [[nodiscard]] std::vector<double> jumps() const;
+    /// Acceleration of the foundation, m/s2.
+    /// @param piece  a time inside the piece between two jumps that t belongs to
+    [[nodiscard]] Eigen::Vector2d base(double t, double piece) const;
+    /// Adds the loads on (Re p; Im p): forces, and -a on the mass that the rotor's mass matrix
+    /// holds.
+    void add_loads(double t, double piece, Eigen::VectorXd &loads) const;
+
+  private:
+    struct Force {
+        reduction::Row row;
+        model::StationForce force;
+    };
+    std::vector<Force> _forces;
+    std::optional<model::BaseMotion> _base;
+    reduction::Row _mass_load;
+};
+
+} // namespace whirl::simulation

@@ -1,0 +1,286 @@
+#include "simulation/run.h"
+
+#include "process/interruption.h"
+#include "process/progress.h"
+#include "simulation/dry/dry_scene.h"
+#include "simulation/restart.h"
+#include "simulation/steady_start.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::simulation {
+
+namespace {
+
+/// From this ratio of fastest decay to spin speed on the implicit method needs fewer evaluations.
+/// Fast shapes that are hardly damped are left to the explicit one, which follows them better.
+constexpr double stiff_from = 300;
+
+/// Fastest decay of the shaft on its supports, 1/s.
+double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
+    const Eigen::Index r = rotor.size();
+    const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
+    // On (q, q' / |speed|), so that all entries are frequencies, whatever the unit of time.
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * r, 4 * r);
+    A.topRightCorner(2 * r, 2 * r).diagonal().setConstant(std::abs(speed));
+    A.bottomLeftCorner(2 * r, 2 * r) = -at.stiffness;
+    A.bottomRightCorner(2 * r, 2 * r) = -at.damping;
+    for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
+        A.block(2 * r + plane, plane, r, r) -= rotor.elastic;
+        A.block(2 * r + plane, 2 * r + plane, r, r) -= rotor.internal;
+    }
+    A.bottomLeftCorner(2 * r, 2 * r) /= std::abs(speed);
+    A.block(2 * r, 3 * r, r, r) -= speed * rotor.gyroscopic;
+    A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
+    return -A.eigenvalues().real().minCoeff();
+}
+
+std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
+    std::vector<reduction::Row> rows = scene.stations.rows;
+    for (const int plane : scene.plane_of)
+        rows.push_back(scene.parts.planes[static_cast<std::size_t>(plane)].w);
+    return rows;
+}
+
+} // namespace
+
+Run::Run(const model::Case &scene, const MotionScene &motion)
+    : _scene(scene), _prepared(motion), _motion(motion.parts),
+      _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
+      _scales(scales_of(motion)),
+      _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
+      _solver(problem(), method()) {
+    if (!motion.stations.rows.empty())
+        _stations.emplace(_motion, motion.stations.rows, scene.simulate.time, motion.fastest);
+    _motion.set_dry(dry_state(_motion.parts(), motion.start_angles, motion.fastest));
+    if (_motion.dry().any())
+        _dry.emplace(_motion, motion.fastest,
+                     [this] { return std::make_unique<OdeSolver>(problem(), method()); });
+}
+
+Run::Scales Run::scales_of(const MotionScene &motion) {
+    double moment = motion.moment;
+    for (const FixedMass &mass : motion.parts.fixed)
+        moment += std::abs(mass.mass.moment);
+    const double mass = motion.parts.rotor.mass;
+    const double speed = motion.fastest;
+    return {0.01 * moment / std::sqrt(mass), speed, moment * moment / mass * speed * speed};
+}
+
+/// The error allowed in each unknown: the tolerance times the size of its kind.
+void Run::allowed_error(const double *state, double *allowed) const {
+    // Fast shapes gather the errors of the implicit method, in which their speed does not shorten
+    // the steps.
+    const double tolerance = _scene.simulate.tolerance * (_stiff ? 0.01 : 1);
+    const int n = _motion.coordinates();
+    const int shapes = _motion.first_angle();
+    // Of all shapes the same energy may be wrong: that of a fast one moves the balls as much as
+    // that of a slow one, and there is less displacement in it.
+    const double p = tolerance * std::max(Eigen::Map<const Eigen::VectorXd>(state, shapes).norm(),
+                                          _scales.displacement);
+    const Eigen::VectorXd &frequencies = _motion.parts().rotor.frequencies;
+    for (int i = 0; i < shapes; ++i) {
+        allowed[n + i] = p * _scales.speed;
+        allowed[i] =
+            p * _scales.speed / std::max(_scales.speed, frequencies(i % frequencies.size()));
+    }
+    std::fill(allowed + shapes, allowed + n, tolerance);
+    std::fill(allowed + n + shapes, allowed + 2 * n, tolerance * _scales.speed);
+    if (_motion.parts().motor) {
+        allowed[2 * n] = tolerance;
+        allowed[2 * n + 1] = tolerance * _scales.speed;
+    }
+    double *books = allowed + _motion.books();
+    const double *values = state + _motion.books();
+    books[0] = tolerance * std::max(std::abs(values[0]), _scales.energy);
+    books[1] = tolerance * std::max(std::abs(values[1]), _scales.energy);
+    books[2] = tolerance * std::max(std::abs(values[2]), _scales.energy / _scales.speed);
+}
+
+OdeProblem Run::problem() {
+    return {_motion.size(),
+            [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
+            [this](const double *y, double *allowed) { allowed_error(y, allowed); }};
+}
+
+/// All at rest in the rotor, the free masses at their angles; or the rotor in its steady motion.
+Eigen::VectorXd Run::first_state() const {
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(_motion.size());
+    for (std::size_t i = 0; i < _prepared.start_angles.size(); ++i)
+        state(_motion.first_angle() + static_cast<Eigen::Index>(i)) = _prepared.start_angles[i];
+    if (_motion.parts().motor)
+        state(2 * _motion.coordinates() + 1) = _motion.parts().spin.at(0, 0).speed;
+    if (_scene.simulate.steady_start)
+        state.head(2 * _motion.coordinates()) = steady_motion(_motion.parts());
+    return state;
+}
+
+/// Times at which the solver must stop: outputs and jumps.
+std::vector<double> Run::stops() const {
+    std::vector<double> stops = _recorder.times();
+    for (const double jump : _motion.jumps())
+        if (jump < _scene.simulate.time)
+            stops.push_back(jump);
+    std::sort(stops.begin(), stops.end());
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    return stops;
+}
+
+void Run::begin(const model::Restart *from) {
+    Eigen::VectorXd state = first_state();
+    if (from) {
+        _t = from->time;
+        state = state_of(*from, _scene, _motion);
+        _recorder.resume(*from, series_of(*from, _prepared.plane_of.size(),
+                                          static_cast<std::size_t>(_motion.parts().free_angles())));
+        _energy = from->energy;
+        _momentum = from->momentum;
+    } else {
+        _recorder.output(0, state.data());
+        _energy = _motion.energy(0, state.data());
+        _momentum = _motion.momentum(0, state.data());
+    }
+    _motion.enter_piece(std::nextafter(_t, HUGE_VAL));
+    if (_stations)
+        _stations->begin(_t, state.data());
+    if (_dry)
+        _dry->begin(_t, state);
+    _solver.start(_t, state.data(), from ? from->step : 0);
+}
+
+/// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
+void Run::pass_jump(double time) {
+    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+    _energy -= _motion.energy(time, state.data());
+    _momentum -= _motion.momentum(time, state.data());
+    _motion.enter_piece(std::nextafter(time, HUGE_VAL));
+    _energy += _motion.energy(time, state.data());
+    _momentum += _motion.momentum(time, state.data());
+    if (_stations)
+        _stations->begin(time, state.data());
+    if (_dry)
+        _dry->begin(time, state);
+    _solver.start(time, state.data());
+}
+
+/// One step of the integrator, or as much of it as there is until an event.
+void Run::step(double stop) {
+    if (!_dry) {
+        _t = _solver.step(stop);
+        return;
+    }
+    const Eigen::VectorXd before =
+        Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+    const double from = _t;
+    _t = _solver.step(stop);
+    if (auto event = _dry->within(from, before, _t, _solver.state())) {
+        _t = event->time;
+        _dry->pass(*event);
+        _solver.start(_t, event->state.data());
+    }
+}
+
+bool Run::reach(double stop) {
+    while (_t < stop) {
+        if (process::take_interruption())
+            return false;
+        step(stop);
+        _recorder.step(_t, _solver.state());
+        if (_stations)
+            _stations->step(_t, _solver.state());
+        process::report_progress(_t / _scene.simulate.time);
+    }
+    return true;
+}
+
+bool Run::integrate(const model::Restart *from) {
+    begin(from);
+    const std::vector<double> jumps = _motion.jumps();
+    const std::vector<double> &outputs = _recorder.times();
+    for (const double stop : stops()) {
+        if (stop <= _t)
+            continue;
+        if (!reach(stop))
+            return false;
+        if (std::binary_search(outputs.begin(), outputs.end(), stop))
+            _recorder.output(_t, _solver.state());
+        if (std::binary_search(jumps.begin(), jumps.end(), stop))
+            pass_jump(stop);
+    }
+    return true;
+}
+
+model::Restart Run::restart() const {
+    model::Restart restart = restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
+    _recorder.save(restart);
+    restart.case_name = _scene.name;
+    restart.time = _t;
+    restart.step = _solver.next_step();
+    restart.energy = _energy;
+    restart.momentum = _momentum;
+    return restart;
+}
+
+double Run::speed_at(double t) const {
+    if (!_motion.parts().motor)
+        return _motion.parts().spin.at(t, t).speed;
+    const results::MotionSeries &series = _recorder.series();
+    const auto next = std::upper_bound(series.time.begin(), series.time.end(), t);
+    if (next == series.time.end())
+        return series.speed.back();
+    const auto i = static_cast<std::size_t>(next - series.time.begin()); // > 0: it starts at 0
+    const double share = (t - series.time[i - 1]) / (series.time[i] - series.time[i - 1]);
+    return series.speed[i - 1] + share * (series.speed[i] - series.speed[i - 1]);
+}
+
+void Run::fill_audit(results::SimulateResult &result) const {
+    const double *state = _solver.state();
+    const double *books = state + _motion.books();
+    const double energy = _motion.energy(_t, state) - _energy;
+    const double momentum = _motion.momentum(_t, state) - _momentum;
+    result.audit = {energy - books[0] + books[1],
+                    std::max({std::abs(energy), std::abs(books[0]), std::abs(books[1])}),
+                    momentum - books[2], std::max(std::abs(momentum), std::abs(books[2]))};
+    if (_motion.parts().motor) { // the spin itself takes part in the exchange
+        result.audit.energy_scale = std::max(result.audit.energy_scale, std::abs(_energy));
+        result.audit.momentum_scale = std::max(result.audit.momentum_scale, std::abs(_momentum));
+    }
+}
+
+void Run::fill(results::SimulateResult &result) {
+    const double *state = _solver.state();
+    fill_audit(result);
+    result.time = _t;
+    result.speed = _motion.spin(_t, state).speed;
+    const double turned =
+        _motion.parts().motor ? state[2 * _motion.coordinates()] : _motion.parts().spin.turned(_t);
+    result.revolutions = turned / (2 * std::numbers::pi);
+    result.series = _recorder.series();
+    result.integrator = _stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
+                               : "explicit Runge-Kutta, order 8";
+    const OdeCounts counts = _solver.counts();
+    result.steps = counts.steps;
+    result.rate_evaluations = counts.rates;
+    if (_stations) {
+        fill_stations(result);
+        return;
+    }
+    if (_dry) {
+        result.impacts = _dry->impacts();
+        result.audit.impact_gain = _dry->created();
+        if (_dry->lifted())
+            result.model.notes.emplace_back(
+                "a ball was pulled off its race for a time: the normal force there was below 0, "
+                "which resistance to rolling does not know");
+    }
+    for (const double amplitude : _recorder.last_amplitudes()) {
+        result.balancers.emplace_back();
+        result.balancers.back().amplitude = amplitude;
+    }
+}
+
+} // namespace whirl::simulation

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "model/case.h"
+#include "model/restart.h"
+#include "results/simulate.h"
+#include "simulation/dry/dry_events.h"
+#include "simulation/equations.h"
+#include "simulation/ode_solver.h"
+#include "simulation/recorder.h"
+#include "simulation/stations/station_recorder.h"
+
+#include <optional>
+
+namespace whirl::simulation {
+
+/// One integration from its start (or restart) to its end (or interruption).
+class Run {
+  public:
+    /// Both must outlive this.
+    Run(const model::Case &scene, const MotionScene &motion);
+
+    /// @returns whether the end was reached.
+    /// @throws linalg::SolverError where the integration cannot go on.
+    bool integrate(const model::Restart *from);
+
+    /// Time, speed, series, integrator, audit; amplitudes of balancers or of stations.
+    void fill(results::SimulateResult &result);
+    [[nodiscard]] model::Restart restart() const;
+
+  private:
+    /// Sizes below which an error does not matter, by kinds of unknowns.
+    struct Scales {
+        double displacement = 0; ///< modal, sqrt(kg) m
+        double speed = 0;        ///< rad/s
+        double energy = 0;       ///< J
+    };
+
+    const model::Case &_scene;
+    const MotionScene &_prepared;
+    RotorMotion _motion;
+    MotionRecorder _recorder;
+    std::optional<StationRecorder> _stations; ///< without balancers
+    Scales _scales;
+    bool _stiff;
+    OdeSolver _solver;
+    std::optional<DryEvents> _dry; ///< where parts touch or resist
+    double _t = 0;
+    double _energy = 0;
+    double _momentum = 0;
+
+    [[nodiscard]] static Scales scales_of(const MotionScene &motion);
+    void allowed_error(const double *state, double *allowed) const;
+    [[nodiscard]] OdeProblem problem();
+    [[nodiscard]] OdeMethod method() const {
+        return _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order;
+    }
+    [[nodiscard]] Eigen::VectorXd first_state() const;
+    [[nodiscard]] std::vector<double> stops() const;
+    void begin(const model::Restart *from);
+    void pass_jump(double time);
+    bool reach(double stop);
+    void step(double stop);
+    void fill_audit(results::SimulateResult &result) const;
+    void fill_stations(results::SimulateResult &result);
+    [[nodiscard]] results::PeakInTime refined(std::size_t station, const PeakCandidate &candidate);
+    [[nodiscard]] double speed_at(double t) const;
+};
+
+} // namespace whirl::simulation

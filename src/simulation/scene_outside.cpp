@@ -1,0 +1,103 @@
+#include "simulation/scene_outside.h"
+
+#include "assembly/assemble.h"
+#include "forced/response_places.h"
+#include "reduction/planar_pair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::simulation {
+
+namespace {
+
+void add_sudden_imbalances(const model::Case &scene, const assembly::Discretization &d,
+                           MotionScene &motion) {
+    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances) {
+        FixedMass mass;
+        mass.row = motion.parts.rotor.row(d.deflection_at(imbalance.z));
+        mass.mass.moment = imbalance.mr;
+        mass.mass.weight = imbalance.mr * scene.simulate.gravity;
+        mass.phase = imbalance.phase;
+        mass.from = imbalance.time;
+        motion.parts.fixed.push_back(mass);
+    }
+}
+
+/// Imbalance that would move the rotor as much as the forces and the foundation do, kg m.
+double moment_of_forces(const model::SimulateSettings &s, double mass, double speed) {
+    double force = 0;
+    for (const model::StationForce &f : s.forces)
+        force += std::hypot(f.x, f.y);
+    if (s.base && s.base->harmonic)
+        force += mass * std::hypot(s.base->harmonic->x, s.base->harmonic->y);
+    double largest = 0;
+    if (s.base)
+        for (const model::BaseMotion::Row &row : s.base->table)
+            largest = std::max(largest, std::hypot(row.x, row.y));
+    return (force + mass * largest) / (speed * speed);
+}
+
+} // namespace
+
+bool has_drive(const model::Case &scene) {
+    const model::SimulateSettings &s = scene.simulate;
+    return !scene.rotor.balancers.empty() || has_imbalance(scene.rotor) || !s.imbalances.empty() ||
+           !s.forces.empty() || s.base;
+}
+
+model::Rotor rotor_with_nodes(const model::Case &scene) {
+    model::Rotor rotor = scene.rotor;
+    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
+        rotor.imbalances.push_back({imbalance.name, imbalance.z, 0, 0});
+    for (const model::StationForce &force : scene.simulate.forces)
+        rotor.imbalances.push_back({force.name, force.z, 0, 0});
+    return rotor;
+}
+
+double scale_at_rest(const model::Case &scene, const assembly::Discretization &d) {
+    double fastest = 0;
+    for (const model::StationForce &force : scene.simulate.forces)
+        fastest = std::max(fastest, std::abs(force.frequency));
+    if (const auto &base = scene.simulate.base; base && base->harmonic)
+        fastest = std::max(fastest, std::abs(base->harmonic->frequency));
+    const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
+    const std::vector<double> translation = d.rigid_motion(false);
+    const Eigen::Map<const Eigen::VectorXd> v(translation.data(), std::ssize(translation));
+    const double bounce = std::max(0.0, v.dot(pair.K * v)) / v.dot(pair.M * v);
+    return std::max(fastest, std::sqrt(bounce));
+}
+
+void add_places(const model::Case &scene, std::vector<double> &places) {
+    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
+        places.push_back(imbalance.z);
+    for (const model::StationForce &force : scene.simulate.forces)
+        places.push_back(force.z);
+    if (!scene.rotor.balancers.empty())
+        return;
+    for (const model::Disc &disc : scene.rotor.discs)
+        places.push_back(disc.z);
+    for (const model::Bearing &bearing : scene.rotor.bearings)
+        places.push_back(bearing.z);
+    for (const model::Probe &probe : scene.rotor.probes)
+        places.push_back(probe.z);
+}
+
+void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
+    const model::SimulateSettings &s = scene.simulate;
+    add_sudden_imbalances(scene, d, motion);
+    for (const model::StationForce &force : s.forces)
+        motion.parts.excitation.add(motion.parts.rotor.row(d.deflection_at(force.z)), force);
+    if (s.base)
+        motion.parts.excitation.set_base(motion.parts.rotor.mass_load, *s.base);
+    motion.moment += moment_of_forces(s, motion.parts.rotor.mass, motion.fastest);
+    if (!scene.rotor.balancers.empty())
+        return;
+    for (const auto &[node, name] : forced::attached_nodes(d)) {
+        motion.stations.rows.push_back(motion.parts.rotor.row(d.deflection_at_node(node)));
+        motion.stations.z.push_back(d.shaft_mesh().nodes[static_cast<std::size_t>(node)]);
+        motion.stations.names.push_back(name);
+    }
+}
+
+} // namespace whirl::simulation

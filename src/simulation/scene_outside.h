@@ -1,0 +1,23 @@
+#pragma once
+
+#include "simulation/equations.h"
+
+namespace whirl::simulation {
+
+/// Something sets the rotor in motion: an imbalance, a balancer, or what [simulate] adds.
+[[nodiscard]] bool has_drive(const model::Case &scene);
+
+/// The rotor with a node wherever [simulate] lets something act: an imbalance without mass there.
+[[nodiscard]] model::Rotor rotor_with_nodes(const model::Case &scene);
+
+/// A speed for the scale of motions of a rotor that does not turn, rad/s: the fastest of the forces
+/// in it, or else the bounce of the rotor as a rigid body; 0: there is none.
+[[nodiscard]] double scale_at_rest(const model::Case &scene, const assembly::Discretization &d);
+
+/// Places of what [simulate] adds, and of all that is attached to a rotor without balancers, m.
+void add_places(const model::Case &scene, std::vector<double> &places);
+
+/// Sudden imbalances, forces and the foundation; stations where there are no balancers.
+void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion);
+
+} // namespace whirl::simulation

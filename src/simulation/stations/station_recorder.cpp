@@ -1,0 +1,136 @@
+#include "simulation/stations/station_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::simulation {
+
+namespace {
+
+constexpr double final_share = 0.025; ///< of the time whose largest amplitude is the final one
+constexpr int pieces = 8;             ///< of a step, which is at most some two radians of a motion
+/// What the polynomials may be wrong by decides which maxima are looked at again.
+constexpr double doubt = 1e-3;
+constexpr std::size_t most_candidates = 6;
+
+template <class Polynomial> Eigen::Vector2d value_at(const Polynomial &w, double s) {
+    Eigen::Vector2d sum = w[5];
+    for (int k = 4; k >= 0; --k)
+        sum = (s * sum + w[static_cast<std::size_t>(k)]).eval();
+    return sum;
+}
+
+template <class Polynomial> Eigen::Vector2d slope_at(const Polynomial &w, double s) {
+    Eigen::Vector2d sum = 5 * w[5];
+    for (int k = 4; k >= 1; --k)
+        sum = (s * sum + k * w[static_cast<std::size_t>(k)]).eval();
+    return sum;
+}
+
+} // namespace
+
+StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
+                                 double end, double fastest)
+    : _motion(motion), _rows(std::move(rows)), _final_from(end * (1 - final_share)),
+      _rates(static_cast<std::size_t>(motion.size())), _peaks(_rows.size()),
+      _first(_rows.size(), 0.0), _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
+
+std::vector<StationRecorder::End> StationRecorder::ends_at(double t, const double *state) {
+    _motion.rates(t, state, _rates.data());
+    std::vector<End> ends;
+    for (const reduction::Row &row : _rows)
+        ends.push_back({_motion.deflection(row, state), _motion.deflection(row, _rates.data()),
+                        _motion.deflection(row, _rates.data() + _motion.coordinates())});
+    return ends;
+}
+
+void StationRecorder::begin(double t, const double *state) {
+    _ends = ends_at(t, state);
+    _time = t;
+    _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());
+    if (std::exchange(_begun, true))
+        return;
+    for (std::size_t i = 0; i < _rows.size(); ++i)
+        _first[i] = _ends[i].w.norm();
+}
+
+double StationRecorder::last(std::size_t station) const { return _ends[station].w.norm(); }
+
+StationRecorder::Polynomial StationRecorder::polynomial(const End &from, const End &to,
+                                                        double length) {
+    const Eigen::Vector2d c1 = length * from.v;
+    const Eigen::Vector2d c2 = length * length / 2 * from.a;
+    const Eigen::Vector2d rest = to.w - from.w - c1 - c2;
+    const Eigen::Vector2d slope = length * to.v - c1 - 2 * c2;
+    const Eigen::Vector2d bend = length * length * to.a - 2 * c2;
+    return {from.w,
+            c1,
+            c2,
+            10 * rest - 4 * slope + bend / 2,
+            -15 * rest + 7 * slope - bend,
+            6 * rest - 3 * slope + bend / 2};
+}
+
+void StationRecorder::offer(std::size_t station, PeakCandidate candidate) {
+    std::vector<PeakCandidate> &all = _peaks[station];
+    if (!all.empty() && candidate.value < (1 - doubt) * all.front().value)
+        return;
+    candidate.start = _time;
+    candidate.state = _state;
+    const auto place = std::find_if(all.begin(), all.end(), [&](const PeakCandidate &other) {
+        return candidate.value > other.value;
+    });
+    all.insert(place, std::move(candidate));
+    std::erase_if(all, [&](const PeakCandidate &other) {
+        return other.value < (1 - doubt) * all.front().value;
+    });
+    if (all.size() > most_candidates)
+        all.pop_back();
+}
+
+void StationRecorder::look_for_peaks(std::size_t station, const Polynomial &w, double to) {
+    const double length = to - _time;
+    const auto growth = [&](double s) { return value_at(w, s).dot(slope_at(w, s)); };
+    double before = growth(0);
+    for (int i = 1; i <= pieces; ++i) {
+        double high = static_cast<double>(i) / pieces;
+        double low = static_cast<double>(i - 1) / pieces;
+        const double here = growth(high);
+        if (before > 0 && here <= 0) {
+            const double from = _time + low * length;
+            const double until = _time + high * length;
+            for (int halving = 0; halving < 40; ++halving) {
+                const double middle = (low + high) / 2;
+                (growth(middle) > 0 ? low : high) = middle;
+            }
+            const double value = value_at(w, low).norm();
+            const double time = _time + low * length;
+            if (time >= _final_from)
+                _final[station] = std::max(_final[station], value);
+            offer(station, {value, time, from, until, 0, {}});
+        }
+        before = here;
+    }
+}
+
+void StationRecorder::step(double t, const double *state) {
+    std::vector<End> ends = ends_at(t, state);
+    const double length = t - _time;
+    std::vector<Polynomial> w;
+    for (std::size_t i = 0; i < _rows.size(); ++i) {
+        w.push_back(polynomial(_ends[i], ends[i], length));
+        look_for_peaks(i, w[i], t);
+        if (t >= _final_from)
+            _final[i] = std::max(_final[i], ends[i].w.norm());
+    }
+    _samples.each_between(_time, t, [&](std::size_t window, int sample, double time) {
+        for (std::size_t i = 0; i < _rows.size(); ++i)
+            _samples.set(i, window, sample, value_at(w[i], (time - _time) / length));
+    });
+    _ends = std::move(ends);
+    _time = t;
+    _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());
+}
+
+} // namespace whirl::simulation

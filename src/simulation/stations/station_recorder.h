@@ -1,0 +1,73 @@
+#pragma once
+
+#include "simulation/motion.h"
+#include "simulation/stations/waterfall.h"
+
+#include <array>
+#include <vector>
+
+namespace whirl::simulation {
+
+/// A local maximum of |w| inside of a step, as far as the step's polynomial knows it.
+struct PeakCandidate {
+    double value = 0;        ///< m
+    double time = 0;         ///< s
+    double from = 0, to = 0; ///< s: d|w|/dt passes zero between
+    double start = 0;        ///< of the step, s
+    Eigen::VectorXd state;   ///< there
+};
+
+/// Deflections of stations between the ends of the steps of an integration: polynomials of degree
+/// five through deflections, velocities and accelerations at both ends (error 2e-5 of the amplitude
+/// where a step is one radian of the motion).
+class StationRecorder {
+  public:
+    /// @param end      of the motion, s
+    /// @param fastest  rad/s: spectra reach beyond a few times this
+    StationRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows, double end,
+                    double fastest);
+
+    /// At the start, and wherever the rates have jumped.
+    void begin(double t, const double *state);
+    /// After every step.
+    void step(double t, const double *state);
+
+    /// The largest maxima of a station, the largest first; none where |w| was largest at an end.
+    [[nodiscard]] const std::vector<PeakCandidate> &peaks(std::size_t station) const {
+        return _peaks[station];
+    }
+    /// |w| at the start and at the time reached, m.
+    [[nodiscard]] double first(std::size_t station) const { return _first[station]; }
+    [[nodiscard]] double last(std::size_t station) const;
+    /// Largest |w| over the last 2.5 % of the time, m.
+    [[nodiscard]] double final_amplitude(std::size_t station) const { return _final[station]; }
+    [[nodiscard]] const WindowSamples &samples() const { return _samples; }
+
+  private:
+    /// Of one station at an end of a step.
+    struct End {
+        Eigen::Vector2d w, v, a;
+    };
+    /// w over the share of the step done: coefficients of the powers.
+    using Polynomial = std::array<Eigen::Vector2d, 6>;
+
+    const RotorMotion &_motion;
+    std::vector<reduction::Row> _rows;
+    double _final_from; ///< s
+    double _time = 0;
+    bool _begun = false;
+    Eigen::VectorXd _state;
+    std::vector<double> _rates;
+    std::vector<End> _ends;
+    std::vector<std::vector<PeakCandidate>> _peaks;
+    std::vector<double> _first;
+    std::vector<double> _final;
+    WindowSamples _samples;
+
+    [[nodiscard]] std::vector<End> ends_at(double t, const double *state);
+    [[nodiscard]] static Polynomial polynomial(const End &from, const End &to, double length);
+    void look_for_peaks(std::size_t station, const Polynomial &w, double to);
+    void offer(std::size_t station, PeakCandidate candidate);
+};
+
+} // namespace whirl::simulation

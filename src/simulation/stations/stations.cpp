@@ -1,0 +1,135 @@
+#include "simulation/stations/stations.h"
+
+#include "forced/forced_motion.h"
+#include "forced/response_places.h"
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "modes/orbits.h"
+#include "simulation/outcome.h"
+#include "simulation/scene_outside.h"
+#include "simulation/trend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace whirl::simulation {
+
+namespace {
+
+/// The case with all imbalances there are at the end, driven over the speeds passed.
+model::Case steady_case(const model::Case &scene, const results::SimulateResult &result) {
+    model::Case steady = scene;
+    steady.rotor = rotor_with_nodes(scene);
+    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
+        if (imbalance.time < result.time)
+            steady.rotor.imbalances.push_back(
+                {imbalance.name, imbalance.z, imbalance.mr, imbalance.phase});
+    const auto [low, high] =
+        std::minmax_element(result.series.speed.begin(), result.series.speed.end());
+    steady.speeds = model::SpeedRange{*low, *high, 2};
+    return steady;
+}
+
+void add_peaks(const model::Case &steady, const assembly::Discretization &d, results::Form form,
+               results::SimulateResult &result) {
+    forced::Watched watched;
+    for (const results::StationMotion &station : result.stations)
+        watched.add({d.deflection_at(station.z)}, "station", station.z, station.name);
+    std::vector<results::ResponsePeak> peaks;
+    results::ResponseCurves curves;
+    forced::add_peaks(peaks, curves, d, form, watched, *steady.speeds,
+                      {{}, false, steady.reduction});
+    for (const results::ResponsePeak &peak : peaks) {
+        results::StationMotion &station = result.stations[static_cast<std::size_t>(peak.place)];
+        if (!station.steady_peak || peak.value > *station.steady_peak) {
+            station.steady_peak = peak.value;
+            station.steady_peak_speed = peak.speed;
+        }
+    }
+    result.steady = {curves.speeds, curves.values};
+}
+
+void add_last_speed(const assembly::Discretization &d, results::Form form,
+                    results::SimulateResult &result) {
+    forced::ForcedMotion forced(d, form);
+    forced.solve(result.speed);
+    if (forced.rounding() > forced::resonance_rounding)
+        throw linalg::SolverError("a resonance without damping");
+    for (results::StationMotion &station : result.stations) {
+        const forced::Phasor u = forced.motion(d.deflection_at(station.z));
+        station.steady = modes::ellipse_of(u.x, u.y).major;
+    }
+}
+
+/// Largest of the stations at each time, m.
+std::vector<double> largest_amplitudes(const results::MotionSeries &series) {
+    std::vector<double> largest(series.time.size(), 0);
+    for (const std::vector<double> &station : series.amplitude)
+        for (std::size_t k = 0; k < largest.size(); ++k)
+            largest[k] = std::max(largest[k], station[k]);
+    return largest;
+}
+
+std::string place_of(const results::StationMotion &station) {
+    return station.name.empty() ? fmt::format("z = {:.5g} m", station.z) : station.name;
+}
+
+} // namespace
+
+void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result) {
+    try {
+        const model::Case steady = steady_case(scene, result);
+        if (!has_imbalance(steady.rotor))
+            return;
+        const results::Form form = forced::response_formulation(steady).form;
+        const assembly::Discretization d(steady.rotor, order);
+        if (steady.speeds->to > steady.speeds->from)
+            add_peaks(steady, d, form, result);
+        if (result.speed != 0)
+            add_last_speed(d, form, result);
+    } catch (const linalg::SolverError &) {
+        result.model.notes.push_back(
+            fmt::format("no steady motion at {:.6g} rad/s to compare with: the rotor is at a "
+                        "resonance without damping, or free to move",
+                        result.speed));
+    } catch (const model::AnalysisFailure &failure) { // the motion is worth having all the same
+        result.model.notes.push_back(
+            fmt::format("no steady response to compare with: {}", failure.what()));
+    }
+}
+
+void classify_stations(const model::Case &scene, results::SimulateResult &result) {
+    const std::vector<double> amplitudes = largest_amplitudes(result.series);
+    const double scale = *std::max_element(amplitudes.begin(), amplitudes.end());
+    const results::StationMotion &worst =
+        result.stations[results::largest_station(result.stations)];
+    result.evidence = fmt::format("largest amplitude {:.5g} m at {} after {:.6g} s at {:.6g} rpm",
+                                  worst.peak.value, place_of(worst), worst.peak.time,
+                                  worst.peak.speed * 30 / std::numbers::pi);
+    if (worst.peak.at_end)
+        result.evidence += ", where it still grew";
+    result.outcome = results::Outcome::transient;
+    if (!ends_at_constant_speed(result)) {
+        result.evidence += "; the speed still changed over the last half of the time";
+        return;
+    }
+    const Trend trend = trend_of(result.series.time, amplitudes, result.time / 2,
+                                 1e3 * scene.simulate.tolerance * scale);
+    result.trend = trend.end_rate;
+    const char *how = "stays as it is";
+    if (trend.growing) {
+        result.outcome = results::Outcome::growing;
+        how = "grows steadily";
+    } else if (trend.decaying || trend.changing) {
+        how = "still changes";
+    } else {
+        result.outcome = results::Outcome::steady;
+    }
+    result.evidence += fmt::format("; over the last half of the time the amplitude {} ({:.3g} 1/s)",
+                                   how, trend.end_rate);
+}
+
+} // namespace whirl::simulation

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "model/case.h"
+#include "results/simulate.h"
+
+namespace whirl::simulation {
+
+/// Beside the motion of each station that of the steady response to all imbalances there are at
+/// the end: at the last speed, its highest peak inside the speeds passed (a root of the derivative,
+/// forced/response_peaks.h), and the curves. A note where there is none.
+void add_steady_response(const model::Case &scene, int order, results::SimulateResult &result);
+
+/// How the motion of a rotor without balancers ended: fills outcome, evidence and trend. Steady:
+/// over the last half the speed is constant, and the largest amplitude neither grows nor falls
+/// (trend.h).
+void classify_stations(const model::Case &scene, results::SimulateResult &result);
+
+} // namespace whirl::simulation
