@@ -6,6 +6,7 @@
 #include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
+#include "report/pictures/mode_curves.h"
 #include "report/reports.h"
 #include "report/vtk.h"
 #include "results/whirl.h"

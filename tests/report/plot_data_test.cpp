@@ -1,4 +1,5 @@
 #include "report/pictures/figures.h"
+#include "report/pictures/mode_curves.h"
 #include "report/pictures/style.h"
 #include "results/campbell.h"
 #include "results/modes.h"

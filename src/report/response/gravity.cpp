@@ -1,7 +1,7 @@
-#include "report/response_gravity.h"
+#include "report/response/gravity.h"
 
 #include "report/common/words.h"
-#include "report/response_tables.h"
+#include "report/response/tables.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
-#include "report/response_gravity.h"
-#include "report/response_tables.h"
+#include "report/response/gravity.h"
+#include "report/response/tables.h"
 
 #include <fmt/format.h>
 
