@@ -140,7 +140,7 @@ class Table {
     [[nodiscard]] std::vector<results::SampledAnswer> take() {
         // Together by what they are of, in the order of the first of each.
         std::stable_sort(_rows.begin(), _rows.end(),
-                         [this](const auto &a, const auto &b) { return rank(a) < rank(b); });
+                         [](const auto &a, const auto &b) { return rank(a) < rank(b); });
         return std::move(_rows);
     }
 
