@@ -162,8 +162,7 @@ TEST(Locked, InANarrowBandOfADampedRotorOnUnequalBearingsIsTheSameOnEveryGrid) {
     scene.rotor.shaft = tests::weightless_rigid_shaft(1);
     scene.rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
     scene.rotor.anisotropies = {{"", 0.5, 0.08, 0}};
-    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 20),
-                            tests::bearing(1, 4e5, 6e5, 0, 20)};
+    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 20), tests::bearing(1, 4e5, 6e5, 0, 20)};
     const assembly::Discretization d(scene.rotor, 1);
     for (const auto &[low, high, count] :
          {std::tuple(420.0, 440.0, 2), std::tuple(420.0, 440.0, 3), std::tuple(415.0, 445.0, 41)}) {
