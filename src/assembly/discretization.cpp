@@ -150,6 +150,12 @@ Combination Discretization::deflection_inside(int span, double xi) const {
     return out;
 }
 
+const ModalDamping &Discretization::modal_damping() const {
+    if (!_modal_damping)
+        _modal_damping = std::make_shared<const ModalDamping>(make_modal_damping(*this));
+    return *_modal_damping;
+}
+
 std::vector<int> Discretization::places_in(const Discretization &finer) const {
     std::vector<int> places(static_cast<std::size_t>(_size));
     const auto set = [&places](int unknown, int place) {

@@ -290,7 +290,8 @@ Phasor ForcedMotion::bearing_force(int bearing) const {
         _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed);
     const double frequency = (_drive.weight() ? 2 : 1) * _speed;
     const Eigen::Vector2cd force =
-        (at.k + imaginary_unit * frequency * at.c) * Eigen::Vector2cd(u.x, u.y);
+        (at.k - frequency * frequency * at.m + imaginary_unit * frequency * at.c) *
+        Eigen::Vector2cd(u.x, u.y);
     return {force(0), force(1)};
 }
 

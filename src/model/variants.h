@@ -26,7 +26,7 @@ namespace whirl::model {
 [[nodiscard]] Rotor isotropic_without_damping(Rotor rotor);
 
 /// One support, or all of them (no seals), of isotropic stiffness k (N/m) over speeds (rad/s;
-/// empty: one k at every speed); tilt stiffness as in their first row, no damping.
+/// empty: one k at every speed); mass and tilt stiffness as in their first row, no damping.
 /// @param support  its place among supports(); none: all
 [[nodiscard]] Rotor with_support_stiffness(Rotor rotor, std::optional<std::size_t> support,
                                            const std::vector<double> &k,

@@ -28,7 +28,7 @@ constexpr double at_a_row = 2e-10;
 bool symmetric_bearings(const model::Rotor &rotor) {
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
         return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
-            return model::symmetric(row.k) && model::symmetric(row.kt);
+            return model::symmetric(row.k) && model::symmetric(row.m) && model::symmetric(row.kt);
         });
     });
 }
