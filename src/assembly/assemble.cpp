@@ -101,12 +101,6 @@ void assemble_proportional_damping(const Discretization &d, const AddCoupling &a
     }
 }
 
-void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
-    add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
-    add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
-    add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
-}
-
 void add_product(Term term, const Combination &row, const Combination &column,
                  const Eigen::Matrix2d &block, const AddCoupling &add) {
     if (block.isZero(0))
@@ -114,6 +108,45 @@ void add_product(Term term, const Combination &row, const Combination &column,
     for (const auto &[i, a] : row)
         for (const auto &[j, b] : column)
             add(term, i, j, a * b * block);
+}
+
+/// i b on x + i y as a block on (x, y).
+Eigen::Matrix2d turned(double b) {
+    Eigen::Matrix2d block;
+    block << 0, -b, b, 0;
+    return block;
+}
+
+/// What the ends add to the part of the torque that has a potential; a rigid shaft is not bent.
+void assemble_torque(const Discretization &d, const AddCoupling &add) {
+    const model::Shaft &shaft = d.rotor().shaft;
+    if (shaft.axial_torque == 0 || d.rigid())
+        return;
+    const auto last = static_cast<int>(d.shaft_mesh().spans.size());
+    for (int span = 0; span < last; ++span) {
+        const std::vector<int> unknowns = d.beam_unknowns(span);
+        const Eigen::MatrixXd &B = d.beam(span).torque;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+            for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                const double b = B(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                if (b != 0)
+                    add(Term::stiffness, unknowns[i], unknowns[j], turned(b));
+            }
+    }
+    const double follows = shaft.torque_kind == model::TorqueKind::axial        ? -1
+                           : shaft.torque_kind == model::TorqueKind::tangential ? 1
+                                                                                : 0;
+    for (const auto &[node, side] : {std::pair(0, -1.0), std::pair(last, 1.0)}) {
+        const Combination phi = d.slope_at_node(node);
+        add_product(Term::stiffness, phi, phi, turned(side * follows * shaft.axial_torque / 2),
+                    add);
+    }
+}
+
+void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
+    add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
+    add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
+    add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
 }
 
 void assemble_bearing(const Discretization &d, int index, double speed, const AddCoupling &add) {
@@ -178,6 +211,7 @@ void assemble_bearings(const Discretization &discretization, double speed, const
 
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {
     assemble_bearings(discretization, speed, add);
+    assemble_torque(discretization, add);
     assemble_outside_damping(discretization, add);
 }
 

@@ -39,7 +39,8 @@ void assemble_bearings(const Discretization &discretization, double speed, const
 /// Damping of the shaft that does not turn with it: the same at every speed.
 void assemble_outside_damping(const Discretization &discretization, const AddCoupling &add);
 
-/// All that acts from the fixed frame: assemble_bearings and assemble_outside_damping.
+/// All that is the same for those who turn and those who do not, or acts from the fixed frame:
+/// bearings, axial torque, damping of the shaft that does not turn.
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add);
 
 } // namespace whirl::assembly

@@ -94,8 +94,12 @@ elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices 
     const auto through = [](const Eigen::MatrixXd &A, const Eigen::MatrixXd &by) {
         return Eigen::MatrixXd(by.transpose() * A * by);
     };
-    return {through(beam.M, T), through(beam.G, T), through(beam.K, strained),
-            through(beam.K_axial, T), through(beam.K_bending, strained)};
+    return {through(beam.M, T),
+            through(beam.G, T),
+            through(beam.K, strained),
+            through(beam.K_axial, T),
+            through(beam.K_bending, strained),
+            beam.torque.size() > 0 ? through(beam.torque, T) : Eigen::MatrixXd()};
 }
 
 std::vector<int> Discretization::beam_unknowns(int span) const {

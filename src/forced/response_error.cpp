@@ -38,7 +38,8 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
     // Element by element only where nothing acts across elements.
-    if (drive.weight() || !coarse.rotor().shaft.modal_damping.empty())
+    const model::Shaft &shaft = coarse.rotor().shaft;
+    if (drive.weight() || !shaft.modal_damping.empty() || shaft.axial_torque != 0)
         _whole = std::make_unique<ForcedMotion>(*_fine, form, drive);
     else
         _motion = std::make_unique<CondensedMotion>(*_fine, form);

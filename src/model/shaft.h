@@ -41,6 +41,13 @@ struct Segment {
     std::vector<Layer> layers{}; ///< beside the segment's own section
 };
 
+/// Direction of the torque where it enters and leaves the shaft (Ziegler 1968, ch. 3 and 5).
+enum class TorqueKind {
+    axial,          ///< along z, however the end is inclined
+    semitangential, ///< half way between z and the tangent: it has a potential
+    tangential      ///< along the tangent, which it follows
+};
+
 /// The flexible shaft, from z = 0 to the sum of the lengths of its segments.
 struct Shaft {
     std::vector<Segment> segments;
@@ -56,6 +63,10 @@ struct Shaft {
     double alpha = 0;       ///< 1/s
     double beta = 0;        ///< s
     double axial_force = 0; ///< N, tension positive
+    /// Torque that the shaft carries from z = 0 to its end: about +z on the end z = length(),
+    /// against it on the other, N m.
+    double axial_torque = 0;
+    TorqueKind torque_kind = TorqueKind::axial;
     /// Damping that does not turn, by ratios of the lowest modes at rest of the rotor on its
     /// bearings, in each plane (assembly/modal_damping.h).
     std::vector<double> modal_damping;

@@ -29,6 +29,7 @@ Rotor without_damping(Rotor rotor) {
 
 Rotor with_conservative_supports(Rotor rotor) {
     rotor = without_damping(std::move(rotor));
+    rotor.shaft.axial_torque = 0;
     for (Bearing &bearing : rotor.bearings)
         for (BearingCoefficients &row : bearing.rows)
             for (Eigen::Matrix2d *a : {&row.k, &row.m, &row.kt})
@@ -50,6 +51,7 @@ Rotor with_mean_bearings(Rotor rotor) {
 }
 
 Rotor isotropic_without_damping(Rotor rotor) {
+    rotor.shaft.axial_torque = 0;
     return without_damping(with_mean_bearings(std::move(rotor)));
 }
 

@@ -96,7 +96,7 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
         _K = system.K.view();
         _Ks = system.Kc.view();
         _Kss.resize(_M.rows(), _M.cols());
-        _mirrored = mirrored_bearings(d.rotor());
+        _mirrored = mirrored_bearings(d.rotor()) && d.rotor().shaft.axial_torque == 0;
         return;
     }
     if (form == results::Form::planar_damped) {

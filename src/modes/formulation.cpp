@@ -22,6 +22,8 @@ std::string against_fixed(const model::Rotor &rotor) {
 std::string against_planar(const model::Rotor &rotor) {
     if (std::string reason = against_fixed(rotor); !reason.empty())
         return reason;
+    if (rotor.shaft.axial_torque != 0)
+        return "axial torque couples x and y";
     if (!rotor.bearings_isotropic())
         return "a bearing differs between x and y or couples them";
     if (rotor.damped())
@@ -32,6 +34,8 @@ std::string against_planar(const model::Rotor &rotor) {
 std::string against_hyperbolic(const model::Rotor &rotor) {
     if (std::string reason = against_fixed(rotor); !reason.empty())
         return reason;
+    if (rotor.shaft.axial_torque != 0)
+        return "axial torque couples x and y";
     if (!rotor.bearings_orthotropic())
         return "a bearing couples x and y";
     if (rotor.damped())
@@ -42,6 +46,8 @@ std::string against_hyperbolic(const model::Rotor &rotor) {
 /// Damping and cross coupling act on w = x + i y alone, and the rotor without them has frequencies.
 bool turns_alike(const model::Rotor &rotor) {
     return against_fixed(rotor).empty() && rotor.bearings_rotation_invariant() &&
+           rotor.shaft.axial_torque == 0 && // its matrix is not symmetric
+
            (!may_push_away(rotor) || stiffness_positive(rotor, std::max(1, rotor.shaft.order)));
 }
 

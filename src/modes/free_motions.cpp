@@ -80,7 +80,8 @@ class Constraints {
             if (bearing.pedestal)
                 add(bearing.pedestal->k.asDiagonal(), coordinates.pedestal(b));
         }
-        if (d.rotor().shaft.axial_force != 0)
+        const bool torque = d.rotor().shaft.axial_torque != 0 && !d.rigid();
+        if (d.rotor().shaft.axial_force != 0 || torque)
             add(Eigen::Matrix2d::Identity(), coordinates.tilt());
     }
 

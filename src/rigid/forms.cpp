@@ -203,6 +203,9 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string>
     if (scene.rotor.shaft.damped_outside())
         throw model::AnalysisFailure("the rigid rotor has no closed form: the shaft has damping of "
                                      "its own (alpha, beta or modal_damping)");
+    if (scene.rotor.shaft.axial_torque != 0)
+        throw model::AnalysisFailure("the rigid rotor has no closed form: the shaft carries an "
+                                     "axial torque");
     bool tables = false;
     for (std::size_t i = 0; i < out.rotor.bearings.size(); ++i) {
         model::Bearing &bearing = out.rotor.bearings[i];

@@ -71,7 +71,8 @@ std::vector<double> signature_of(const model::Rotor &rotor) {
     std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
                               rotor.shaft.rigid ? 1.0 : 0.0,
                               rotor.shaft.rotary_inertia ? 1.0 : 0.0};
-    sizes.insert(sizes.end(), {rotor.shaft.alpha, rotor.shaft.beta});
+    sizes.insert(sizes.end(), {rotor.shaft.alpha, rotor.shaft.beta, rotor.shaft.axial_torque,
+                               static_cast<double>(rotor.shaft.torque_kind)});
     sizes.insert(sizes.end(), rotor.shaft.modal_damping.begin(), rotor.shaft.modal_damping.end());
     for (const model::Segment &s : rotor.shaft.segments)
         add_segment(sizes, s);

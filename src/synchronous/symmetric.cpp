@@ -61,7 +61,8 @@ std::vector<linalg::RealPair> lifted_roots(const Discretization &d, const Matrix
 bool SymmetricSynchronous::exists(const Discretization &d, results::Form form) {
     if (form == results::Form::planar || form == results::Form::hyperbolic)
         return true;
-    if (form == results::Form::hill || d.rotor().damped() || !symmetric_bearings(d.rotor()))
+    if (form == results::Form::hill || d.rotor().damped() || !symmetric_bearings(d.rotor()) ||
+        d.rotor().shaft.axial_torque != 0)
         return false;
     if (form == results::Form::rotating)
         return true;
