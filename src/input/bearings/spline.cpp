@@ -19,7 +19,7 @@ constexpr std::size_t most_rows = 2000;
 
 /// Slopes at the nodes that make the cubics between them one with continuous second derivative, and
 /// third derivative at the second and the last node but one (not-a-knot): so a cubic is met
-/// exactly. C. de Boor, A Practical Guide to Splines, 2nd ed., ch. IV, eq. (4) and (11).
+/// exactly. C. de Boor, A Practical Guide to Splines, 1978, ch. IV, eq. (4) and (11).
 std::vector<double> spline_slopes(const std::vector<double> &x, const std::vector<double> &y) {
     const auto n = static_cast<Eigen::Index>(x.size());
     const auto h = [&x](Eigen::Index i) {
