@@ -170,7 +170,7 @@ TEST(BladeLoss, IsTheStepResponseOfADampedOscillator) {
     const Complex b = -steady - a;
     const double size = static_cast<double>(std::abs(steady));
     EXPECT_LT(largest_difference(result,
-                                 [&](double t) -> Complex {
+                                 [&, l1 = l1, l2 = l2](double t) -> Complex {
                                      const Complex s = t - loss;
                                      return t <= loss
                                                 ? Complex(0)
