@@ -44,4 +44,12 @@ inline std::string broken_rules(const nlohmann::json &schema, const nlohmann::js
     return text;
 }
 
+/// The same of a result of a command: the rules of that command alone, whose places say more.
+inline std::string broken_rules_of_result(const nlohmann::json &result) {
+    const nlohmann::json schema = schema_file("result.schema.json");
+    const nlohmann::json rules =
+        schema.at("definitions").at(result.at("command").get<std::string>());
+    return broken_rules(part_of_schema(schema, rules), result);
+}
+
 } // namespace whirl::tests
