@@ -26,8 +26,8 @@ class CaseSchema : public testing::Test {
     const json schema = schema_file("case.schema.json");
     const json complete = json_of_toml_file(WHIRL_ROOT "/tests/schema/complete.toml");
     const std::map<std::string, SchemaTable> tables = tables_of(schema, complete);
-    const fs::path file = fs::temp_directory_path() / ("whirl_schema_" + std::to_string(getpid()) +
-                                                       ".toml");
+    const fs::path file =
+        fs::temp_directory_path() / ("whirl_schema_" + std::to_string(getpid()) + ".toml");
 
     void TearDown() override { fs::remove(file); }
 

@@ -49,8 +49,8 @@ class Walk {
     [[nodiscard]] Places items_of(const Places &places) const {
         Places items;
         for (const Pointer &place : places)
-            for (std::size_t i = 0; _document.at(place).is_array() && i < _document.at(place).size();
-                 ++i)
+            for (std::size_t i = 0;
+                 _document.at(place).is_array() && i < _document.at(place).size(); ++i)
                 items.push_back(place / i);
         return items;
     }

@@ -10,7 +10,7 @@ namespace whirl::tests {
 
 /// A table that the schema of the case file knows.
 struct SchemaTable {
-    nlohmann::json properties;                       ///< rules of its keys
+    nlohmann::json properties;                        ///< rules of its keys
     std::vector<nlohmann::json::json_pointer> places; ///< of such tables in a case
 };
 
