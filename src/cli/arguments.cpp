@@ -1,6 +1,7 @@
 #include "cli/arguments.h"
 
 #include "cli/commands.h"
+#include "cli/manual.h"
 #include "cli/messages.h"
 #include "report/report.h"
 
@@ -33,6 +34,31 @@ void add_map_options(CLI::App &app, const Command &command, Arguments &arguments
                           "--map over the stiffness of this bearing alone")
                        ->type_name("NAME|PLACE"),
                    "--map-bearing");
+}
+
+/// What every command ends with: its version, its manual page, examples below its help.
+/// @param reads  a sentence for help and manual page, or empty
+void finish(CLI::App &app, const std::string &reads, const std::vector<std::string> &examples) {
+    app.set_version_flag("--version", "whirl " + report::program_version());
+    app.add_flag_callback(
+           "--man",
+           [&app, reads, examples] {
+               throw CLI::CallForVersion(manual_page(app, reads, examples), 0);
+           },
+           "the manual page of this command, for man -l -")
+        ->group(""); // every --help has enough options
+    std::string footer = reads.empty() ? "" : reads + "\n\n";
+    footer += examples.size() == 1 ? "Example:" : "Examples:";
+    for (const std::string &example : examples)
+        footer += fmt::format("\n  whirl {} {}", app.get_name(), example);
+    app.footer(footer);
+}
+
+/// Which sections of a case a command reads.
+std::string reads_text(const std::vector<std::string> &settings) {
+    return settings.empty()
+               ? ""
+               : fmt::format("Reads of the case, beside the rotor: {}.", fmt::join(settings, ", "));
 }
 
 /// The units of what is written are entries of the case, so that a result says what it is in.
@@ -71,10 +97,7 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
     add_map_options(app, command, arguments);
     add_unit_options(app, arguments);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
-    app.set_version_flag("--version", "whirl " + report::program_version());
-    if (!command.settings.empty())
-        app.footer(fmt::format("Reads of the case, beside the rotor: {}.",
-                               fmt::join(command.settings, ", ")));
+    finish(app, reads_text(command.settings), command.examples);
 }
 
 /// compare has results in place of a case.
@@ -93,10 +116,9 @@ void add_compare(CLI::App &root, Arguments &arguments) {
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
-    app.set_version_flag("--version", "whirl " + report::program_version());
-    app.footer("whirl compare before.json after.json\n"
-               "whirl compare critical cases/a cases/b\n"
-               "whirl compare critical cases/a@shaft.order=1 cases/a@shaft.order=10");
+    finish(app, "",
+           {"before.json after.json", "critical cases/nelson_mcvaugh cases/nelson_mcvaugh_b",
+            "critical cases/nelson_mcvaugh@shaft.order=1 cases/nelson_mcvaugh@shaft.order=10"});
 }
 
 /// One message for whatever CLI11 found wrong.
@@ -129,6 +151,10 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     app.set_version_flag("--version", "whirl " + report::program_version());
     app.footer("Exit status: 0 done, 1 the analysis failed, 2 bad case or arguments.\n"
                "mpirun -n N whirl ... shares the work among N processes.");
+    app.add_flag_callback(
+           "--man", [&app] { throw CLI::CallForVersion(manual_of_program(app), 0); },
+           "the manual page of the program; whirl COMMAND --man: of a command")
+        ->configurable(false);
     Arguments arguments;
     for (const Command &command : commands())
         add_options(*app.add_subcommand(command.name, command.answer), command, arguments);

@@ -64,12 +64,23 @@ auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &
 
 // Rows of the table that would make it too long to be read at once.
 
-Command balance_row() {
-    return {"balance",
-            "where correction planes can balance the rotor",
-            {"speeds", "plane", "balance", "simulate"},
-            {"--map"},
-            balance};
+Command campbell_row() {
+    return {"campbell",
+            "whirl speeds and damping over the spin speed",
+            {"speeds", "campbell"},
+            {},
+            {"cases/nelson_mcvaugh",
+             "cases/nelson_mcvaugh --set campbell.modes=4 --set \"campbell.multiples=[1, 2]\""},
+            on_case(analyses::campbell)};
+}
+
+Command critical_row() {
+    return {"critical",
+            "critical speeds directly, without a sweep",
+            {"speeds", "campbell", "operation", "imbalance", "critical_map"},
+            {"--map", "--map-bearing"},
+            {"cases/compressor_margins --units mm-rpm", "cases/compressor_margins --map"},
+            critical};
 }
 
 Command stability_row() {
@@ -77,7 +88,43 @@ Command stability_row() {
             "where motion is unstable",
             {"speeds", "map", "operation", "level1"},
             {},
+            {"cases/overhung_cross_coupled", "cases/compressor_margins"},
             on_cases(analyses::stability)};
+}
+
+Command response_row() {
+    return {"response",
+            "unbalance response over speed, forces at bearings",
+            {"speeds", "imbalance", "probe", "operation"},
+            {},
+            {"cases/compressor_margins --units mm-rpm --peak-to-peak",
+             "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\""},
+            on_case(analyses::unbalance_response)};
+}
+
+Command balance_row() {
+    return {"balance",
+            "where correction planes can balance the rotor",
+            {"speeds", "plane", "balance", "simulate"},
+            {"--map"},
+            {"cases/extractor_two_plane", "cases/disc_type_short --map"},
+            balance};
+}
+
+Command rigid_limit_row() {
+    return {
+        "rigid-limit",         "flexible model against rigid closed forms as the shaft stiffens",
+        {"speeds", "plane"},   {},
+        {"cases/rigid_limit"}, on_case(analyses::rigid_limit)};
+}
+
+Command simulate_row() {
+    return {"simulate",
+            "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
+            {"simulate", "speeds"},
+            {},
+            {"cases/runup_jeffcott", "cases/ring_jeffcott --set \"simulate.time=20 s\""},
+            simulate_or_leave_restart};
 }
 
 Command samples_row() {
@@ -85,6 +132,7 @@ Command samples_row() {
             "quantiles of critical speeds, peaks or band ends over uncertain entries of the case",
             {"samples", "speeds", "campbell", "imbalance"},
             {},
+            {"cases/uncertain_jeffcott --set samples.count=1000"},
             on_cases(analyses::samples)};
 }
 
@@ -100,44 +148,28 @@ const std::vector<Command> &commands() {
          "what the scene is: drawing, masses, inertias, formulations",
          {},
          {},
+         {"cases/compressor_margins"},
          on_case(analyses::show)},
-        {"campbell",
-         "whirl speeds and damping over the spin speed",
-         {"speeds", "campbell"},
-         {},
-         on_case(analyses::campbell)},
-        {"critical",
-         "critical speeds directly, without a sweep",
-         {"speeds", "campbell", "operation", "imbalance", "critical_map"},
-         {"--map", "--map-bearing"},
-         critical},
+        campbell_row(),
+        critical_row(),
         stability_row(),
-        {"response",
-         "unbalance response over speed, forces at bearings",
-         {"speeds", "imbalance", "probe", "operation"},
-         {},
-         on_case(analyses::unbalance_response)},
+        response_row(),
         balance_row(),
-        {"rigid-limit",
-         "flexible model against rigid closed forms as the shaft stiffens",
-         {"speeds", "plane"},
-         {},
-         on_case(analyses::rigid_limit)},
-        {"simulate",
-         "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
-         {"simulate", "speeds"},
-         {},
-         simulate_or_leave_restart},
+        rigid_limit_row(),
+        simulate_row(),
         {"accuracy",
          "wall time and error over element family, order and mesh",
          {"speeds", "campbell"},
          {},
+         {"cases/nelson_mcvaugh"},
          on_case(analyses::accuracy)},
         samples_row(),
         {"modes",
          "mode shapes as pictures and for ParaView",
          {"speeds", "campbell"},
          {},
+         {"cases/nelson_mcvaugh --set \"speeds.from=12000 rpm\" --set speeds.count=1 --set "
+          "speeds.to="},
          on_case(analyses::mode_shapes)},
     };
     return table;

@@ -37,12 +37,13 @@ struct Run {
     [[nodiscard]] std::filesystem::path folder() const;
 };
 
-/// A row of the table of commands.
+/// A row of the table of commands: what --help and the manual page say comes from here.
 struct Command {
     std::string name;
     std::string answer;                   ///< one line for --help
     std::vector<std::string> settings;    ///< sections of the case it reads beside the rotor
     std::vector<std::string> options;     ///< beside those that every command has: "--map"
+    std::vector<std::string> examples;    ///< what stands behind "whirl NAME "
     std::function<void(const Run &)> run; ///< case to result to report
 };
 

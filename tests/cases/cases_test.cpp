@@ -1,6 +1,7 @@
 // Runs the program on every folder of cases/ and compares with its expected.json, check by check.
 
 #include "program_run.h"
+#include "support/schema.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -198,6 +199,7 @@ class CaseCheck : public testing::TestWithParam<Check> {};
 TEST_P(CaseCheck, agrees) {
     const json &entry = GetParam().entry;
     const json result = run_whirl(GetParam());
+    EXPECT_EQ(whirl::tests::broken_rules_of_result(result), "") << "docs/schema";
     if (entry.contains("text")) {
         const auto path = entry.at("path").get<std::string>();
         const json &found = result.at(json::json_pointer(path));

@@ -1,0 +1,71 @@
+// docs/schema/result.schema.json: what no check of cases/ brings out. Those are held against it
+// where they run (tests/cases).
+
+#include "cases/program_run.h"
+#include "support/schema.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <unistd.h>
+
+namespace {
+
+using namespace whirl::tests;
+using nlohmann::json;
+
+/// The result of a command line in the folder cases/, words between blanks.
+json result_of(const std::string &line) {
+    const std::string cases = WHIRL_ROOT "/cases/";
+    std::vector<std::string> arguments;
+    std::istringstream words(line);
+    for (std::string word; words >> word;)
+        arguments.push_back(word.starts_with("cases/") ? cases + word.substr(6) : word);
+    arguments.insert(arguments.end(), {"--json", "--quiet"});
+    const std::string errors = testing::TempDir() + "whirl_schema_" + std::to_string(getpid());
+    const ProgramRun run = run_program(WHIRL_PROGRAM, arguments, errors);
+    std::remove(errors.c_str());
+    EXPECT_EQ(run.status, 0) << line << "\n" << run.errors;
+    return run.status == 0 ? json::parse(run.output) : json();
+}
+
+class ResultSchema : public testing::TestWithParam<const char *> {};
+
+TEST_P(ResultSchema, holds) {
+    const json result = result_of(GetParam());
+    ASSERT_TRUE(result.is_object());
+    EXPECT_EQ(broken_rules_of_result(result), "") << GetParam();
+    EXPECT_EQ(broken_rules(schema_file("result.schema.json"), result), "") << GetParam();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Runs, ResultSchema,
+    testing::Values(
+        "show cases/compressor_margins", "modes cases/compressor_margins",
+        "modes cases/anisotropic_disc_flexible", "accuracy cases/friswell_5_9_1",
+        "critical cases/compressor_margins --map-bearing 0",
+        "critical cases/compressor_margins --set imbalance=[]",
+        "campbell cases/anisotropic_disc_flexible --set speeds.count=3",
+        "campbell cases/compressor_margins --set speeds.count=3 --units us --json-units",
+        "balance cases/disc_type_short --map --set speeds.count=5",
+        "balance cases/ring_jeffcott --set balance.simulated=1 --set speeds.count=5",
+        "stability cases/anisotropic_rotor --set speeds.count=5 --set map.x.path=speed "
+        "--set map.x.from=1 --set map.x.to=50 --set map.x.count=2 "
+        "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "
+        "--set map.y.count=2",
+        "samples cases/uncertain_jeffcott --set samples.count=5",
+        "compare critical cases/nelson_mcvaugh cases/nelson_mcvaugh@shaft.order=1"),
+    [](const auto &test) { return "run_" + std::to_string(test.index + 1); });
+
+// A key that nobody described, and one that is missing.
+TEST(ResultSchemaRules, knows_every_key_and_misses_none) {
+    json result = result_of("critical cases/friswell_5_9_1");
+    ASSERT_EQ(broken_rules_of_result(result), "");
+    json more = result;
+    more["critical_speeds"][0]["colour"] = "green";
+    EXPECT_NE(broken_rules_of_result(more), "");
+    result["critical_speeds"][0].erase("whirl");
+    EXPECT_NE(broken_rules_of_result(result), "");
+}
+
+} // namespace
