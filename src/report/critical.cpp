@@ -24,7 +24,7 @@ using results::CriticalSpeed;
 
 namespace {
 
-const Columns<CriticalSpeed> columns{
+const Columns<CriticalSpeed> critical_columns{
     {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
     {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
     {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
@@ -54,7 +54,7 @@ const Columns<CriticalSpeed> columns{
 std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +
            (result.critical_speeds.empty() ? "  none found\n"
-                                           : text_table(columns, result.critical_speeds)) +
+                                           : text_table(critical_columns, result.critical_speeds)) +
            margins_text(result.margins) +
            (result.map ? critical_map_text(scene, *result.map) : "") + model_text(result.model);
 }
@@ -160,31 +160,32 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
 
 Report describe(const model::Case &scene, const CriticalResult &result) {
     const auto &speeds = result.critical_speeds;
-    Report report{.command = "critical",
-                  .heading = "Critical speeds",
-                  .scene = &scene,
-                  .model = &result.model,
-                  .json =
-                      [&] {
-                          Json json{{"critical_speeds", json_rows(columns, speeds)}};
-                          add_margins(json, result.margins);
-                          if (result.map)
-                              json["map"] = critical_map_json(scene, *result.map);
-                          return json;
-                      },
-                  .csv = [&] { return csv_table(columns, speeds); },
-                  .sections =
-                      [&] {
-                          std::vector sections{Section{"Table", page_table(columns, speeds)}};
-                          if (result.margins)
-                              sections.push_back({margins_heading, margins_page(*result.margins)});
-                          if (result.map)
-                              for (Section &section : critical_map_sections(scene, *result.map))
-                                  sections.push_back(std::move(section));
-                          return sections;
-                      },
-                  .text = [&] { return text_of(scene, result); },
-                  .figure = [&] { return critical_figure(scene, result); }};
+    Report report{
+        .command = "critical",
+        .heading = "Critical speeds",
+        .scene = &scene,
+        .model = &result.model,
+        .json =
+            [&] {
+                Json json{{"critical_speeds", json_rows(critical_columns, speeds)}};
+                add_margins(json, result.margins);
+                if (result.map)
+                    json["map"] = critical_map_json(scene, *result.map);
+                return json;
+            },
+        .csv = [&] { return csv_table(critical_columns, speeds); },
+        .sections =
+            [&] {
+                std::vector sections{Section{"Table", page_table(critical_columns, speeds)}};
+                if (result.margins)
+                    sections.push_back({margins_heading, margins_page(*result.margins)});
+                if (result.map)
+                    for (Section &section : critical_map_sections(scene, *result.map))
+                        sections.push_back(std::move(section));
+                return sections;
+            },
+        .text = [&] { return text_of(scene, result); },
+        .figure = [&] { return critical_figure(scene, result); }};
     if (result.map) {
         report.pictures = [&] { return std::vector{critical_map_picture(scene, *result.map)}; };
         report.pictures_heading = "Critical speed map";
