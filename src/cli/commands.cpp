@@ -137,7 +137,7 @@ const std::vector<Command> &commands() {
         {"modes",
          "mode shapes as pictures and for ParaView",
          {"speeds", "campbell"},
-         {},
+         {"--speed"},
          on_case(analyses::mode_shapes)},
     };
     return table;
