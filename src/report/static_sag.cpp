@@ -15,7 +15,7 @@ using results::StaticSag;
 
 namespace {
 
-const Columns<SagStation> station_columns{
+const Columns<SagStation> sag_columns{
     {"z", "", {"z (m)"}, {"z m"}, &SagStation::z},
     {"name", "", {"Station"}, {"station"}, &SagStation::name},
     {"x", "", {}, {}, &SagStation::x},
@@ -46,17 +46,17 @@ std::string sag_heading(const StaticSag &sag) {
 
 Json sag_json(const StaticSag &sag) {
     return {{"gravity", sag.gravity},
-            {"stations", json_rows(station_columns, sag.stations)},
+            {"stations", json_rows(sag_columns, sag.stations)},
             {"bearings", json_rows(bearing_columns, sag.bearings)}};
 }
 
 std::string sag_page(const StaticSag &sag) {
-    return page_table(bearing_columns, sag.bearings) + page_table(station_columns, sag.stations);
+    return page_table(bearing_columns, sag.bearings) + page_table(sag_columns, sag.stations);
 }
 
 std::string sag_text(const StaticSag &sag) {
     return sag_heading(sag) + "\n" + text_table(bearing_columns, sag.bearings) + "\n" +
-           text_table(station_columns, sag.stations) + "\n";
+           text_table(sag_columns, sag.stations) + "\n";
 }
 
 } // namespace whirl::report
