@@ -161,7 +161,7 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
     if (rotor.damped())
         notes.emplace_back("the rigid closed form has no damping");
     const auto pedestal = [](const model::Bearing &b) {
-        return b.pedestal && b.pedestal->mass > 0;
+        return b.pedestal && !b.pedestal->mass.isZero(0);
     };
     if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(), pedestal))
         notes.emplace_back("the rigid closed form leaves out the masses of the pedestals");

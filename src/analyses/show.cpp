@@ -11,7 +11,10 @@
 #include "rigid/composite_rotor.h"
 #include "rigid/inertia.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <span>
 #include <string_view>
 
 namespace whirl::analyses {
@@ -25,6 +28,54 @@ rigid::Inertia whole_inertia(const model::Rotor &rotor, const rigid::Inertia &sh
     for (const model::Balancer &balancer : rotor.balancers)
         sum += rigid::inertia_of(balancer);
     return sum;
+}
+
+const char *name_of(model::TorqueKind kind) {
+    switch (kind) {
+    case model::TorqueKind::semitangential:
+        return "semitangential";
+    case model::TorqueKind::tangential:
+        return "tangential";
+    default:
+        return "axial";
+    }
+}
+
+void note_shaft(const model::Shaft &shaft, std::vector<std::string> &notes) {
+    if (shaft.alpha != 0 || shaft.beta != 0)
+        notes.push_back(fmt::format("the shaft has damping that does not turn: alpha = {:.6g} 1/s "
+                                    "of its mass, beta = {:.6g} s of its stiffness",
+                                    shaft.alpha, shaft.beta));
+    if (!shaft.modal_damping.empty())
+        notes.push_back(fmt::format("damping ratios of the lowest modes at rest in each plane: {}",
+                                    fmt::join(shaft.modal_damping, ", ")));
+    if (shaft.axial_torque != 0)
+        notes.push_back(fmt::format("the shaft carries a torque of {:.6g} N m, {} at its ends",
+                                    shaft.axial_torque, name_of(shaft.torque_kind)));
+}
+
+void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
+                   std::vector<std::string> &notes) {
+    for (std::size_t i = 0; i < bearings.size(); ++i) {
+        const model::Bearing &b = bearings[i];
+        const std::string name = b.name.empty() ? fmt::format("{}[{}]", kind, i) : b.name;
+        const Eigen::Matrix2d &m = b.rows.front().m;
+        if (model::isotropic(m) && m(0, 0) > 0)
+            notes.push_back(fmt::format("{}: mass coefficient {:.6g} kg, no part of the mass above",
+                                        name, m(0, 0)));
+        else if (!m.isZero(0))
+            notes.push_back(fmt::format("{}: mass coefficients mxx = {:.6g} kg, mxy = {:.6g} kg, "
+                                        "myx = {:.6g} kg, myy = {:.6g} kg, no part of the mass "
+                                        "above",
+                                        name, m(0, 0), m(0, 1), m(1, 0), m(1, 1)));
+        if (!b.pedestal)
+            continue;
+        const model::Pedestal &p = *b.pedestal;
+        notes.push_back(fmt::format("{}: on a pedestal of k = {:.6g} N/m in x, {:.6g} N/m in y, "
+                                    "mass {:.6g} kg and {:.6g} kg, c = {:.6g} N s/m and {:.6g} "
+                                    "N s/m",
+                                    name, p.k(0), p.k(1), p.mass(0), p.mass(1), p.c(0), p.c(1)));
+    }
 }
 
 } // namespace
@@ -42,6 +93,9 @@ results::ShowResult show(const model::Case &scene) {
     result.type = rigid::rigid_type(result.Id, result.Ip);
     result.shaft_mass = shaft.mass;
     result.length = rotor.shaft.length();
+    note_shaft(rotor.shaft, result.model.notes);
+    note_bearings(rotor.supports(), "bearing", result.model.notes);
+    note_bearings(rotor.seals(), "seal", result.model.notes);
     const results::Formulation eigen = modes::choose_formulation(scene);
     const results::Formulation real = modes::choose_formulation(scene, false);
     for (const std::string_view command :

@@ -79,10 +79,26 @@ void assemble_shaft_asymmetry(const Discretization &d, const AddConjugate &add) 
     }
 }
 
-void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
-    add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
-    add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
-    add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
+/// alpha M + beta K of the shaft's elements, on velocities in the fixed frame.
+void assemble_proportional_damping(const Discretization &d, const AddCoupling &add) {
+    const model::Shaft &shaft = d.rotor().shaft;
+    if (shaft.alpha == 0 && shaft.beta == 0)
+        return;
+    for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
+        const elements::PlanarMatrices &beam = d.beam(span);
+        const std::vector<int> unknowns =
+            d.rigid() ? std::vector<int>{0, 1} : d.beam_unknowns(span);
+        const Eigen::MatrixXd T = d.rigid() ? rigid_element_motion(d, span) : Eigen::MatrixXd();
+        const Eigen::MatrixXd block =
+            d.rigid() ? Eigen::MatrixXd(shaft.alpha * T.transpose() * beam.M * T)
+                      : Eigen::MatrixXd(shaft.alpha * beam.M + shaft.beta * beam.K);
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+            for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                const double c = block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                if (c != 0)
+                    add(Term::damping, unknowns[i], unknowns[j], c * Eigen::Matrix2d::Identity());
+            }
+    }
 }
 
 void add_product(Term term, const Combination &row, const Combination &column,
@@ -94,10 +110,49 @@ void add_product(Term term, const Combination &row, const Combination &column,
             add(term, i, j, a * b * block);
 }
 
+/// i b on x + i y as a block on (x, y).
+Eigen::Matrix2d turned(double b) {
+    Eigen::Matrix2d block;
+    block << 0, -b, b, 0;
+    return block;
+}
+
+/// What the ends add to the part of the torque that has a potential; a rigid shaft is not bent.
+void assemble_torque(const Discretization &d, const AddCoupling &add) {
+    const model::Shaft &shaft = d.rotor().shaft;
+    if (shaft.axial_torque == 0 || d.rigid())
+        return;
+    const auto last = static_cast<int>(d.shaft_mesh().spans.size());
+    for (int span = 0; span < last; ++span) {
+        const std::vector<int> unknowns = d.beam_unknowns(span);
+        const Eigen::MatrixXd &B = d.beam(span).torque;
+        for (std::size_t i = 0; i < unknowns.size(); ++i)
+            for (std::size_t j = 0; j < unknowns.size(); ++j) {
+                const double b = B(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+                if (b != 0)
+                    add(Term::stiffness, unknowns[i], unknowns[j], turned(b));
+            }
+    }
+    const double follows = shaft.torque_kind == model::TorqueKind::axial        ? -1
+                           : shaft.torque_kind == model::TorqueKind::tangential ? 1
+                                                                                : 0;
+    for (const auto &[node, side] : {std::pair(0, -1.0), std::pair(last, 1.0)}) {
+        const Combination phi = d.slope_at_node(node);
+        add_product(Term::stiffness, phi, phi, turned(side * follows * shaft.axial_torque / 2),
+                    add);
+    }
+}
+
+void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
+    add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
+    add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
+    add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
+}
+
 void assemble_bearing(const Discretization &d, int index, double speed, const AddCoupling &add) {
     const model::Bearing &bearing = d.rotor().bearings[static_cast<std::size_t>(index)];
     model::BearingCoefficients at = bearing.at(speed);
-    for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.kt, &at.ct})
+    for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
         *block = model::without_rounding(*block);
     const Combination phi = d.slope_at(bearing.z);
     add_product(Term::stiffness, phi, phi, at.kt, add);
@@ -105,15 +160,15 @@ void assemble_bearing(const Discretization &d, int index, double speed, const Ad
     Combination stretch = d.deflection_at(bearing.z); // of the film: shaft minus pedestal
     if (bearing.pedestal) {
         const Combination below{{d.pedestal_unknown(index), 1.0}};
-        const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
-        add_product(Term::mass, below, below, bearing.pedestal->mass * one, add);
-        add_product(Term::damping, below, below, bearing.pedestal->c * one, add);
-        add_product(Term::stiffness, below, below, bearing.pedestal->k * one, add);
+        const model::Pedestal &pedestal = *bearing.pedestal;
+        add_product(Term::mass, below, below, pedestal.mass.asDiagonal(), add);
+        add_product(Term::damping, below, below, pedestal.c.asDiagonal(), add);
+        add_product(Term::stiffness, below, below, pedestal.k.asDiagonal(), add);
         stretch.emplace_back(d.pedestal_unknown(index), -1.0);
     }
     add_product(Term::stiffness, stretch, stretch, at.k, add);
     add_product(Term::damping, stretch, stretch, at.c, add);
-    add_product(Term::mass, stretch, stretch, bearing.mass * Eigen::Matrix2d::Identity(), add);
+    add_product(Term::mass, stretch, stretch, at.m, add);
 }
 
 } // namespace
@@ -135,10 +190,29 @@ void assemble_asymmetry(const Discretization &discretization, const AddConjugate
     }
 }
 
-void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {
+void assemble_outside_damping(const Discretization &discretization, const AddCoupling &add) {
+    assemble_proportional_damping(discretization, add);
+    if (discretization.rotor().shaft.modal_damping.empty())
+        return;
+    const auto &[x, y] = discretization.modal_damping();
+    const bool round = discretization.rotor().bearings_isotropic();
+    for (int i = 0; i < discretization.planar_size(); ++i)
+        for (int j = 0; j < discretization.planar_size(); ++j)
+            if (x(i, j) != 0 || y(i, j) != 0)
+                add(Term::damping, i, j,
+                    Eigen::Vector2d(x(i, j), (round ? x : y)(i, j)).asDiagonal());
+}
+
+void assemble_bearings(const Discretization &discretization, double speed, const AddCoupling &add) {
     const auto count = static_cast<int>(discretization.rotor().bearings.size());
     for (int i = 0; i < count; ++i)
         assemble_bearing(discretization, i, speed, add);
+}
+
+void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {
+    assemble_bearings(discretization, speed, add);
+    assemble_torque(discretization, add);
+    assemble_outside_damping(discretization, add);
 }
 
 } // namespace whirl::assembly

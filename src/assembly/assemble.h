@@ -34,6 +34,13 @@ using AddConjugate = std::function<void(Term, std::span<const int> unknowns,
 void assemble_asymmetry(const Discretization &discretization, const AddConjugate &add);
 
 /// Bearings and seals with the coefficients they have at a spin speed (rad/s), and pedestals.
+void assemble_bearings(const Discretization &discretization, double speed, const AddCoupling &add);
+
+/// Damping of the shaft that does not turn with it: the same at every speed.
+void assemble_outside_damping(const Discretization &discretization, const AddCoupling &add);
+
+/// All that is the same for those who turn and those who do not, or acts from the fixed frame:
+/// bearings, axial torque, damping of the shaft that does not turn.
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add);
 
 } // namespace whirl::assembly

@@ -94,8 +94,12 @@ elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices 
     const auto through = [](const Eigen::MatrixXd &A, const Eigen::MatrixXd &by) {
         return Eigen::MatrixXd(by.transpose() * A * by);
     };
-    return {through(beam.M, T), through(beam.G, T), through(beam.K, strained),
-            through(beam.K_axial, T), through(beam.K_bending, strained)};
+    return {through(beam.M, T),
+            through(beam.G, T),
+            through(beam.K, strained),
+            through(beam.K_axial, T),
+            through(beam.K_bending, strained),
+            beam.torque.size() > 0 ? through(beam.torque, T) : Eigen::MatrixXd()};
 }
 
 std::vector<int> Discretization::beam_unknowns(int span) const {
@@ -148,6 +152,12 @@ Combination Discretization::deflection_inside(int span, double xi) const {
     for (int i = 0; i < _internal; ++i)
         out.emplace_back(node_base(span) + 2 + i, values.w(4 + i));
     return out;
+}
+
+const ModalDamping &Discretization::modal_damping() const {
+    if (!_modal_damping)
+        _modal_damping = std::make_shared<const ModalDamping>(make_modal_damping(*this));
+    return *_modal_damping;
 }
 
 std::vector<int> Discretization::places_in(const Discretization &finer) const {

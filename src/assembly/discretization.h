@@ -1,8 +1,10 @@
 #pragma once
 
+#include "assembly/modal_damping.h"
 #include "elements/planar_matrices.h"
 #include "mesh/shaft_mesh.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,9 @@ class Discretization {
     /// Rigid motion of all (translation: tilt = false; unit slope about z = 0: true) as unknowns.
     [[nodiscard]] std::vector<double> rigid_motion(bool tilt) const;
 
+    /// Made when it is asked for first; of a rotor with shaft.modal_damping.
+    [[nodiscard]] const ModalDamping &modal_damping() const;
+
     /// Planar unknowns among those of a discretization of higher order on the same mesh, whose
     /// functions contain these.
     [[nodiscard]] std::vector<int> places_in(const Discretization &finer) const;
@@ -69,7 +74,8 @@ class Discretization {
         Combination deflection, slope;
     };
     std::vector<NodeMotion> _motions; ///< of the nodes, elastic shaft
-    std::vector<bool> _relative;      ///< the node departs from the rigid motion of the one before
+    mutable std::shared_ptr<const ModalDamping> _modal_damping;
+    std::vector<bool> _relative; ///< the node departs from the rigid motion of the one before
 
     [[nodiscard]] int node_base(int node) const { return node * (2 + _internal); }
     void make_motions();

@@ -234,6 +234,10 @@ std::vector<results::PendulumBalance> pendulum_balance(const model::Case &scene,
     std::vector<results::PendulumBalance> out;
     if (pendulums.empty())
         return out;
+    if (shared.rotor.shaft.axial_torque != 0)
+        throw model::AnalysisFailure("the efficiency of pendulums is computed for a shaft without "
+                                     "axial torque, which couples x and y; leave out "
+                                     "shaft.axial_torque");
     PendulumShaft shaft(model::with_mean_bearings(shared.rotor), shared.order, pendulums,
                         drive_of(scene, pendulums, notes));
     if (!scene.rotor.bearings_isotropic())

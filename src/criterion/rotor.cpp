@@ -54,17 +54,19 @@ std::vector<assembly::Combination> damped_places(const assembly::Discretization 
     return places;
 }
 
-/// Every bearing has a symmetric stiffness that pushes back in every direction; else inertia counts
-/// would say nothing.
+/// Every bearing has a symmetric stiffness that pushes back in every direction, and a symmetric
+/// mass; nor does a torque couple x and y; else inertia counts would say nothing.
 bool bearings_push_back(const model::Rotor &rotor) {
+    if (rotor.shaft.axial_torque != 0)
+        return false;
     const auto pushes_back = [](const Eigen::Matrix2d &k) {
         return model::symmetric(k) && !model::pushes_away(k);
     };
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const model::Bearing &b) {
-        return std::all_of(b.rows.begin(), b.rows.end(),
-                           [&](const model::BearingCoefficients &row) {
-                               return pushes_back(row.k) && pushes_back(row.kt);
-                           });
+        return std::all_of(
+            b.rows.begin(), b.rows.end(), [&](const model::BearingCoefficients &row) {
+                return pushes_back(row.k) && pushes_back(row.kt) && model::symmetric(row.m);
+            });
     });
 }
 

@@ -171,6 +171,8 @@ PlanarMatrices beam_matrices(const Beam &beam, int order) {
     const Quadrature &rule = gauss_legendre(quadrature_points(beam, order));
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, n);
     PlanarMatrices out{zero, zero, zero, zero, zero};
+    if (beam.axial_torque != 0)
+        out.torque = zero;
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
         const Section a = beam.at(rule.points[q]);
         const Shapes s = shapes_at(beam, order, Phi, rule.points[q]);
@@ -182,6 +184,9 @@ PlanarMatrices beam_matrices(const Beam &beam, int order) {
         out.K += dz * (a.EI * s.curvature * s.curvature.transpose() +
                        a.kappaGA * s.shear * s.shear.transpose());
         out.K_axial += dz * beam.axial_force * slope * slope.transpose();
+        if (beam.axial_torque != 0)
+            out.torque -= dz * beam.axial_torque / 2 *
+                          (s.curvature * s.phi.transpose() - s.phi * s.curvature.transpose());
     }
     return out;
 }

@@ -23,7 +23,8 @@ namespace whirl::elements {
 
 /// Element matrices over (w0, phi0, w1, phi1, internal...), integrated exactly for polynomials:
 /// energies 1/2 int EI phi'^2 + kappa G A (w' - phi)^2, 1/2 int rho A w'^2 + rho I phi'^2 (time
-/// derivatives), G = 2 times the rotary inertia part. docs/theory.md, "Timoshenko beam".
+/// derivatives), G = 2 times the rotary inertia part; of an axial torque T the part that has a
+/// potential, -T/2 int phi_i' phi_j - phi_i phi_j'. docs/theory.md, "Timoshenko beam".
 [[nodiscard]] PlanarMatrices beam_matrices(const Beam &beam, int order);
 
 /// Shape functions at xi in [0, 1]: deflection w, slope phi, each over all unknowns.

@@ -13,6 +13,8 @@ struct PlanarMatrices {
     Eigen::MatrixXd K;         ///< elastic stiffness, symmetric, positive semidefinite
     Eigen::MatrixXd K_axial;   ///< stiffness by axial force, symmetric
     Eigen::MatrixXd K_bending; ///< the part of K without shear
+    /// By axial torque, skew: i times it stands in the stiffness for w = x + i y; empty without.
+    Eigen::MatrixXd torque{};
 };
 
 } // namespace whirl::elements

@@ -65,6 +65,7 @@ Beam beam_of(const model::Shaft &shaft, const mesh::Span &span) {
     beam.mass_outer = segment.mass_outer;
     beam.mass_inner = segment.mass_inner;
     beam.layers = segment.layers;
+    beam.axial_torque = shaft.axial_torque;
     return beam;
 }
 

@@ -27,6 +27,7 @@ struct Beam {
     double mass_outer = 0; ///< diameters of what has mass, m; 0: those of the span
     double mass_inner = 0;
     std::vector<model::Layer> layers{}; ///< beside the span's own section
+    double axial_torque = 0;            ///< N m, model/shaft.h
 
     /// Section at xi in [0, 1].
     [[nodiscard]] Section at(double xi) const;

@@ -14,15 +14,15 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int at_nodes = 4; ///< unknowns of a beam element at its nodes
 
-/// A with its internal unknowns eliminated.
-template <class Dense> Dense condensed(const Dense &A) {
-    const Eigen::Index inner = A.rows() - at_nodes;
+/// A with all but its first `kept` unknowns eliminated.
+template <class Dense> Dense condensed(const Dense &A, Eigen::Index kept = at_nodes) {
+    const Eigen::Index inner = A.rows() - kept;
     if (inner == 0)
         return A;
-    return A.topLeftCorner(at_nodes, at_nodes) -
-           A.topRightCorner(at_nodes, inner) * A.bottomRightCorner(inner, inner)
-                                                   .partialPivLu()
-                                                   .solve(A.bottomLeftCorner(inner, at_nodes));
+    return A.topLeftCorner(kept, kept) -
+           A.topRightCorner(kept, inner) * A.bottomRightCorner(inner, inner)
+                                               .partialPivLu()
+                                               .solve(A.bottomLeftCorner(inner, kept));
 }
 
 /// Equal but for their place and rounding.
@@ -66,37 +66,63 @@ int CondensedMotion::unknown(int node, int part, bool slope) const {
 /// Dynamic stiffness of an element over (w0, phi0, w1, phi1) of the first part, of the second.
 Eigen::MatrixXcd CondensedMotion::element(int span) const {
     const elements::PlanarMatrices &beam = _discretization.beam(span);
+    const model::Shaft &shaft = _discretization.rotor().shaft;
     const double square = _speed * _speed;
     const Eigen::MatrixXd K = beam.K + beam.K_axial;
     const Eigen::MatrixXd forward = K - square * (beam.M - beam.G);
+    const Eigen::MatrixXd outside = _speed * (shaft.alpha * beam.M + shaft.beta * beam.K);
+    const bool damped = shaft.alpha != 0 || shaft.beta != 0;
+    if (_rotating)
+        return rotating_element(span, forward, outside);
     Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(at_nodes * _parts, at_nodes * _parts);
-    auto first = out.topLeftCorner(at_nodes, at_nodes);
-    auto second = out.bottomRightCorner(at_nodes, at_nodes);
-    const model::Shaft &shaft = _discretization.rotor().shaft;
-    if (_parts == 1) {
-        first = condensed(forward).cast<Complex>();
+    out.topLeftCorner(at_nodes, at_nodes) =
+        damped ? condensed(Eigen::MatrixXcd(forward + imaginary_unit * outside))
+               : condensed(forward).cast<Complex>();
+    if (_parts == 1)
         return out;
-    }
-    if (!_rotating) {
-        const Eigen::MatrixXd backward = K - square * (beam.M + beam.G);
-        first = condensed(forward).cast<Complex>();
-        if (shaft.internal_damping == 0)
-            second = condensed(backward).cast<Complex>();
-        else
-            second = condensed(Eigen::MatrixXcd(backward + 2.0 * imaginary_unit * _speed *
-                                                               shaft.internal_damping * beam.K));
-        return out;
-    }
+    const Eigen::MatrixXd backward = K - square * (beam.M + beam.G);
+    const Eigen::MatrixXd all = outside + 2.0 * _speed * shaft.internal_damping * beam.K;
+    out.bottomRightCorner(at_nodes, at_nodes) =
+        damped || shaft.internal_damping != 0
+            ? condensed(Eigen::MatrixXcd(backward + imaginary_unit * all))
+            : condensed(backward).cast<Complex>();
+    return out;
+}
+
+/// (forward + i outside) u + difference conj(u), and its conjugate.
+Eigen::MatrixXcd CondensedMotion::rotating_element(int span, const Eigen::MatrixXd &forward,
+                                                   const Eigen::MatrixXd &outside) const {
+    const elements::PlanarMatrices &beam = _discretization.beam(span);
     const int segment = _discretization.shaft_mesh().spans[static_cast<std::size_t>(span)].segment;
-    const model::Segment &of = shaft.segments[static_cast<std::size_t>(segment)];
+    const model::Segment &of =
+        _discretization.rotor().shaft.segments[static_cast<std::size_t>(segment)];
     const Eigen::MatrixXd difference =
-        of.asymmetry * (beam.K_bending + square / 2 * beam.G); // on conj(u)
-    const Eigen::MatrixXd along = condensed(Eigen::MatrixXd(forward + difference));
-    const Eigen::MatrixXd across = condensed(Eigen::MatrixXd(forward - difference));
+        of.asymmetry * (beam.K_bending + _speed * _speed / 2 * beam.G);
+    Eigen::MatrixXcd out(2 * at_nodes, 2 * at_nodes);
+    if (outside.isZero(0)) {
+        const Eigen::MatrixXd along = condensed(Eigen::MatrixXd(forward + difference));
+        const Eigen::MatrixXd across = condensed(Eigen::MatrixXd(forward - difference));
+        out << along + across, along - across, along - across, along + across;
+        out /= 2;
+    } else { // over the unknowns at the nodes of both parts, then those inside of both
+        const Eigen::Index n = forward.rows();
+        const Eigen::Index inner = n - at_nodes;
+        Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(2 * n, n);
+        first.topLeftCorner(at_nodes, at_nodes).setIdentity();
+        first.block(2 * at_nodes, at_nodes, inner, inner).setIdentity();
+        Eigen::MatrixXcd second = Eigen::MatrixXcd::Zero(2 * n, n);
+        second.block(at_nodes, 0, at_nodes, at_nodes).setIdentity();
+        second.bottomRightCorner(inner, inner).setIdentity();
+        const Eigen::MatrixXcd Z = forward + imaginary_unit * outside;
+        const Eigen::MatrixXcd D = difference.cast<Complex>();
+        const Eigen::MatrixXcd whole =
+            first * Z * first.transpose() + second * Z.conjugate() * second.transpose() +
+            first * D * second.transpose() + second * D * first.transpose();
+        out = condensed(whole, 2 * at_nodes);
+    }
     const Complex turn = std::polar(1.0, 2 * of.asymmetry_angle);
-    first = second = ((along + across) / 2).cast<Complex>();
-    out.topRightCorner(at_nodes, at_nodes) = turn * (along - across) / 2;
-    out.bottomLeftCorner(at_nodes, at_nodes) = std::conj(turn) * (along - across) / 2;
+    out.topRightCorner(at_nodes, at_nodes) *= turn;
+    out.bottomLeftCorner(at_nodes, at_nodes) *= std::conj(turn);
     return out;
 }
 
@@ -169,16 +195,16 @@ void CondensedMotion::add_bearings() {
         const int node = _discretization.shaft_mesh().node_at(bearing.z);
         const model::BearingCoefficients at = bearing.at(_speed);
         add_block(node, true, on_parts(at.kt, at.ct));
-        const Eigen::Matrix2d inertia = bearing.mass * Eigen::Matrix2d::Identity();
-        const Eigen::Matrix2cd film = on_parts(at.k - _speed * _speed * inertia, at.c);
+        const double square = _speed * _speed;
+        const Eigen::Matrix2cd film = on_parts(at.k - square * at.m, at.c);
         if (!bearing.pedestal) {
             add_block(node, false, film);
             continue;
         }
+        const model::Pedestal &pedestal = *bearing.pedestal;
         const Eigen::Matrix2cd below =
-            on_parts((bearing.pedestal->k - _speed * _speed * bearing.pedestal->mass) *
-                         Eigen::Matrix2d::Identity(),
-                     bearing.pedestal->c * Eigen::Matrix2d::Identity());
+            on_parts(Eigen::Matrix2d((pedestal.k - square * pedestal.mass).asDiagonal()),
+                     Eigen::Matrix2d(pedestal.c.asDiagonal()));
         add_block(node, false, film - film * (film + below).inverse() * film); // in series
     }
 }
@@ -221,12 +247,14 @@ Phasor CondensedMotion::bearing_force(int index) const {
         _discretization.rotor().bearings[static_cast<std::size_t>(index)];
     const model::BearingCoefficients at = bearing.at(_speed);
     const Phasor u = at_node(_discretization.shaft_mesh().node_at(bearing.z));
-    const Eigen::Matrix2cd film = at.k + imaginary_unit * _speed * at.c;
+    const double square = _speed * _speed;
+    const Eigen::Matrix2cd film = at.k - square * at.m + imaginary_unit * _speed * at.c;
     Eigen::Vector2cd force = film * Eigen::Vector2cd(u.x, u.y);
     if (bearing.pedestal) {
-        const Complex below = bearing.pedestal->k - _speed * _speed * bearing.pedestal->mass +
-                              imaginary_unit * _speed * bearing.pedestal->c;
-        force -= film * (film + below * Eigen::Matrix2cd::Identity()).inverse() * force;
+        const model::Pedestal &pedestal = *bearing.pedestal;
+        const Eigen::Vector2cd below =
+            pedestal.k - square * pedestal.mass + imaginary_unit * _speed * pedestal.c;
+        force -= film * (film + Eigen::Matrix2cd(below.asDiagonal())).inverse() * force.eval();
     }
     return {force(0), force(1)};
 }

@@ -48,6 +48,8 @@ class CondensedMotion {
 
     [[nodiscard]] int unknown(int node, int part, bool slope) const;
     [[nodiscard]] Eigen::MatrixXcd element(int span) const;
+    [[nodiscard]] Eigen::MatrixXcd rotating_element(int span, const Eigen::MatrixXd &forward,
+                                                    const Eigen::MatrixXd &outside) const;
     void add_shaft();
     void add_discs();
     void add_anisotropies();

@@ -290,7 +290,8 @@ Phasor ForcedMotion::bearing_force(int bearing) const {
         _discretization.rotor().bearings[static_cast<std::size_t>(bearing)].at(_speed);
     const double frequency = (_drive.weight() ? 2 : 1) * _speed;
     const Eigen::Vector2cd force =
-        (at.k + imaginary_unit * frequency * at.c) * Eigen::Vector2cd(u.x, u.y);
+        (at.k - frequency * frequency * at.m + imaginary_unit * frequency * at.c) *
+        Eigen::Vector2cd(u.x, u.y);
     return {force(0), force(1)};
 }
 
@@ -308,10 +309,14 @@ results::Formulation response_formulation(const model::Case &scene) {
                 "same from every direction, or remove the asymmetry");
         return formulation;
     }
-    const bool isotropic = scene.rotor.bearings_isotropic();
+    const bool torque = scene.rotor.shaft.axial_torque != 0;
+    const bool isotropic = scene.rotor.bearings_isotropic() && !torque;
+    const std::string couples = torque ? "axial torque couples x and y"
+                                       : "a bearing differs between x and y or couples them";
     if (scene.formulation == model::FormChoice::planar && !isotropic)
         throw model::BadInput("formulation: expected one that can describe the scene, got "
-                              "\"planar\": a bearing differs between x and y or couples them");
+                              "\"planar\": " +
+                              couples);
     if (scene.formulation == model::FormChoice::planar)
         return {results::Form::planar, "asked for by the case"};
     if (scene.formulation != model::FormChoice::automatic)
@@ -320,9 +325,7 @@ results::Formulation response_formulation(const model::Case &scene) {
         return {results::Form::planar,
                 "isotropic bearings, axisymmetric rotor: the motion is circular and "
                 "w = x + i y halves the unknowns"};
-    return {results::Form::general,
-            "a bearing differs between x and y or couples them: forced motion in "
-            "x and y"};
+    return {results::Form::general, couples + ": forced motion in x and y"};
 }
 
 } // namespace whirl::forced

@@ -278,8 +278,10 @@ Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
     const Eigen::Matrix2d k_slope = (high.k - low.k) / width;
     const Eigen::Matrix2d c_slope = (high.c - low.c) / width;
     const Complex turns = (_drive.weight() ? 2.0 : 1.0) * imaginary_unit; // over the spin speed
-    const Eigen::Matrix2cd z = now.k + turns * speed * now.c;
-    const Eigen::Matrix2cd z_slope = k_slope + turns * (now.c + speed * c_slope);
+    const Complex square = turns * turns;
+    const Eigen::Matrix2cd z = now.k + turns * speed * now.c + square * speed * speed * now.m;
+    const Eigen::Matrix2cd z_slope =
+        k_slope + turns * (now.c + speed * c_slope) + 2.0 * square * speed * now.m;
     const Eigen::Vector2cd xy(value.x, value.y);
     const Eigen::Vector2cd force = z * xy;
     const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);

@@ -37,8 +37,10 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     const int order = mesh_error::finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
-    if (drive.weight())
-        _weighed = std::make_unique<ForcedMotion>(*_fine, form, drive);
+    // Element by element only where nothing acts across elements.
+    const model::Shaft &shaft = coarse.rotor().shaft;
+    if (drive.weight() || !shaft.modal_damping.empty() || shaft.axial_torque != 0)
+        _whole = std::make_unique<ForcedMotion>(*_fine, form, drive);
     else
         _motion = std::make_unique<CondensedMotion>(*_fine, form);
 }
@@ -46,29 +48,29 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
 void ResponseError::solve(double speed) {
     if (_motion)
         _motion->solve(speed);
-    if (_weighed)
-        _weighed->solve(speed);
+    if (_whole)
+        _whole->solve(speed);
 }
 
 Phasor ResponseError::finer_at(double z) const {
-    return _weighed ? _weighed->motion(_fine->deflection_at(z))
-                    : _motion->at_node(_fine->shaft_mesh().node_at(z));
+    return _whole ? _whole->motion(_fine->deflection_at(z))
+                  : _motion->at_node(_fine->shaft_mesh().node_at(z));
 }
 
 Phasor ResponseError::finer_force(int bearing) const {
-    return _weighed ? _weighed->bearing_force(bearing) : _motion->bearing_force(bearing);
+    return _whole ? _whole->bearing_force(bearing) : _motion->bearing_force(bearing);
 }
 
 double ResponseError::at_rest(double z, std::complex<double> coarse) const {
-    if (!_weighed)
+    if (!_whole)
         return 0;
-    return share(coarse, _weighed->at_rest(_fine->deflection_at(z)));
+    return share(coarse, _whole->at_rest(_fine->deflection_at(z)));
 }
 
 double ResponseError::force_at_rest(int bearing, std::complex<double> coarse) const {
-    if (!_weighed)
+    if (!_whole)
         return 0;
-    return share(coarse, _weighed->bearing_force_at_rest(bearing));
+    return share(coarse, _whole->bearing_force_at_rest(bearing));
 }
 
 double ResponseError::at(double z, const Phasor &coarse) const {

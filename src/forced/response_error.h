@@ -40,7 +40,7 @@ class ResponseError {
   private:
     std::unique_ptr<assembly::Discretization> _fine;
     std::unique_ptr<CondensedMotion> _motion; ///< under the imbalances
-    std::unique_ptr<ForcedMotion> _weighed;   ///< under the weight, which loads elements inside
+    std::unique_ptr<ForcedMotion> _whole;     ///< where something acts inside of elements
 };
 
 } // namespace whirl::forced

@@ -22,6 +22,7 @@ class Problems {
     void add(Origin origin, std::string key, std::string text);
 
     [[nodiscard]] bool empty() const { return _problems.empty(); }
+    [[nodiscard]] std::size_t count() const { return _problems.size(); }
 
     /// Throws model::BadInput with one line for each problem, "origin: key: text", those of one
     /// file together and in the order of their lines; does nothing where there is no problem.

@@ -236,7 +236,14 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     shaft.rotary_inertia = table->flag_or("rotary_inertia", true);
     shaft.internal_damping =
         table->number_or("internal_damping", 0, Quantity::time, Range::not_negative());
+    shaft.alpha = table->number_or("alpha", 0, Quantity::rate, Range::not_negative());
+    shaft.beta = table->number_or("beta", 0, Quantity::time, Range::not_negative());
+    shaft.modal_damping =
+        table->numbers("modal_damping", Quantity::dimensionless, {0, 1, false, true});
     shaft.axial_force = table->number_or("axial_force", 0, Quantity::force);
+    shaft.axial_torque = table->number_or("axial_torque", 0, Quantity::torque);
+    shaft.torque_kind = static_cast<model::TorqueKind>(
+        table->choice("torque_kind", {"axial", "semitangential", "tangential"}, 0));
     const int elements = table->whole_or("elements", 1, 1, largest_count);
     const auto path = table->text("table");
     if (table->has("table") == table->has("segments"))

@@ -43,6 +43,7 @@ constexpr std::array quantities{
     QuantityInfo{Quantity::imbalance, "an imbalance", "kg m", AngleRule::never},
     QuantityInfo{Quantity::torque, "a torque", "N m", AngleRule::never},
     QuantityInfo{Quantity::acceleration, "an acceleration", "m/s2", AngleRule::never},
+    QuantityInfo{Quantity::rate, "a rate", "1/s", AngleRule::never},
 };
 
 const QuantityInfo &info(Quantity quantity) {

@@ -24,7 +24,8 @@ enum class Quantity {
     force,          ///< N
     imbalance,      ///< kg m, mass times radius
     torque,         ///< N m
-    acceleration    ///< m/s2
+    acceleration,   ///< m/s2
+    rate            ///< 1/s
 };
 
 /// The quantity with its article and SI unit, for messages: "a stiffness in N/m".

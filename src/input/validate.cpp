@@ -76,6 +76,24 @@ void check_ball_angles(const model::Case &scene, const std::vector<std::vector<d
     }
 }
 
+/// Modes at rest say something of the damping at speed where the bearings stay as they are and both
+/// planes have modes of their own.
+void check_modal_damping(const model::Rotor &rotor, const Check &check) {
+    if (rotor.shaft.modal_damping.empty())
+        return;
+    const char *path = "shaft.modal_damping";
+    const bool coupled = !rotor.bearings_orthotropic();
+    if (rotor.bearings_depend_on_speed())
+        check.fail(path, "expected bearings that are the same at every speed, got a bearing table: "
+                         "its modes at rest are not those at speed");
+    else if (coupled)
+        check.fail(path, "expected bearings that do not couple x and y, whose modes at rest are "
+                         "those of one plane, got one that does");
+    if (rotor.shaft.asymmetric() || !rotor.anisotropies.empty())
+        check.fail(path, "expected an axisymmetric rotor, got [[anisotropy]] or an asymmetric "
+                         "segment: its modes at rest turn with it");
+}
+
 } // namespace
 
 void check_shear_modulus(const model::Material &material, std::optional<double> nu,
@@ -136,6 +154,7 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
     }
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
+    check_modal_damping(rotor, check);
     check_anisotropies(rotor, root, problems);
     check_ball_positions(rotor, root, problems);
     check_ball_angles(scene, scene.simulate.ball_angles, "simulate.ball_angles", check);

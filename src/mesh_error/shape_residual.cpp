@@ -122,8 +122,8 @@ double ShapeResidual::of(const modes::WhirlMode &mode, double speed) const {
     }
     if (_form == results::Form::planar_damped)
         return energy(mode.shape, mode.rotating_value, speed) / kinetic(mode.shape);
-    assembly::Planes planes(mode.shape);
-    if (_form == results::Form::hyperbolic) // y stands for -i y
+    assembly::Planes planes(mode.shape.head(2 * _mass.rows())); // moving masses are none of them
+    if (_form == results::Form::hyperbolic)                     // y stands for -i y
         planes.y *= i_unit;
     const Eigen::VectorXcd with = planes.towards();
     const Eigen::VectorXcd against = planes.against();

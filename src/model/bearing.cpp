@@ -33,6 +33,16 @@ bool pushes_away(const Eigen::Matrix2d &k) {
     return least < -1e-14 * k.cwiseAbs().maxCoeff(); // a share for rounding, as in nothing()
 }
 
+bool Bearing::has_mass() const {
+    return std::any_of(rows.begin(), rows.end(),
+                       [](const BearingCoefficients &row) { return !row.m.isZero(0); });
+}
+
+bool Bearing::mass_depends_on_speed() const {
+    return std::any_of(rows.begin(), rows.end(),
+                       [this](const BearingCoefficients &row) { return row.m != rows.front().m; });
+}
+
 BearingCoefficients Bearing::at(double speed) const {
     if (!depends_on_speed() || speed <= speeds.front())
         return rows.front();
@@ -43,8 +53,8 @@ BearingCoefficients Bearing::at(double speed) const {
     const double t = (speed - speeds[i - 1]) / (speeds[i] - speeds[i - 1]);
     const BearingCoefficients &a = rows[i - 1];
     const BearingCoefficients &b = rows[i];
-    return {(1 - t) * a.k + t * b.k, (1 - t) * a.c + t * b.c, (1 - t) * a.kt + t * b.kt,
-            (1 - t) * a.ct + t * b.ct};
+    return {(1 - t) * a.k + t * b.k, (1 - t) * a.c + t * b.c, (1 - t) * a.m + t * b.m,
+            (1 - t) * a.kt + t * b.kt, (1 - t) * a.ct + t * b.ct};
 }
 
 } // namespace whirl::model

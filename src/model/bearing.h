@@ -8,10 +8,12 @@
 
 namespace whirl::model {
 
-/// Linear coefficients of a bearing at one spin speed. The force on the shaft is -(k u + c u').
+/// Linear coefficients of a bearing at one spin speed. The force on the shaft is
+/// -(k u + c u' + m u'').
 struct BearingCoefficients {
     Eigen::Matrix2d k = Eigen::Matrix2d::Zero();  ///< [kxx kxy; kyx kyy] on (x, y), N/m
     Eigen::Matrix2d c = Eigen::Matrix2d::Zero();  ///< [cxx cxy; cyx cyy], N s/m
+    Eigen::Matrix2d m = Eigen::Matrix2d::Zero();  ///< [mxx mxy; myx myy] of the fluid, kg
     Eigen::Matrix2d kt = Eigen::Matrix2d::Zero(); ///< on the slopes (phi_x, phi_y), N m/rad
     Eigen::Matrix2d ct = Eigen::Matrix2d::Zero(); ///< on the slopes, N m s/rad
 };
@@ -26,11 +28,16 @@ struct BearingCoefficients {
 /// A stiffness of which the symmetric part is negative in some direction
 [[nodiscard]] bool pushes_away(const Eigen::Matrix2d &k);
 
-/// An isotropic support below the bearing: mass on a spring and damper to the ground.
+/// A support below the bearing: mass on a spring and damper to the ground, each in x and in y.
 struct Pedestal {
-    double mass = 0; ///< kg
-    double k = 0;    ///< N/m
-    double c = 0;    ///< N s/m
+    Eigen::Vector2d mass = Eigen::Vector2d::Zero(); ///< kg
+    Eigen::Vector2d k = Eigen::Vector2d::Zero();    ///< N/m
+    Eigen::Vector2d c = Eigen::Vector2d::Zero();    ///< N s/m
+
+    Pedestal() = default;
+    /// The same in both directions.
+    Pedestal(double m, double stiffness, double damping)
+        : mass(m, m), k(stiffness, stiffness), c(damping, damping) {}
 };
 
 /// A bearing at z: constant coefficients (one row) or a table over spin speed. A seal acts like one
@@ -42,11 +49,13 @@ struct Bearing {
     std::vector<BearingCoefficients> rows; ///< one, or one for each of `speeds`
     std::optional<Pedestal> pedestal;
     bool seal = false;
-    /// Seals: of the fluid that moves along, alike in both directions, kg; force on the shaft -m
-    /// u''.
-    double mass = 0;
 
     [[nodiscard]] bool depends_on_speed() const { return rows.size() > 1; }
+
+    /// Some row has mass coefficients.
+    [[nodiscard]] bool has_mass() const;
+    /// The mass coefficients are not the same at all speeds.
+    [[nodiscard]] bool mass_depends_on_speed() const;
 
     /// Coefficients at a spin speed (rad/s): linear between table rows, constant outside.
     [[nodiscard]] BearingCoefficients at(double speed) const;

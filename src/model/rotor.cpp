@@ -12,6 +12,20 @@ template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
     });
 }
 
+bool alike(const Eigen::Vector2d &directions) { return directions(0) == directions(1); }
+
+template <class Predicate> bool every_pedestal(const Rotor &rotor, Predicate holds) {
+    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const Bearing &bearing) {
+        return !bearing.pedestal || holds(*bearing.pedestal);
+    });
+}
+
+bool pedestals_isotropic(const Rotor &rotor) {
+    return every_pedestal(rotor, [](const Pedestal &pedestal) {
+        return alike(pedestal.mass) && alike(pedestal.k) && alike(pedestal.c);
+    });
+}
+
 } // namespace
 
 std::span<const Bearing> Rotor::supports() const {
@@ -25,31 +39,36 @@ std::span<const Bearing> Rotor::seals() const {
 }
 
 bool Rotor::bearings_isotropic() const {
-    return every_row(*this, [](const BearingCoefficients &row) {
-        return isotropic(row.k) && isotropic(row.c) && isotropic(row.kt) && isotropic(row.ct);
-    });
+    return pedestals_isotropic(*this) && every_row(*this, [](const BearingCoefficients &row) {
+               return isotropic(row.k) && isotropic(row.c) && isotropic(row.m) &&
+                      isotropic(row.kt) && isotropic(row.ct);
+           });
 }
 
 bool Rotor::bearings_rotation_invariant() const {
-    return every_row(*this, [](const BearingCoefficients &row) {
-        return rotation_invariant(row.k) && rotation_invariant(row.c) &&
-               rotation_invariant(row.kt) && rotation_invariant(row.ct);
-    });
+    return pedestals_isotropic(*this) && every_row(*this, [](const BearingCoefficients &row) {
+               return rotation_invariant(row.k) && rotation_invariant(row.c) && isotropic(row.m) &&
+                      rotation_invariant(row.kt) && rotation_invariant(row.ct);
+           });
 }
 
 bool Rotor::bearings_orthotropic() const {
     return every_row(*this, [](const BearingCoefficients &row) {
-        return diagonal(row.k) && diagonal(row.c) && diagonal(row.kt) && diagonal(row.ct);
+        return diagonal(row.k) && diagonal(row.c) && diagonal(row.m) && diagonal(row.kt) &&
+               diagonal(row.ct);
     });
 }
 
+bool Rotor::support_masses_isotropic() const {
+    return every_row(*this, [](const BearingCoefficients &row) { return isotropic(row.m); }) &&
+           every_pedestal(*this, [](const Pedestal &pedestal) { return alike(pedestal.mass); });
+}
+
 bool Rotor::damped() const {
-    const bool pedestals = std::any_of(bearings.begin(), bearings.end(), [](const Bearing &b) {
-        return b.pedestal && b.pedestal->c != 0;
-    });
-    const bool undamped = every_row(
+    const bool in_bearings = !every_row(
         *this, [](const BearingCoefficients &row) { return row.c.isZero(0) && row.ct.isZero(0); });
-    return pedestals || !undamped || shaft.internal_damping != 0;
+    return in_bearings || shaft.damped() ||
+           !every_pedestal(*this, [](const Pedestal &pedestal) { return pedestal.c.isZero(0); });
 }
 
 bool Rotor::bearings_depend_on_speed() const {

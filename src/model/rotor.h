@@ -26,13 +26,16 @@ struct Rotor {
     [[nodiscard]] std::span<const Bearing> supports() const;
     [[nodiscard]] std::span<const Bearing> seals() const;
 
-    /// Bearings are equal in x and y, without cross coupling, at every speed.
+    /// Bearings and pedestals are equal in x and y, without cross coupling, at every speed.
     [[nodiscard]] bool bearings_isotropic() const;
-    /// Bearings that look the same from every direction, at every speed: kxx = kyy, kxy = -kyx.
+    /// Bearings and pedestals that look the same from every direction, at every speed: kxx = kyy,
+    /// kxy = -kyx, masses without coupling.
     [[nodiscard]] bool bearings_rotation_invariant() const;
     /// No bearing couples x with y, at any speed.
     [[nodiscard]] bool bearings_orthotropic() const;
-    /// Damping anywhere: bearings, pedestals or shaft material.
+    /// Mass coefficients of bearings and masses of pedestals are equal in x and y and uncoupled.
+    [[nodiscard]] bool support_masses_isotropic() const;
+    /// Damping anywhere: bearings, pedestals or shaft.
     [[nodiscard]] bool damped() const;
     /// A bearing table over spin speed is present.
     [[nodiscard]] bool bearings_depend_on_speed() const;

@@ -41,6 +41,13 @@ struct Segment {
     std::vector<Layer> layers{}; ///< beside the segment's own section
 };
 
+/// Direction of the torque where it enters and leaves the shaft (Ziegler 1968, ch. 3 and 5).
+enum class TorqueKind {
+    axial,          ///< along z, however the end is inclined
+    semitangential, ///< half way between z and the tangent: it has a potential
+    tangential      ///< along the tangent, which it follows
+};
+
 /// The flexible shaft, from z = 0 to the sum of the lengths of its segments.
 struct Shaft {
     std::vector<Segment> segments;
@@ -51,7 +58,18 @@ struct Shaft {
     double shear_coefficient = 0; ///< kappa, where shear == given
     bool rigid = false;           ///< no elastic unknowns: the rigid-body limit
     double internal_damping = 0;  ///< s; stress = E (strain + internal_damping * strain rate)
-    double axial_force = 0;       ///< N, tension positive
+    /// Damping that does not turn with the shaft: C = alpha M + beta K of its elements (without
+    /// discs and axial force), on velocities in the fixed frame.
+    double alpha = 0;       ///< 1/s
+    double beta = 0;        ///< s
+    double axial_force = 0; ///< N, tension positive
+    /// Torque that the shaft carries from z = 0 to its end: about +z on the end z = length(),
+    /// against it on the other, N m.
+    double axial_torque = 0;
+    TorqueKind torque_kind = TorqueKind::axial;
+    /// Damping that does not turn, by ratios of the lowest modes at rest of the rotor on its
+    /// bearings, in each plane (assembly/modal_damping.h).
+    std::vector<double> modal_damping;
     /// Without it the shaft's sections have mass and no moment of inertia, so no gyroscopic effect.
     bool rotary_inertia = true;
 
@@ -59,6 +77,12 @@ struct Shaft {
     [[nodiscard]] bool asymmetric() const {
         return std::any_of(segments.begin(), segments.end(),
                            [](const Segment &segment) { return segment.asymmetry != 0; });
+    }
+    /// Damping of any kind.
+    [[nodiscard]] bool damped() const { return internal_damping != 0 || damped_outside(); }
+    /// Damping that does not turn with the shaft.
+    [[nodiscard]] bool damped_outside() const {
+        return alpha != 0 || beta != 0 || !modal_damping.empty();
     }
     /// Length of the shaft, m.
     [[nodiscard]] double length() const {

@@ -20,36 +20,38 @@ Rotor without_damping(Rotor rotor) {
             at.ct.setZero();
         }
         if (bearing.pedestal)
-            bearing.pedestal->c = 0;
+            bearing.pedestal->c.setZero();
     }
-    rotor.shaft.internal_damping = 0;
+    rotor.shaft.internal_damping = rotor.shaft.alpha = rotor.shaft.beta = 0;
+    rotor.shaft.modal_damping.clear();
     return rotor;
 }
 
 Rotor with_conservative_supports(Rotor rotor) {
-    rotor.shaft.internal_damping = 0;
-    for (Bearing &bearing : rotor.bearings) {
-        for (BearingCoefficients &row : bearing.rows) {
-            row.c.setZero();
-            row.ct.setZero();
-            keep_symmetric(row.k);
-            keep_symmetric(row.kt);
-        }
-        if (bearing.pedestal)
-            bearing.pedestal->c = 0;
-    }
+    rotor = without_damping(std::move(rotor));
+    rotor.shaft.axial_torque = 0;
+    for (Bearing &bearing : rotor.bearings)
+        for (BearingCoefficients &row : bearing.rows)
+            for (Eigen::Matrix2d *a : {&row.k, &row.m, &row.kt})
+                keep_symmetric(*a);
     return rotor;
 }
 
 Rotor with_mean_bearings(Rotor rotor) {
-    for (Bearing &bearing : rotor.bearings)
+    for (Bearing &bearing : rotor.bearings) {
         for (BearingCoefficients &row : bearing.rows)
-            for (Eigen::Matrix2d *a : {&row.k, &row.c, &row.kt, &row.ct})
+            for (Eigen::Matrix2d *a : {&row.k, &row.c, &row.m, &row.kt, &row.ct})
                 take_mean(*a);
+        if (bearing.pedestal)
+            for (Eigen::Vector2d *a :
+                 {&bearing.pedestal->mass, &bearing.pedestal->k, &bearing.pedestal->c})
+                a->setConstant(a->mean());
+    }
     return rotor;
 }
 
 Rotor isotropic_without_damping(Rotor rotor) {
+    rotor.shaft.axial_torque = 0;
     return without_damping(with_mean_bearings(std::move(rotor)));
 }
 
@@ -60,6 +62,7 @@ Rotor with_support_stiffness(Rotor rotor, std::optional<std::size_t> support,
         Bearing &bearing = rotor.bearings[i];
         BearingCoefficients row;
         row.kt = bearing.rows.front().kt;
+        row.m = bearing.rows.front().m;
         bearing.speeds = speeds;
         bearing.rows.clear();
         for (const double value : k) {

@@ -11,22 +11,22 @@ namespace whirl::model {
 // The same rotor with one thing left out or changed.
 
 /// The rotor with nothing that takes energy out or, turning, feeds it in: no dampers in bearings
-/// and pedestals, no internal damping. Coupling stiffness stays.
+/// and pedestals, none of the shaft. Coupling stiffness stays.
 [[nodiscard]] Rotor without_damping(Rotor rotor);
 
-/// Supports without damping and with the symmetric part of their stiffness; tables and everything
-/// else as they are.
+/// Supports with the symmetric part of their stiffness, no damping, no axial torque; tables and
+/// everything else as they are.
 [[nodiscard]] Rotor with_conservative_supports(Rotor rotor);
 
 /// Bearings isotropic, with the mean of the x and y coefficients; nothing changes for isotropic
 /// ones.
 [[nodiscard]] Rotor with_mean_bearings(Rotor rotor);
 
-/// Without damping, and with supports that are isotropic: with_mean_bearings.
+/// Without damping and axial torque, and with supports that are isotropic: with_mean_bearings.
 [[nodiscard]] Rotor isotropic_without_damping(Rotor rotor);
 
 /// One support, or all of them (no seals), of isotropic stiffness k (N/m) over speeds (rad/s;
-/// empty: one k at every speed); tilt stiffness as in their first row, no damping.
+/// empty: one k at every speed); mass and tilt stiffness as in their first row, no damping.
 /// @param support  its place among supports(); none: all
 [[nodiscard]] Rotor with_support_stiffness(Rotor rotor, std::optional<std::size_t> support,
                                            const std::vector<double> &k,

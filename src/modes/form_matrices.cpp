@@ -28,7 +28,8 @@ bool mirrored_bearings(const model::Rotor &rotor) {
     const auto mirrored = [](const Eigen::Matrix2d &k) { return k(0, 1) == -k(1, 0); };
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const auto &bearing) {
         return std::all_of(bearing.rows.begin(), bearing.rows.end(), [&](const auto &row) {
-            return mirrored(row.k) && mirrored(row.c) && mirrored(row.kt) && mirrored(row.ct);
+            return mirrored(row.k) && mirrored(row.c) && mirrored(row.m) && mirrored(row.kt) &&
+                   mirrored(row.ct);
         });
     });
 }
@@ -95,7 +96,7 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
         _K = system.K.view();
         _Ks = system.Kc.view();
         _Kss.resize(_M.rows(), _M.cols());
-        _mirrored = mirrored_bearings(d.rotor());
+        _mirrored = mirrored_bearings(d.rotor()) && d.rotor().shaft.axial_torque == 0;
         return;
     }
     if (form == results::Form::planar_damped) {
@@ -136,7 +137,7 @@ FormMatrices::Supports FormMatrices::support_change(double from, double to, Part
     Entries K;
     Entries Ks;
     for (const auto &[speed, sign] : {std::pair(from, -1.0), std::pair(to, 1.0)})
-        assembly::assemble_supports(
+        assembly::assemble_bearings( // nothing else changes with speed
             _discretization, speed,
             [&, s = sign](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
                 if (part == Part::imaginary) // [a b; -b a] is a - i b

@@ -22,6 +22,8 @@ std::string against_fixed(const model::Rotor &rotor) {
 std::string against_planar(const model::Rotor &rotor) {
     if (std::string reason = against_fixed(rotor); !reason.empty())
         return reason;
+    if (rotor.shaft.axial_torque != 0)
+        return "axial torque couples x and y";
     if (!rotor.bearings_isotropic())
         return "a bearing differs between x and y or couples them";
     if (rotor.damped())
@@ -32,6 +34,8 @@ std::string against_planar(const model::Rotor &rotor) {
 std::string against_hyperbolic(const model::Rotor &rotor) {
     if (std::string reason = against_fixed(rotor); !reason.empty())
         return reason;
+    if (rotor.shaft.axial_torque != 0)
+        return "axial torque couples x and y";
     if (!rotor.bearings_orthotropic())
         return "a bearing couples x and y";
     if (rotor.damped())
@@ -42,7 +46,19 @@ std::string against_hyperbolic(const model::Rotor &rotor) {
 /// Damping and cross coupling act on w = x + i y alone, and the rotor without them has frequencies.
 bool turns_alike(const model::Rotor &rotor) {
     return against_fixed(rotor).empty() && rotor.bearings_rotation_invariant() &&
+           rotor.shaft.axial_torque == 0 && // its matrix is not symmetric
+
            (!may_push_away(rotor) || stiffness_positive(rotor, std::max(1, rotor.shaft.order)));
+}
+
+/// Of supports the stiffness and damping may turn in the axes of the rotor, not the mass.
+std::string against_hill(const model::Rotor &rotor) {
+    if (rotor.support_masses_isotropic())
+        return {};
+    return "mass coefficients of a bearing or masses of a pedestal differ between x and y or "
+           "couple them while the rotor is not axisymmetric either ([[anisotropy]], [[balancer]] "
+           "or "
+           "an asymmetric segment): mass that varies in time in every frame";
 }
 
 void require(const std::string &reason, results::Form form) {
@@ -67,6 +83,7 @@ results::Formulation forced(const model::Case &scene) {
                 results::Form::rotating);
         return {results::Form::rotating, "asked for by the case"};
     case model::FormChoice::hill:
+        require(against_hill(scene.rotor), results::Form::hill);
         return {results::Form::hill, "asked for by the case"};
     default:
         require(against_fixed(scene.rotor), results::Form::general);
@@ -80,6 +97,8 @@ results::Formulation choose_formulation(const model::Case &scene, bool damped_pl
     const model::Rotor &rotor = scene.rotor;
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
+    if (rotor.rotating_anisotropy() && !rotor.bearings_rotation_invariant())
+        require(against_hill(rotor), results::Form::hill);
     if (rotor.rotating_anisotropy())
         return rotor.bearings_rotation_invariant()
                    ? results::Formulation{results::Form::rotating,

@@ -72,17 +72,17 @@ class Constraints {
     Constraints(const assembly::Discretization &d, const RigidCoordinates &coordinates,
                 double bearing_speed)
         : _count(coordinates.count()) {
-        const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
         for (std::size_t b = 0; b < d.rotor().bearings.size(); ++b) {
             const model::Bearing &bearing = d.rotor().bearings[b];
             const model::BearingCoefficients at = bearing.at(bearing_speed);
             add(at.k, coordinates.stretch(b));
             add(at.kt, coordinates.tilt());
             if (bearing.pedestal)
-                add(bearing.pedestal->k * one, coordinates.pedestal(b));
+                add(bearing.pedestal->k.asDiagonal(), coordinates.pedestal(b));
         }
-        if (d.rotor().shaft.axial_force != 0)
-            add(one, coordinates.tilt());
+        const bool torque = d.rotor().shaft.axial_torque != 0 && !d.rigid();
+        if (d.rotor().shaft.axial_force != 0 || torque)
+            add(Eigen::Matrix2d::Identity(), coordinates.tilt());
     }
 
     /// Null space over the coordinates from `first` on.
@@ -141,8 +141,8 @@ struct RigidMatrices {
         assembly::assemble_supports(
             d, bearing_speed, [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &b) {
                 const Eigen::MatrixXd product = R.row(i).transpose() * R.row(j);
-                if (term == assembly::Term::mass)
-                    M += b(0, 0) * product;
+                if (term == assembly::Term::mass) // a weight of motions: the mean does
+                    M += b.trace() / 2 * product;
                 if (term == assembly::Term::damping)
                     for (int p = 0; p < 2; ++p)
                         for (int q = 0; q < 2; ++q)

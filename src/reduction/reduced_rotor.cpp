@@ -192,6 +192,10 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
     reduced.mass_load =
         reduced.mass_times.transpose() *
         Eigen::Map<const Eigen::VectorXd>(translation.data(), std::ssize(translation));
+    for (const model::Bearing &bearing : d.rotor().bearings) // fluid that moves with the foundation
+        if (!bearing.pedestal)
+            reduced.mass_load -=
+                bearing.rows.front().m(0, 0) * reduced.row(d.deflection_at(bearing.z));
     project_rotor(d, reduced);
     std::set<double> speeds;
     for (const model::Bearing &bearing : d.rotor().bearings)
@@ -208,11 +212,15 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
 void refuse_massless(const assembly::Discretization &d) {
     const auto &bearings = d.rotor().bearings;
     for (std::size_t i = 0; i < bearings.size(); ++i)
-        if (bearings[i].pedestal && bearings[i].pedestal->mass == 0)
+        if (bearings[i].pedestal && bearings[i].pedestal->mass.minCoeff() == 0)
             throw model::AnalysisFailure(
                 fmt::format("motion in time needs mass in all that moves: bearing[{}] stands on a "
                             "pedestal without; give it a pedestal_mass",
                             i));
+    if (!d.rotor().support_masses_isotropic())
+        throw model::AnalysisFailure(
+            "motion in time needs mass coefficients of bearings and masses of pedestals that are "
+            "the same in x and y and do not couple them");
 }
 
 /// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they

@@ -20,8 +20,9 @@ struct ReducedRotor {
     Eigen::MatrixXd elastic;    ///< r x r, of the shaft
     Eigen::MatrixXd internal;   ///< r x r, damping of the shaft in rotating axes
     Eigen::MatrixXd gyroscopic; ///< r x r, symmetric
-    Row mass_load;              ///< r: load under a unit acceleration of all, pedestals included
-    double mass = 0;            ///< kg, without pedestals
+    Row mass_load;   ///< r: load under a unit acceleration of all, pedestals included, with
+                     ///< fluid in bearings that accelerates alike
+    double mass = 0; ///< kg, without pedestals
 
     /// Bearings at one speed, on the real form (2r x 2r).
     struct Supports {

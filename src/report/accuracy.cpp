@@ -20,7 +20,7 @@ using results::AccuracyRow;
 
 namespace {
 
-const Columns<AccuracyRow> columns{
+const Columns<AccuracyRow> accuracy_columns{
     {"family", "family", {"Family"}, {"family"}, &AccuracyRow::family},
     {"order", "order", {"Order"}, {"order"}, &AccuracyRow::order},
     {"elements", "elements", {"Elements"}, {"elements"}, &AccuracyRow::elements},
@@ -46,13 +46,13 @@ Json json_of(const AccuracyResult &result) {
     return {{"reference", result.reference},
             {"speed", result.speed},
             {"reference_frequencies", result.reference_frequencies},
-            {"rows", json_rows(columns, result.rows)}};
+            {"rows", json_rows(accuracy_columns, result.rows)}};
 }
 
 std::string text_of(const model::Case &scene, const AccuracyResult &result) {
     return heading(scene, fmt::format("Speed and error at {:.6g} rpm, against {}",
                                       result.speed * rpm, result.reference)) +
-           text_table(columns, result.rows) + model_text(result.model);
+           text_table(accuracy_columns, result.rows) + model_text(result.model);
 }
 
 /// Rows of one family and order, in the order of their unknowns.
@@ -127,11 +127,11 @@ Report describe(const model::Case &scene, const AccuracyResult &result) {
             .scene = &scene,
             .model = &result.model,
             .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_table(columns, result.rows); },
+            .csv = [&] { return csv_table(accuracy_columns, result.rows); },
             .sections =
                 [&] {
                     return std::vector{Section{"Error against " + result.reference,
-                                               page_table(columns, result.rows)}};
+                                               page_table(accuracy_columns, result.rows)}};
                 },
             .text = [&] { return text_of(scene, result); },
             .figure = [&] { return accuracy_figure(scene, result); }};

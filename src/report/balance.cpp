@@ -95,7 +95,7 @@ struct End : BandEnd {
     std::string planes;
 };
 
-const Columns<End> end_columns{
+const Columns<End> band_end_columns{
     {"", "", {"Planes"}, {}, &End::planes},
     {"speed", "", {}, {}, &End::speed},
     {"end", "", {"End"}, {}, [](const End &end) { return end.upper ? "upper" : "lower"; }},
@@ -118,25 +118,25 @@ Json bands_json(const BalanceBands &of) {
             {"band_errors", of.errors},
             {"rigid_bands", of.rigid_bands},
             {"pinned_critical_speeds", of.pinned},
-            {"ends", json_rows(end_columns, ends_of("", of))}};
+            {"ends", json_rows(band_end_columns, ends_of("", of))}};
 }
 
 /// One value a column that holds something; the line of the file that has several kinds.
-struct Line {
+struct CsvLine {
     std::string kind, which, z;
     std::optional<double> speed{}, from{}, to{}, value{}, ratio{};
 };
 
-const Columns<Line> line_columns{{"", "kind", {}, {}, &Line::kind},
-                                 {"", "which", {}, {}, &Line::which},
-                                 {"", "z [m]", {}, {}, &Line::z},
-                                 {"", "speed [rad/s]", {}, {}, &Line::speed},
-                                 {"", "from [rad/s]", {}, {}, &Line::from},
-                                 {"", "to [rad/s]", {}, {}, &Line::to},
-                                 {"", "value [1/kg]", {}, {}, &Line::value},
-                                 {"", "ratio", {}, {}, &Line::ratio}};
+const Columns<CsvLine> line_columns{{"", "kind", {}, {}, &CsvLine::kind},
+                                    {"", "which", {}, {}, &CsvLine::which},
+                                    {"", "z [m]", {}, {}, &CsvLine::z},
+                                    {"", "speed [rad/s]", {}, {}, &CsvLine::speed},
+                                    {"", "from [rad/s]", {}, {}, &CsvLine::from},
+                                    {"", "to [rad/s]", {}, {}, &CsvLine::to},
+                                    {"", "value [1/kg]", {}, {}, &CsvLine::value},
+                                    {"", "ratio", {}, {}, &CsvLine::ratio}};
 
-void add_band_lines(std::vector<Line> &lines, const Planes &planes) {
+void add_band_lines(std::vector<CsvLine> &lines, const Planes &planes) {
     const auto add = [&](const char *kind, std::optional<double> from, std::optional<double> to) {
         lines.push_back({kind, planes.number, planes.z, {}, from, to});
     };
@@ -148,7 +148,7 @@ void add_band_lines(std::vector<Line> &lines, const Planes &planes) {
         add("rigid_band", band.from, band.to);
 }
 
-void add_pendulum_lines(std::vector<Line> &lines, const BalanceResult &result) {
+void add_pendulum_lines(std::vector<CsvLine> &lines, const BalanceResult &result) {
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         for (std::size_t k = 0; k < of.speeds.size(); ++k)
@@ -161,7 +161,7 @@ void add_pendulum_lines(std::vector<Line> &lines, const BalanceResult &result) {
 }
 
 std::string csv_of(const BalanceResult &result) {
-    std::vector<Line> lines;
+    std::vector<CsvLine> lines;
     const std::vector<Planes> planes = all_planes(result);
     for (const Planes &plane : planes)
         add_band_lines(lines, plane);
@@ -331,7 +331,7 @@ std::vector<Section> sections_of(const BalanceResult &result) {
         {"What it says", findings_html(result.findings)},
         {"Bands of spin speed (rad/s)", page_table(band_columns, planes_and_joint(result))}};
     if (!ends.empty())
-        sections.push_back({"Ends of the bands", page_table(end_columns, ends)});
+        sections.push_back({"Ends of the bands", page_table(band_end_columns, ends)});
     if (result.placement)
         sections.push_back(
             {"Best places", page_table(best_columns, best_places(*result.placement)) +

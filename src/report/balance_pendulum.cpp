@@ -12,7 +12,7 @@ using results::PendulumState;
 
 namespace {
 
-const Columns<PendulumBalance> columns{
+const Columns<PendulumBalance> pendulum_columns{
     {"name", "", {}, {}, &PendulumBalance::name},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &PendulumBalance::z},
     {"rho", "", {"ρ"}, {}, &PendulumBalance::rho},
@@ -86,7 +86,7 @@ Json pendulum_json(const PendulumBalance &balancer) {
     std::vector<AtSpeed> speeds;
     for (std::size_t k = 0; k < balancer.speeds.size(); ++k)
         speeds.push_back({balancer, k});
-    Json json = json_row(columns, balancer);
+    Json json = json_row(pendulum_columns, balancer);
     json["planar_equivalent"] = {{"mass", balancer.mass},
                                  {"omega_0", balancer.omega_0},
                                  {"H", balancer.external_damping},
@@ -98,7 +98,7 @@ Json pendulum_json(const PendulumBalance &balancer) {
 }
 
 std::string pendulum_page(const std::vector<PendulumBalance> &balancers) {
-    return page_table(columns, balancers);
+    return page_table(pendulum_columns, balancers);
 }
 
 std::string pendulum_text(const PendulumBalance &p) {

@@ -49,7 +49,7 @@ Json hertz_or_why(const ModeAt &at) {
     return at.frequency() ? Json(in_hertz(at)) : at.entry(at.mode->absent);
 }
 
-const Columns<ModeAt> columns{
+const Columns<ModeAt> mode_columns{
     {"", "speed [rad/s]", {}, {}, &ModeAt::speed},
     {"", "mode", {"Mode"}, {"mode"}, [](const auto &at) { return at.mode->label; }},
     {"frequency",
@@ -163,7 +163,7 @@ Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
         mode.absent, [](const std::string &why) { return why.empty() ? Json() : Json(why); });
     if (!mode.frequency_rotating.empty())
         json["frequency_rotating"] = mode.frequency_rotating;
-    json.update(json_lists(columns, over_speeds(result, mode)));
+    json.update(json_lists(mode_columns, over_speeds(result, mode)));
     return json;
 }
 
@@ -177,10 +177,10 @@ Json json_of(const CampbellResult &result) {
 }
 
 std::string csv_of(const CampbellResult &result) {
-    const std::vector<std::string> head = csv_head(columns);
+    const std::vector<std::string> head = csv_head(mode_columns);
     std::string csv = csv_line(head);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        csv += csv_rows(head, columns, at_speed(result, i));
+        csv += csv_rows(head, mode_columns, at_speed(result, i));
     return csv;
 }
 
@@ -195,7 +195,7 @@ std::vector<Section> sections_of(const CampbellResult &result) {
                             page_table(locked_columns(result), result.locked)});
     if (!result.speeds.empty())
         sections.push_back({fmt::format("Whirl modes at {:.6g} rpm", result.speeds.back() * rpm),
-                            page_table(columns, at_speed(result, result.speeds.size() - 1))});
+                            page_table(mode_columns, at_speed(result, result.speeds.size() - 1))});
     return sections;
 }
 
@@ -208,7 +208,7 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
         return a.frequency().value_or(0) < b.frequency().value_or(0);
     });
     text += fmt::format("Whirl modes at {:.6g} rpm ({:.6g} rad/s):\n{}", result.speeds.back() * rpm,
-                        result.speeds.back(), text_table(columns, modes));
+                        result.speeds.back(), text_table(mode_columns, modes));
     if (!result.crossings.empty())
         text += "\nCrossings with multiples of the spin speed:\n" +
                 text_table(crossing_columns(result), result.crossings);

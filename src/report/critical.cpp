@@ -5,6 +5,7 @@
 #include "report/common/csv.h"
 #include "report/common/margins.h"
 #include "report/common/table.h"
+#include "report/common/text_width.h"
 #include "report/common/words.h"
 #include "report/critical_map.h"
 #include "report/pictures/operation.h"
@@ -23,7 +24,7 @@ using results::CriticalSpeed;
 
 namespace {
 
-const Columns<CriticalSpeed> columns{
+const Columns<CriticalSpeed> critical_columns{
     {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
     {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
     {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
@@ -53,7 +54,7 @@ const Columns<CriticalSpeed> columns{
 std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +
            (result.critical_speeds.empty() ? "  none found\n"
-                                           : text_table(columns, result.critical_speeds)) +
+                                           : text_table(critical_columns, result.critical_speeds)) +
            margins_text(result.margins) +
            (result.map ? critical_map_text(scene, *result.map) : "") + model_text(result.model);
 }
@@ -70,40 +71,75 @@ int row_of(results::Whirl whirl) {
     return 1;
 }
 
+// The panel of the marks: pixels, and its axis.
+constexpr int figure_width = 1080;
+constexpr int figure_height = 380;
+constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.19, panel_top = 0.8;
+constexpr double rows_from = 0.4, rows_to = 3.9;
+
+/// The speeds beside their marks: above, else below, else farther away; those that find no place
+/// are counted.
+std::string speed_labels(const CriticalResult &result, Range x) {
+    constexpr double size = 10;
+    constexpr double wide = (panel_right - panel_left) * figure_width;
+    constexpr double high = (panel_top - panel_bottom) * figure_height;
+    LabelPlacer placer;
+    std::string script;
+    int unnamed = 0;
+    for (const CriticalSpeed &critical : result.critical_speeds) {
+        const std::string text = fmt::format("{:.0f}", critical.speed * rpm);
+        const double width = (text_width(text, size) + 6) / wide;
+        const double across = (critical.speed * rpm - x.low) / (x.high - x.low);
+        bool placed = false;
+        for (const double off : {0.33, -0.33, 0.52, -0.52}) { // of the distance of the rows
+            const double y = row_of(critical.whirl) + off;
+            const double up = (y - rows_from) / (rows_to - rows_from);
+            placed = placer.take({across - width / 2, up - 6 / high, width, 12 / high});
+            if (!placed)
+                continue;
+            script += fmt::format(
+                "set label '{}' at graph {},{} center font ',{}' textcolor '{}'\n", text, across,
+                up, size, critical.damping.heavy() ? heavy_colour : "#000000");
+            break;
+        }
+        unnamed += placed ? 0 : 1;
+    }
+    if (unnamed > 0)
+        script += fmt::format("set label '{} more numbers: see the table' at graph 0,1.06 left "
+                              "font ',10' textcolor '#555555'\n",
+                              unnamed);
+    return script;
+}
+
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
 Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
     Figure figure;
-    figure.width = 1080;
-    figure.height = 380;
+    figure.width = figure_width;
+    figure.height = figure_height;
     double highest = scene.operation ? scene.operation->to * rpm : 0;
     for (const auto &critical : result.critical_speeds)
         highest = std::max(highest, critical.speed * rpm);
     const Range x{0, highest > 0 ? 1.06 * highest : 1};
     figure.script =
         figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
-        panel_margins(0.1, 0.965, 0.19, 0.8) +
-        fmt::format("set xrange [0:{}]\nset yrange [0.4:3.9]\n"
+        panel_margins(panel_left, panel_right, panel_bottom, panel_top) +
+        fmt::format("set xrange [0:{}]\nset yrange [{}:{}]\n"
                     "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
                     "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
                     "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                    x.high) +
+                    x.high, rows_from, rows_to) +
         operation_band(scene, x);
     std::string plots = "NaN notitle" + operation_key(scene, x);
+    figure.script += speed_labels(result, x);
     std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
         std::vector<PlotPoint> points;
-        int turn = 0;
         for (const auto &critical : result.critical_speeds) {
             if (critical.whirl != sense)
                 continue;
             const bool grey = critical.damping.heavy();
             (grey ? heavy : points).push_back({critical.speed * rpm, row_of(sense)});
-            // Neighbours write above and below their marks in turn, so close ones stay readable.
-            figure.script += fmt::format(
-                "set label '{:.0f}' at {},{} center font ',10' textcolor '{}'\n",
-                critical.speed * rpm, critical.speed * rpm,
-                row_of(sense) + (turn++ % 2 == 0 ? 0.36 : -0.36), grey ? heavy_colour : "#000000");
         }
         const LineStyle style = whirl_style(sense);
         figure.script += data_block(style.name, {points});
@@ -124,31 +160,32 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
 
 Report describe(const model::Case &scene, const CriticalResult &result) {
     const auto &speeds = result.critical_speeds;
-    Report report{.command = "critical",
-                  .heading = "Critical speeds",
-                  .scene = &scene,
-                  .model = &result.model,
-                  .json =
-                      [&] {
-                          Json json{{"critical_speeds", json_rows(columns, speeds)}};
-                          add_margins(json, result.margins);
-                          if (result.map)
-                              json["map"] = critical_map_json(scene, *result.map);
-                          return json;
-                      },
-                  .csv = [&] { return csv_table(columns, speeds); },
-                  .sections =
-                      [&] {
-                          std::vector sections{Section{"Table", page_table(columns, speeds)}};
-                          if (result.margins)
-                              sections.push_back({margins_heading, margins_page(*result.margins)});
-                          if (result.map)
-                              for (Section &section : critical_map_sections(scene, *result.map))
-                                  sections.push_back(std::move(section));
-                          return sections;
-                      },
-                  .text = [&] { return text_of(scene, result); },
-                  .figure = [&] { return critical_figure(scene, result); }};
+    Report report{
+        .command = "critical",
+        .heading = "Critical speeds",
+        .scene = &scene,
+        .model = &result.model,
+        .json =
+            [&] {
+                Json json{{"critical_speeds", json_rows(critical_columns, speeds)}};
+                add_margins(json, result.margins);
+                if (result.map)
+                    json["map"] = critical_map_json(scene, *result.map);
+                return json;
+            },
+        .csv = [&] { return csv_table(critical_columns, speeds); },
+        .sections =
+            [&] {
+                std::vector sections{Section{"Table", page_table(critical_columns, speeds)}};
+                if (result.margins)
+                    sections.push_back({margins_heading, margins_page(*result.margins)});
+                if (result.map)
+                    for (Section &section : critical_map_sections(scene, *result.map))
+                        sections.push_back(std::move(section));
+                return sections;
+            },
+        .text = [&] { return text_of(scene, result); },
+        .figure = [&] { return critical_figure(scene, result); }};
     if (result.map) {
         report.pictures = [&] { return std::vector{critical_map_picture(scene, *result.map)}; };
         report.pictures_heading = "Critical speed map";

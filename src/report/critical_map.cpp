@@ -34,7 +34,7 @@ std::vector<Crossing> crossings_of(const model::Case &scene, const CriticalMap &
     return rows;
 }
 
-const Columns<Crossing> crossing_columns{
+const Columns<Crossing> map_crossing_columns{
     {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
     {"bearings", "", {}, {}, [](const auto &at) { return at.across.bearings; }},
     {"", "bearings", {"Bearing"}, {"bearing"}, &Crossing::bearings},
@@ -57,7 +57,7 @@ const Columns<Crossing> crossing_columns{
      }}};
 
 /// A curve as a list, and at its ends.
-const Columns<CriticalMapCurve> curve_columns{
+const Columns<CriticalMapCurve> map_curve_columns{
     {"whirl", "", {"Whirl"}, {"whirl"}, &CriticalMapCurve::whirl},
     {"number", "", {"Curve"}, {"curve"}, &CriticalMapCurve::number},
     {"",
@@ -86,7 +86,7 @@ const Columns<CriticalMapCurve> curve_columns{
     {"stiff_shape", "", {}, {}, &CriticalMapCurve::stiff}};
 
 /// A line of the file: a point of a curve, of a bearing, or a deflection.
-struct Line {
+struct MapLine {
     std::string kind;
     std::string bearings, of;
     std::optional<double> stiffness, speed;
@@ -95,24 +95,24 @@ struct Line {
     std::optional<double> error, z, deflection;
 };
 
-const Columns<Line> line_columns{
-    {"", "kind", {}, {}, &Line::kind},
-    {"", "bearings", {}, {}, &Line::bearings},
-    {"", "of", {}, {}, &Line::of},
-    {"", "stiffness [N/m]", {}, {}, &Line::stiffness},
-    {"", "speed [rad/s]", {}, {}, &Line::speed},
+const Columns<MapLine> map_line_columns{
+    {"", "kind", {}, {}, &MapLine::kind},
+    {"", "bearings", {}, {}, &MapLine::bearings},
+    {"", "of", {}, {}, &MapLine::of},
+    {"", "stiffness [N/m]", {}, {}, &MapLine::stiffness},
+    {"", "speed [rad/s]", {}, {}, &MapLine::speed},
     {"",
      "whirl",
      {},
      {},
-     [](const Line &at) { return at.whirl ? results::whirl_name(*at.whirl) : ""; }},
-    {"", "number", {}, {}, &Line::number},
-    {"", "error", {}, {}, &Line::error},
-    {"", "z [m]", {}, {}, &Line::z},
-    {"", "deflection", {}, {}, &Line::deflection}};
+     [](const MapLine &at) { return at.whirl ? results::whirl_name(*at.whirl) : ""; }},
+    {"", "number", {}, {}, &MapLine::number},
+    {"", "error", {}, {}, &MapLine::error},
+    {"", "z [m]", {}, {}, &MapLine::z},
+    {"", "deflection", {}, {}, &MapLine::deflection}};
 
 void add_shape(const CriticalMap &map, const CriticalMapCurve &curve, bool soft,
-               std::vector<Line> &lines) {
+               std::vector<MapLine> &lines) {
     const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
     for (std::size_t i = 0; i < shape.size() && i < map.z.size(); ++i)
         lines.push_back({"shape", "", "", soft ? map.stiffness.front() : map.stiffness.back(),
@@ -121,7 +121,7 @@ void add_shape(const CriticalMap &map, const CriticalMapCurve &curve, bool soft,
 }
 
 std::string csv_of(const model::Case &scene, const CriticalMap &map) {
-    std::vector<Line> lines;
+    std::vector<MapLine> lines;
     for (const CriticalMapCurve &curve : map.curves)
         for (std::size_t i = 0; i < map.stiffness.size(); ++i)
             if (!std::isnan(curve.speed[i]))
@@ -164,7 +164,7 @@ std::string csv_of(const model::Case &scene, const CriticalMap &map) {
     for (const CriticalMapCurve &curve : map.curves)
         for (const bool soft : {true, false})
             add_shape(map, curve, soft, lines);
-    return csv_table(line_columns, lines);
+    return csv_table(map_line_columns, lines);
 }
 
 std::string varied_text(const model::Case &scene, const CriticalMap &map) {
@@ -204,27 +204,28 @@ Json critical_map_json(const model::Case &scene, const CriticalMap &map) {
                             {"kyy", across.kyy}});
     return {{"bearing", map.bearing},
             {"stiffness", map.stiffness},
-            {"curves", json_rows(curve_columns, map.curves)},
+            {"curves", json_rows(map_curve_columns, map.curves)},
             {"z", map.z},
             {"bearings", bearings},
-            {"crossings", json_rows(crossing_columns, crossings_of(scene, map))}};
+            {"crossings", json_rows(map_crossing_columns, crossings_of(scene, map))}};
 }
 
 std::vector<Section> critical_map_sections(const model::Case &scene, const CriticalMap &map) {
     return {{"Critical speed map: crossings with the stiffness of the bearings",
-             page_table(crossing_columns, crossings_of(scene, map))},
+             page_table(map_crossing_columns, crossings_of(scene, map))},
             {fmt::format("Critical speed map: ends, {}, {}", varied_text(scene, map),
                          range_of_map(map)),
-             page_table(curve_columns, map.curves)}};
+             page_table(map_curve_columns, map.curves)}};
 }
 
 std::string critical_map_text(const model::Case &scene, const CriticalMap &map) {
     const auto crossings = crossings_of(scene, map);
     return fmt::format("\nCritical speed map: {}, {}:\n", varied_text(scene, map),
                        range_of_map(map)) +
-           text_table(curve_columns, map.curves) +
+           text_table(map_curve_columns, map.curves) +
            "\nCrossings with the stiffness of the bearings:\n" +
-           (crossings.empty() ? "  none on the map\n" : text_table(crossing_columns, crossings));
+           (crossings.empty() ? "  none on the map\n"
+                              : text_table(map_crossing_columns, crossings));
 }
 
 Picture critical_map_picture(const model::Case &scene, const CriticalMap &map) {

@@ -39,7 +39,7 @@ auto part(std::vector<std::complex<double>> ModeShape::*of, bool real) {
     };
 }
 
-const Columns<ModeShape> columns{
+const Columns<ModeShape> shape_columns{
     {"label", "", {"Mode"}, {"mode"}, &ModeShape::label},
     {"frequency", "", {"Frequency (rad/s)", "{:.10g}"}, {"rad/s", precise}, frequency},
     {"",
@@ -87,7 +87,7 @@ std::string csv_of(const ModesResult &result) {
 
 std::string text_of(const model::Case &scene, const ModesResult &result) {
     return heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm)) +
-           text_table(columns, result.modes) + model_text(result.model);
+           text_table(shape_columns, result.modes) + model_text(result.model);
 }
 
 /// A JavaScript array; five digits are more than a screen shows.
@@ -121,14 +121,14 @@ Report describe(const model::Case &scene, const ModesResult &result) {
                 [&] {
                     return Json{{"speed", result.speed},
                                 {"z", result.z},
-                                {"modes", json_rows(columns, result.modes)}};
+                                {"modes", json_rows(shape_columns, result.modes)}};
                 },
             .csv = [&] { return csv_of(result); },
             .sections =
                 [&] {
                     return std::vector{
                         Section{fmt::format("Modes at {:.6g} rpm", result.speed * rpm),
-                                page_table(columns, result.modes)}};
+                                page_table(shape_columns, result.modes)}};
                 },
             .text = [&] { return text_of(scene, result); },
             .figure = [&] { return modes_figure(scene, result); },

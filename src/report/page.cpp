@@ -55,8 +55,15 @@ std::string formulation(const results::ModelSummary &model) {
                                     model.elements, model.unknowns, readable(model.seconds, 3)));
 }
 
+std::string escaped_attribute(const std::string &text) {
+    std::string out;
+    for (const char letter : escaped(text))
+        out += letter == '"' ? std::string("&quot;") : std::string(1, letter);
+    return out;
+}
+
 /// Pictures were converted when they were drawn.
-bool is_picture(const Section &section) { return section.html.starts_with("<svg"); }
+bool is_picture(const Section &section) { return section.html.starts_with("<figure"); }
 
 std::string sections_of(const Report &report, const std::string &pictures) {
     std::vector<Section> sections = report.sections();
@@ -89,13 +96,19 @@ std::string script_element(std::string_view script) {
 
 } // namespace
 
-std::string to_html(const Report &report, const std::string &still, const std::string &pictures) {
+std::string to_html(const Report &report, const std::string &still, const std::string &pictures,
+                    const std::vector<std::string> &files) {
     const std::string script = embedded(report.command + ".js");
     const bool moves = !plotly_bundle().empty() && !script.empty();
     std::string notes;
     for (const std::string &note : report.model->notes)
         notes += element("p", in_written_units(note_in_written_units(note)), "note");
-    std::string plot = moves ? "<div id=\"plot\"></div>\n" : still;
+    const std::string title = title_of(*report.scene);
+    std::string plot =
+        moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"
+                            "<div id=\"plot\"></div></figure>\n",
+                            escaped_attribute(report.heading + ": " + title))
+              : still;
     if (!moves && !script.empty())
         plot +=
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
@@ -108,23 +121,28 @@ std::string to_html(const Report &report, const std::string &still, const std::s
                                                         script_data(report) + script) +
                            "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
-    return filled(
-        embedded("page.html"),
-        {{"heading", escaped(report.heading)},
-         {"title", escaped(title_of(*report.scene))},
-         {"case", escaped(report.scene->name)},
-         {"command", report.command},
-         {"version", program_version()},
-         {"style", embedded("page.css")},
-         {"notes", notes},
-         {"rotor", is_drawing ? "" : element("h2", "Rotor") + to_svg(scene_drawing(*report.scene))},
-         {"plot", plot},
-         {"sections", sections_of(report, pictures)},
-         {"model", formulation(*report.model)},
-         {"date", report.provenance.date},
-         {"case_text", escaped_lines(report.provenance.case_text)},
-         {"json", json_for_script(to_si_json(report))},
-         {"scripts", scripts}});
+    return with_contents(
+        filled(embedded("page.html"),
+               {{"heading", escaped(report.heading)},
+                {"title", escaped(title)},
+                {"case", escaped(report.scene->name)},
+                {"command", report.command},
+                {"version", program_version()},
+                {"style", embedded("page.css")},
+                {"notes", notes},
+                {"rotor", is_drawing ? ""
+                                     : element("h2", "Rotor") +
+                                           picture_element(to_svg(scene_drawing(*report.scene)),
+                                                           "Side view of the rotor: " + title)},
+                {"files", file_links(files)},
+                {"page_script", embedded("page.js")},
+                {"plot", plot},
+                {"sections", sections_of(report, pictures)},
+                {"model", formulation(*report.model)},
+                {"date", report.provenance.date},
+                {"case_text", escaped_lines(report.provenance.case_text)},
+                {"json", json_for_script(to_si_json(report))},
+                {"scripts", scripts}}));
 }
 
 } // namespace whirl::report

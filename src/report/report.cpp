@@ -16,13 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An SVG file as an element of a page: without the XML declaration before it.
-std::string svg_element(const fs::path &path) {
+std::string content_of(const fs::path &path) {
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
-    const std::size_t start = text.str().find("<svg");
-    return start == std::string::npos ? "" : text.str().substr(start);
+    return text.str();
 }
 
 /// The files of a report while they come into being. The pictures are drawn by their own processes
@@ -36,10 +34,10 @@ class Writer {
         if (_report.pictures)
             for (const Picture &picture : _report.pictures())
                 start_further(picture);
-        _files.add(_report.command + ".json", to_json(_report));
-        _files.add(_report.command + ".csv", csv_in_written_units(_report.csv()));
+        add(_report.command + ".json", to_json(_report));
+        add(_report.command + ".csv", csv_in_written_units(_report.csv()));
         if (_report.vtp)
-            _files.add(_report.command + ".vtp", _report.vtp());
+            add(_report.command + ".vtp", _report.vtp());
         write_page();
         _jobs.finish();
         _written.paths = _files.commit();
@@ -47,10 +45,18 @@ class Writer {
     }
 
   private:
+    /// A file that the page links to.
+    void add(const std::string &name, const std::string &content) {
+        _files.add(name, content);
+        _linked.push_back(name);
+    }
+
     /// Forgets the file where gnuplot is missing. @returns whether the picture is on its way.
     bool start(const Figure &figure, PictureFormat format, const std::string &name) {
         const bool started = _jobs.start(figure, format, _files.reserve(name));
-        if (!started)
+        if (started)
+            _linked.push_back(name);
+        else
             _files.drop(name);
         return started;
     }
@@ -66,7 +72,8 @@ class Writer {
         if (_report.drawing) {
             const Drawing drawing = _report.drawing();
             _still = to_svg(drawing);
-            _files.add(name + ".svg", _still);
+            add(name + ".svg", _still);
+            _still = picture_element(_still, _report.heading + ": " + title_of(*_report.scene));
             if (!start(to_figure(drawing), PictureFormat::png, name + ".png"))
                 _written.notes.emplace_back("gnuplot is not installed: no PNG picture");
             return;
@@ -77,6 +84,7 @@ class Writer {
         _svg = _files.reserve(name + ".svg");
         if (start(figure, PictureFormat::png, name + ".png")) {
             _jobs.start(figure, PictureFormat::svg, _svg);
+            _linked.push_back(name + ".svg");
             return;
         }
         _svg.clear();
@@ -89,9 +97,10 @@ class Writer {
         if (start(figure, PictureFormat::png, picture.name + ".png")) {
             _further.push_back(_files.reserve(picture.name + ".svg"));
             _jobs.start(figure, PictureFormat::svg, _further.back());
+            _linked.push_back(picture.name + ".svg");
         }
         if (!picture.csv.empty())
-            _files.add(picture.name + ".csv", csv_in_written_units(picture.csv));
+            add(picture.name + ".csv", csv_in_written_units(picture.csv));
     }
 
     void write_page() {
@@ -100,11 +109,12 @@ class Writer {
         if (wants_svg || !_further.empty()) // still pictures in the page: wait for them
             _jobs.finish();
         if (wants_svg)
-            _still = svg_element(_svg);
+            _still = picture_element(content_of(_svg),
+                                     _report.heading + ": " + title_of(*_report.scene));
         std::string pictures;
         for (const fs::path &picture : _further)
-            pictures += svg_element(picture);
-        _files.add("report.html", to_html(_report, _still, pictures));
+            pictures += picture_element(content_of(picture), _report.pictures_heading);
+        _files.add("report.html", to_html(_report, _still, pictures, _linked));
     }
 
     const Report &_report;
@@ -114,6 +124,7 @@ class Writer {
     fs::path _svg;      ///< where gnuplot draws the main picture
     std::string _still; ///< the main picture as an element
     std::vector<fs::path> _further;
+    std::vector<std::string> _linked; ///< names of the files beside the page
 };
 
 } // namespace

@@ -97,8 +97,10 @@ template <class Result>
 /// One self-contained page: nothing is loaded from elsewhere.
 /// @param still     SVG shown where no script can draw
 /// @param pictures  SVG of the pictures beside the main one
+/// @param files     names of those beside the page that it links to
 [[nodiscard]] std::string to_html(const Report &report, const std::string &still,
-                                  const std::string &pictures = "");
+                                  const std::string &pictures = "",
+                                  const std::vector<std::string> &files = {});
 
 /// What a report has written.
 struct Files {

@@ -95,35 +95,41 @@ const Columns<SampledAnswer> answer_columns{
     {"values", "", {}, {}, &SampledAnswer::values}};
 
 /// A quantile with its answer, for readers.
-struct Line {
+struct SampleLine {
     const SampledAnswer &answer;
     const SampleQuantile &quantile;
 };
 
 auto in_its_unit(auto SampleQuantile::*of) {
-    return [of](const Line &line) { return times(line.quantile.*of, unit_of(line.answer).factor); };
+    return [of](const SampleLine &line) {
+        return times(line.quantile.*of, unit_of(line.answer).factor);
+    };
 }
 
 /// 95 % of what the values are of: speeds are read in rpm, too.
-Json in_rpm(const Line &line) {
+Json in_rpm(const SampleLine &line) {
     return line.answer.unit == "rad/s" ? Json(line.quantile.value * rpm) : Json();
 }
 
-const Columns<Line> line_columns{
-    {"", "", {"Answer"}, {"answer"}, [](const Line &line) { return of_and_name(line.answer); }},
+const Columns<SampleLine> sample_line_columns{
+    {"",
+     "",
+     {"Answer"},
+     {"answer"},
+     [](const SampleLine &line) { return of_and_name(line.answer); }},
     {"",
      "",
      {"quantile"},
      {"quantile"},
-     [](const Line &line) { return readable(100 * line.quantile.share) + " %"; }},
+     [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
     {"", "", {"rpm", "{:.6g}"}, {"rpm"}, in_rpm},
     {"", "", {"value", "{:.6g}"}, {"value"}, in_its_unit(&SampleQuantile::value)},
-    {"", "", {"unit"}, {"unit"}, [](const Line &line) { return unit_of(line.answer).text; }},
+    {"", "", {"unit"}, {"unit"}, [](const SampleLine &line) { return unit_of(line.answer).text; }},
     {"", "", {"95 % from", "{:.6g}"}, {"95 % from"}, in_its_unit(&SampleQuantile::low)},
     {"", "", {"to", "{:.6g}"}, {"to"}, in_its_unit(&SampleQuantile::high)}};
 
-std::vector<Line> lines_of(const SamplesResult &result) {
-    std::vector<Line> lines;
+std::vector<SampleLine> lines_of(const SamplesResult &result) {
+    std::vector<SampleLine> lines;
     for (const SampledAnswer &answer : result.answers)
         for (const SampleQuantile &quantile : answer.quantiles)
             lines.push_back({answer, quantile});
@@ -196,7 +202,7 @@ Json json_of(const SamplesResult &result) {
 
 std::vector<Section> sections_of(const SamplesResult &result) {
     std::vector<Section> sections{
-        {"Quantiles", page_table(line_columns, lines_of(result))},
+        {"Quantiles", page_table(sample_line_columns, lines_of(result))},
         {"Mean and standard deviation", page_table(answer_columns, result.answers)},
         {"What varies", page_table(input_columns, result.inputs)}};
     if (!result.failures.empty())
@@ -207,7 +213,8 @@ std::vector<Section> sections_of(const SamplesResult &result) {
 std::string text_of(const model::Case &scene, const SamplesResult &result) {
     std::string text =
         heading(scene, fmt::format("{} samples, seed {}", result.count, result.seed));
-    text += result.answers.empty() ? "  no answers\n" : text_table(line_columns, lines_of(result));
+    text += result.answers.empty() ? "  no answers\n"
+                                   : text_table(sample_line_columns, lines_of(result));
     if (!result.answers.empty())
         text += "\n" + text_table(answer_columns, result.answers);
     if (!result.failures.empty())

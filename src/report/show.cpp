@@ -22,7 +22,7 @@ using results::ShowResult;
 
 namespace {
 
-const Columns<ShowResult> columns{
+const Columns<ShowResult> show_columns{
     {"mass", "mass [kg]", {"Mass", "{:.8g} kg"}, {"mass", "{:.6g} kg"}, &ShowResult::mass},
     {"",
      "",
@@ -276,7 +276,7 @@ Json chart_json(const AnisotropyChart &chart) {
 }
 
 Json json_of(const ShowResult &result) {
-    Json json = json_row(columns, result);
+    Json json = json_row(show_columns, result);
     json["balancers"] = json_list(result.balancers, balancer_json);
     json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy) : Json();
     json["formulations"] = json_list(result.formulations, [](const auto &entry) {
@@ -288,7 +288,7 @@ Json json_of(const ShowResult &result) {
 }
 
 std::vector<Section> sections_of(const ShowResult &result) {
-    std::vector<Section> sections{{"Rigid body", page_properties(columns, result)}};
+    std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result)}};
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
@@ -327,7 +327,7 @@ std::string forms_text(const ShowResult &result) {
 }
 
 std::string text_of(const model::Case &scene, const ShowResult &result) {
-    Texts lines = properties(columns, result, &Column<ShowResult>::text, "-");
+    Texts lines = properties(show_columns, result, &Column<ShowResult>::text, "-");
     if (result.dI.value_or(0) > 0)
         lines.push_back({"anisotropy dI", fmt::format("{:.6g} kg m2", *result.dI)});
     std::string text =
@@ -348,7 +348,7 @@ Report describe(const model::Case &scene, const ShowResult &result) {
             .scene = &scene,
             .model = &result.model,
             .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_table(columns, std::vector{result}); },
+            .csv = [&] { return csv_table(show_columns, std::vector{result}); },
             .sections = [&] { return sections_of(result); },
             .text = [&] { return text_of(scene, result); },
             .drawing = [&] { return show_drawing(scene, result); },

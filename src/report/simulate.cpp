@@ -35,7 +35,7 @@ std::string text_angles(const std::vector<double> &angles) {
 }
 
 /// The motion as a whole.
-const Columns<SimulateResult> columns{
+const Columns<SimulateResult> outcome_columns{
     {"outcome",
      "",
      {"Outcome"},
@@ -78,7 +78,7 @@ const Columns<SimulateResult> columns{
          return result.speed * rpm;
      }}};
 
-const Columns<BalancerMotion> balancer_columns{
+const Columns<BalancerMotion> balancer_motion_columns{
     {"",
      "",
      {},
@@ -189,9 +189,9 @@ const Columns<SimulateResult> quality_columns{
 
 Json json_of(const SimulateResult &result) {
     const MotionAudit &audit = result.audit;
-    Json json = json_row(columns, result);
+    Json json = json_row(outcome_columns, result);
     json["balls"] = json_list(result.balancers, [](const auto &b) { return b.angles; });
-    json["balancers"] = json_rows(balancer_columns, result.balancers);
+    json["balancers"] = json_rows(balancer_motion_columns, result.balancers);
     json["other_starts"] = json_rows(start_columns, result.other_starts);
     json["stations"] = stations_json(result);
     json["steady"] = {{"speeds", result.steady.speeds}, {"amplitude", result.steady.amplitudes}};
@@ -235,9 +235,9 @@ std::string csv_of(const SimulateResult &result) {
 }
 
 std::vector<Section> sections_of(const SimulateResult &result) {
-    std::vector<Section> sections{{"How it ended", page_properties(columns, result)}};
+    std::vector<Section> sections{{"How it ended", page_properties(outcome_columns, result)}};
     if (!result.balancers.empty())
-        sections.push_back({"Balancers", page_table(balancer_columns, result.balancers)});
+        sections.push_back({"Balancers", page_table(balancer_motion_columns, result.balancers)});
     if (!result.stations.empty())
         sections.push_back({"Stations", stations_page(result)});
     if (!result.other_starts.empty())
@@ -282,7 +282,7 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
                                    "the end",
                                    result.time, result.revolutions, result.speed * rpm)) +
         outcome_text(result) + "\n" +
-        (result.stations.empty() ? text_table(balancer_columns, result.balancers)
+        (result.stations.empty() ? text_table(balancer_motion_columns, result.balancers)
                                  : stations_text(result));
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(

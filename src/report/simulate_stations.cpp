@@ -26,7 +26,7 @@ std::optional<double> in_rpm(const std::optional<double> &value) {
     return value ? std::optional(*value * rpm) : std::nullopt;
 }
 
-const Columns<StationMotion> columns{
+const Columns<StationMotion> station_columns{
     {"",
      "",
      {"Station"},
@@ -77,7 +77,7 @@ const Columns<StationMotion> columns{
 } // namespace
 
 Json stations_json(const results::SimulateResult &result) {
-    return json_rows(columns, result.stations);
+    return json_rows(station_columns, result.stations);
 }
 
 Json waterfall_json(const results::SimulateResult &result) {
@@ -94,11 +94,11 @@ Json waterfall_json(const results::SimulateResult &result) {
 }
 
 std::string stations_page(const results::SimulateResult &result) {
-    return page_table(columns, result.stations);
+    return page_table(station_columns, result.stations);
 }
 
 std::string stations_text(const results::SimulateResult &result) {
-    return text_table(columns, result.stations);
+    return text_table(station_columns, result.stations);
 }
 
 std::string waterfall_csv(const Waterfall &waterfall) {

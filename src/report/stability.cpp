@@ -24,7 +24,7 @@ namespace {
 using Pairs = std::vector<std::pair<double, double>>;
 
 /// A line of the file. Of a band from and to are its ends; of a map they are its two entries.
-struct Line {
+struct BandLine {
     std::string kind;
     double from = 0, to = 0;
     std::optional<double> growth{};
@@ -32,47 +32,51 @@ struct Line {
     std::optional<std::pair<double, double>> errors{};
 };
 
-template <class Pair> auto first(std::optional<Pair> Line::*of) {
-    return [of](const Line &line) { return line.*of ? Json((line.*of)->first) : Json(); };
+template <class Pair> auto first(std::optional<Pair> BandLine::*of) {
+    return [of](const BandLine &line) { return line.*of ? Json((line.*of)->first) : Json(); };
 }
-template <class Pair> auto second(std::optional<Pair> Line::*of) {
-    return [of](const Line &line) { return line.*of ? Json((line.*of)->second) : Json(); };
+template <class Pair> auto second(std::optional<Pair> BandLine::*of) {
+    return [of](const BandLine &line) { return line.*of ? Json((line.*of)->second) : Json(); };
 }
-double width(const Line &line) { return line.to - line.from; }
+double width(const BandLine &line) { return line.to - line.from; }
 
 /// Lines of the file, and of the tables of bands.
-const Columns<Line> columns{
-    {"", "kind", {}, {}, &Line::kind},
-    {"", "from", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &Line::from},
-    {"", "to", {"to (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &Line::to},
+const Columns<BandLine> band_line_columns{
+    {"", "kind", {}, {}, &BandLine::kind},
+    {"", "from", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &BandLine::from},
+    {"", "to", {"to (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &BandLine::to},
     {"",
      "",
      {"from (rpm)", "{:.8g}"},
      {"from rpm"},
-     [](const Line &line) { return line.from * rpm; }},
-    {"", "", {"to (rpm)", "{:.8g}"}, {"to rpm"}, [](const Line &line) { return line.to * rpm; }},
+     [](const BandLine &line) { return line.from * rpm; }},
+    {"",
+     "",
+     {"to (rpm)", "{:.8g}"},
+     {"to rpm"},
+     [](const BandLine &line) { return line.to * rpm; }},
     {"", "", {"width (rad/s)", "{:.4g}"}, {"width rad/s"}, width},
-    {"", "growth [1/s]", {}, {}, &Line::growth},
-    {"", "verdict", {}, {}, &Line::verdict}};
+    {"", "growth [1/s]", {}, {}, &BandLine::growth},
+    {"", "verdict", {}, {}, &BandLine::verdict}};
 
 /// The same with the errors of both ends.
-Columns<Line> with_errors() {
-    Columns<Line> more = columns;
+Columns<BandLine> with_errors() {
+    Columns<BandLine> more = band_line_columns;
     more.push_back({"",
                     "error of from",
                     {"error of from (rad/s)", "{:.2g}"},
                     {"error of from", rough},
-                    first(&Line::errors)});
+                    first(&BandLine::errors)});
     more.push_back({"",
                     "error of to",
                     {"error of to (rad/s)", "{:.2g}"},
                     {"error of to", rough},
-                    second(&Line::errors)});
+                    second(&BandLine::errors)});
     return more;
 }
 
-std::vector<Line> lines(const std::string &kind, const Pairs &bands, const Pairs &errors = {}) {
-    std::vector<Line> all;
+std::vector<BandLine> lines(const std::string &kind, const Pairs &bands, const Pairs &errors = {}) {
+    std::vector<BandLine> all;
     for (std::size_t i = 0; i < bands.size(); ++i) {
         all.push_back({kind, bands[i].first, bands[i].second});
         if (i < errors.size())
@@ -81,23 +85,23 @@ std::vector<Line> lines(const std::string &kind, const Pairs &bands, const Pairs
     return all;
 }
 
-std::vector<Line> lines(const std::string &kind, const std::vector<double> &speeds) {
-    std::vector<Line> all;
+std::vector<BandLine> lines(const std::string &kind, const std::vector<double> &speeds) {
+    std::vector<BandLine> all;
     for (const double speed : speeds)
         all.push_back({kind, speed, speed});
     return all;
 }
 
-std::vector<Line> growth_lines(const StabilityResult &result) {
-    std::vector<Line> all;
+std::vector<BandLine> growth_lines(const StabilityResult &result) {
+    std::vector<BandLine> all;
     for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i)
         all.push_back({"growth", result.speeds[i], result.speeds[i], result.growth[i],
                        i < result.verdict.size() ? results::verdict_name(result.verdict[i]) : ""});
     return all;
 }
 
-std::vector<Line> map_lines(const results::StabilityMap &map) {
-    std::vector<Line> all;
+std::vector<BandLine> map_lines(const results::StabilityMap &map) {
+    std::vector<BandLine> all;
     for (std::size_t j = 0; j < map.growth.size(); ++j)
         for (std::size_t i = 0; i < map.growth[j].size(); ++i)
             all.push_back({"map", map.x_values[i], map.y_values[j], map.growth[j][i]});
@@ -207,12 +211,12 @@ Json json_of(const StabilityResult &result) {
 }
 
 std::string csv_of(const StabilityResult &result) {
-    const Columns<Line> all = with_errors();
+    const Columns<BandLine> all = with_errors();
     std::vector<std::string> head = csv_head(all);
     for (const std::string &heading : csv_head(end_columns))
         if (std::find(head.begin(), head.end(), heading) == head.end())
             head.push_back(heading);
-    const auto rows = [&](const std::vector<Line> &of) { return csv_rows(head, all, of); };
+    const auto rows = [&](const std::vector<BandLine> &of) { return csv_rows(head, all, of); };
     std::string csv = csv_line(head) + rows(growth_lines(result)) +
                       rows(lines("unstable", result.unstable, result.unstable_error)) +
                       csv_rows(head, end_columns, result.ends) +
@@ -227,7 +231,8 @@ std::string csv_of(const StabilityResult &result) {
     return result.map ? csv + rows(map_lines(*result.map)) : csv;
 }
 
-std::string bands_section(const std::vector<Line> &bands, const Columns<Line> &shown_columns) {
+std::string bands_section(const std::vector<BandLine> &bands,
+                          const Columns<BandLine> &shown_columns) {
     return bands.empty() ? "<p>None in this range.</p>\n" : page_table(shown_columns, bands);
 }
 
@@ -241,8 +246,8 @@ std::string verdict_section(const StabilityResult &result) {
 }
 
 /// Speeds at which something stands still in rotating axes.
-std::vector<Line> still_speeds(const StabilityResult &result) {
-    std::vector<Line> all = lines("critical, balls held, undamped", result.critical_speeds);
+std::vector<BandLine> still_speeds(const StabilityResult &result) {
+    std::vector<BandLine> all = lines("critical, balls held, undamped", result.critical_speeds);
     for (const auto &more :
          {lines("a root is zero: a motion stands still and neither grows nor dies out",
                 result.zero_root_speeds),
@@ -251,10 +256,10 @@ std::vector<Line> still_speeds(const StabilityResult &result) {
     return all;
 }
 
-const Columns<Line> still_columns{
-    {"", "", {"Kind"}, {}, &Line::kind},
-    {"", "", {"rad/s", "{:.10g}"}, {}, &Line::from},
-    {"", "", {"rpm", "{:.8g}"}, {}, [](const Line &line) { return line.from * rpm; }}};
+const Columns<BandLine> still_columns{
+    {"", "", {"Kind"}, {}, &BandLine::kind},
+    {"", "", {"rad/s", "{:.10g}"}, {}, &BandLine::from},
+    {"", "", {"rpm", "{:.8g}"}, {}, [](const BandLine &line) { return line.from * rpm; }}};
 
 std::vector<Section> sections_of(const StabilityResult &result) {
     std::vector<Section> sections;
@@ -267,7 +272,7 @@ std::vector<Section> sections_of(const StabilityResult &result) {
     if (!result.ends.empty())
         sections.push_back({"Speeds at which the number of growing motions changes",
                             page_table(end_columns, result.ends)});
-    if (const std::vector<Line> still = still_speeds(result); !still.empty())
+    if (const std::vector<BandLine> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
                             page_table(still_columns, still)});
     if (!result.permissible.empty())
@@ -286,7 +291,7 @@ std::vector<Section> sections_of(const StabilityResult &result) {
           std::pair(std::string("Critical speeds over the arrangements"), &family.critical_speeds),
           std::pair(std::string("Additional speeds over the arrangements"),
                     &family.additional_speeds)})
-        sections.push_back({title, bands_section(lines("", *bands), columns)});
+        sections.push_back({title, bands_section(lines("", *bands), band_line_columns)});
     return sections;
 }
 
@@ -307,8 +312,8 @@ std::string verdict_text(const StabilityResult &result) {
     }
 }
 
-std::string bands_text(const std::string &title, const std::vector<Line> &bands,
-                       const Columns<Line> &shown_columns) {
+std::string bands_text(const std::string &title, const std::vector<BandLine> &bands,
+                       const Columns<BandLine> &shown_columns) {
     return bands.empty() ? title + ": none in this range\n"
                          : title + ":\n" + text_table(shown_columns, bands);
 }
@@ -337,11 +342,11 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
         text += "\n" +
                 bands_text(fmt::format("Unstable with some of {} arrangements of the balls",
                                        family->arrangements),
-                           lines("", family->unstable), columns) +
+                           lines("", family->unstable), band_line_columns) +
                 bands_text("Unstable with every arrangement", lines("", family->always_unstable),
-                           columns) +
+                           band_line_columns) +
                 bands_text("Critical speeds over the arrangements",
-                           lines("", family->critical_speeds), columns);
+                           lines("", family->critical_speeds), band_line_columns);
     if (!result.permissible.empty())
         text += "\nPermissible inertial anisotropy over this range:\n" +
                 text_table(permissible_columns, result.permissible);

@@ -200,6 +200,12 @@ void add_permissible(RigidForms &forms, const model::Case &scene) {
 
 model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string> &notes) {
     model::Case out = scene;
+    if (scene.rotor.shaft.damped_outside())
+        throw model::AnalysisFailure("the rigid rotor has no closed form: the shaft has damping of "
+                                     "its own (alpha, beta or modal_damping)");
+    if (scene.rotor.shaft.axial_torque != 0)
+        throw model::AnalysisFailure("the rigid rotor has no closed form: the shaft carries an "
+                                     "axial torque");
     bool tables = false;
     for (std::size_t i = 0; i < out.rotor.bearings.size(); ++i) {
         model::Bearing &bearing = out.rotor.bearings[i];
@@ -207,7 +213,7 @@ model::Case rigid_limit_scene(const model::Case &scene, std::vector<std::string>
         const std::string place =
             fmt::format("the rigid rotor has no closed form: {}[{}] ",
                         bearing.seal ? "seal" : "bearing", bearing.seal ? i - others : i);
-        if (bearing.mass > 0)
+        if (bearing.has_mass())
             throw model::AnalysisFailure(place + "has mass");
         if (bearing.pedestal)
             throw model::AnalysisFailure(place + "stands on a pedestal");

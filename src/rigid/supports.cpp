@@ -15,8 +15,10 @@ std::string reason_against(const model::Rotor &rotor) {
                     [](const model::Bearing &bearing) { return bearing.pedestal.has_value(); }))
         return "a bearing stands on a pedestal";
     if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
-                    [](const model::Bearing &bearing) { return bearing.mass > 0; }))
-        return "a seal has mass";
+                    [](const model::Bearing &bearing) { return bearing.has_mass(); }))
+        return "a bearing or seal has mass coefficients";
+    if (rotor.shaft.damped_outside())
+        return "the shaft has damping of its own";
     return "";
 }
 

@@ -33,12 +33,11 @@ void add_supports(std::vector<double> &sizes, const model::Rotor &rotor) {
         sizes.push_back(b.z);
         sizes.insert(sizes.end(), b.speeds.begin(), b.speeds.end());
         for (const model::BearingCoefficients &at : b.rows)
-            for (const Eigen::Matrix2d *m : {&at.k, &at.c, &at.kt, &at.ct})
+            for (const Eigen::Matrix2d *m : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
                 add(sizes, *m);
         const model::Pedestal pedestal = b.pedestal.value_or(model::Pedestal{});
-        sizes.insert(sizes.end(), {pedestal.mass, pedestal.k, pedestal.c});
-        if (b.mass > 0)
-            sizes.push_back(b.mass);
+        for (const Eigen::Vector2d &v : {pedestal.mass, pedestal.k, pedestal.c})
+            sizes.insert(sizes.end(), v.data(), v.data() + v.size());
     }
 }
 
@@ -72,6 +71,9 @@ std::vector<double> signature_of(const model::Rotor &rotor) {
     std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
                               rotor.shaft.rigid ? 1.0 : 0.0,
                               rotor.shaft.rotary_inertia ? 1.0 : 0.0};
+    sizes.insert(sizes.end(), {rotor.shaft.alpha, rotor.shaft.beta, rotor.shaft.axial_torque,
+                               static_cast<double>(rotor.shaft.torque_kind)});
+    sizes.insert(sizes.end(), rotor.shaft.modal_damping.begin(), rotor.shaft.modal_damping.end());
     for (const model::Segment &s : rotor.shaft.segments)
         add_segment(sizes, s);
     for (const model::Disc &d : rotor.discs)

@@ -43,6 +43,8 @@ constexpr double always = 1e-11;
 /// Bearings can feed energy into any motion, not only slow ones: cross-coupled stiffness that is
 /// not symmetric, or damping that is negative in some direction.
 bool bearings_drive(const model::Rotor &rotor) {
+    if (rotor.shaft.axial_torque != 0) // so can a torque that has no potential
+        return true;
     for (const model::Bearing &bearing : rotor.bearings)
         for (const model::BearingCoefficients &at : bearing.rows) {
             const Eigen::Matrix2d c = at.c + at.c.transpose();

@@ -28,7 +28,7 @@ constexpr double at_a_row = 2e-10;
 bool symmetric_bearings(const model::Rotor &rotor) {
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
         return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
-            return model::symmetric(row.k) && model::symmetric(row.kt);
+            return model::symmetric(row.k) && model::symmetric(row.m) && model::symmetric(row.kt);
         });
     });
 }
@@ -61,7 +61,8 @@ std::vector<linalg::RealPair> lifted_roots(const Discretization &d, const Matrix
 bool SymmetricSynchronous::exists(const Discretization &d, results::Form form) {
     if (form == results::Form::planar || form == results::Form::hyperbolic)
         return true;
-    if (form == results::Form::hill || d.rotor().damped() || !symmetric_bearings(d.rotor()))
+    if (form == results::Form::hill || d.rotor().damped() || !symmetric_bearings(d.rotor()) ||
+        d.rotor().shaft.axial_torque != 0)
         return false;
     if (form == results::Form::rotating)
         return true;

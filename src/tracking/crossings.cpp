@@ -2,12 +2,14 @@
 
 #include "assembly/discretization.h"
 #include "results/campbell.h"
+#include "results/damping.h"
 #include "results/formulation.h"
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
 #include "tracking/locked_intervals.h"
 #include "tracking/locked_whirl.h"
+#include "tracking/riding_bands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,10 @@ bool inside(const Locked &interval, double a, double b) {
     return interval.from <= std::min(a, b) && interval.to >= std::max(a, b);
 }
 
+bool overlap_of(const Locked &interval, double a, double b) {
+    return interval.from <= std::max(a, b) && interval.to >= std::min(a, b);
+}
+
 /// The steps of the sweep, looked into where a line may cross.
 class Sweep {
   public:
@@ -40,7 +46,7 @@ class Sweep {
 
     void run(double multiple, Crossings &out) const {
         CrossingSearch search(_nodes.solver(), multiple, out);
-        const std::vector<Locked> rides = riding_intervals(_nodes, multiple);
+        const std::vector<Locked> rides = rides_on(multiple, out.found);
         const bool bands = multiple == 1 && _nodes.count() > 1 &&
                            results::in_rotating_axes(_nodes.solver().form());
         const int wanted = bands ? wanted_for_bands() : 0;
@@ -51,7 +57,7 @@ class Sweep {
             if (k + 1 < _nodes.count())
                 look_into(search, k, multiple, rides);
         }
-        drop_on_rides(rides, multiple, out.found);
+        drop_on_rides(rides, multiple, hill(), out.found);
         out.locked.insert(out.locked.end(), rides.begin(), rides.end());
         if (bands) {
             const std::vector<Locked> standing =
@@ -63,17 +69,58 @@ class Sweep {
   private:
     const SweepNodes &_nodes;
 
-    /// What a search found on lines that stay on the multiple: the speeds at which it looked.
-    static void drop_on_rides(const std::vector<Locked> &rides, double multiple,
+    [[nodiscard]] bool hill() const { return _nodes.solver().form() == results::Form::hill; }
+
+    /// Intervals on the multiple; of bands of periodic equations their ends inside the range are
+    /// crossings.
+    [[nodiscard]] std::vector<Locked> rides_on(double multiple,
+                                               std::vector<results::Crossing> &found) const {
+        if (!hill())
+            return riding_intervals(_nodes, multiple);
+        const auto ends = std::minmax({_nodes.speed(0), _nodes.speed(_nodes.count() - 1)});
+        std::vector<Locked> rides;
+        for (const RidingBand &band : riding_bands(_nodes, multiple)) {
+            const Locked &interval = band.interval;
+            rides.push_back(interval);
+            for (const auto &[speed, real] :
+                 {std::pair(interval.from, band.real_from), std::pair(interval.to, band.real_to)})
+                if (speed > ends.first && speed < ends.second) {
+                    const double frequency = multiple * std::abs(speed);
+                    found.push_back({multiple, speed, frequency, interval.mode,
+                                     results::damping_of({real, frequency})});
+                }
+        }
+        return rides;
+    }
+
+    /// What a search found on lines that stay on the multiple: the speeds at which it looked. In
+    /// bands of periodic equations lines begin and end, and only the ends count.
+    /// @param bands  the intervals are such bands
+    static void drop_on_rides(const std::vector<Locked> &rides, double multiple, bool bands,
                               std::vector<results::Crossing> &found) {
         std::erase_if(found, [&](const results::Crossing &c) {
             return c.multiple == multiple &&
                    std::any_of(rides.begin(), rides.end(), [&](const Locked &ride) {
+                       if (bands && (c.speed == ride.from || c.speed == ride.to))
+                           return false;
                        const double margin = 1e3 * resolved * std::abs(c.speed);
-                       return ride.mode == c.mode && c.speed >= ride.from - margin &&
+                       return (bands || ride.mode == c.mode) && c.speed >= ride.from - margin &&
                               c.speed <= ride.to + margin;
                    });
         });
+    }
+
+    /// The line goes through a band of periodic equations in this step, or begins or ends in it.
+    [[nodiscard]] bool passes(const Locked &band, const Link &link, std::size_t k) const {
+        if (!overlap_of(band, _nodes.speed(k), _nodes.speed(k + 1)))
+            return false;
+        const auto side = [&](std::size_t node, std::size_t place) {
+            const modes::Spectrum &spectrum = _nodes.spectrum(node);
+            const double target = band.multiple * std::abs(spectrum.speed);
+            const double distance = spectrum.modes[place].eigenvalue.imag() - target;
+            return std::abs(distance) <= resolved * target ? 0 : distance > 0 ? 1 : -1;
+        };
+        return side(k, link.from) * side(k + 1, link.to) <= 0;
     }
 
     void look_into(CrossingSearch &search, std::size_t k, double multiple,
@@ -83,7 +130,9 @@ class Sweep {
         std::vector<Link> links = _nodes.links(k);
         std::erase_if(links, [&](const Link &link) {
             return std::any_of(rides.begin(), rides.end(), [&](const Locked &ride) {
-                return ride.mode == link.line && inside(ride, _nodes.speed(k), _nodes.speed(k + 1));
+                return (ride.mode == link.line &&
+                        inside(ride, _nodes.speed(k), _nodes.speed(k + 1))) ||
+                       (hill() && passes(ride, link, k));
             });
         });
         emerge(search, k, multiple);

@@ -87,8 +87,10 @@ model::Case table_scene(unsigned seed, int kind) {
     model::Case scene;
     scene.rotor.shaft = tests::uniform_shaft(1.0, between(0.05, 0.1), tests::steel());
     scene.rotor.shaft.order = 2;
-    scene.rotor.discs = {
-        tests::disc_at(between(0.2, 0.8), between(10, 40), between(0.1, 0.4), between(0.1, 0.6))};
+    const double Ip = between(0.1, 0.6); // one after another: arguments have no order
+    const double Id = between(0.1, 0.4);
+    const double mass = between(10, 40);
+    scene.rotor.discs = {tests::disc_at(between(0.2, 0.8), mass, Id, Ip)};
     for (const double z : {0.0, 1.0}) {
         model::Bearing bearing;
         bearing.z = z;

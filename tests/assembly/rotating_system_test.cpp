@@ -106,7 +106,8 @@ TEST(RotatingSystem, EqualsThePeriodicEquationsOfSinglePointMassesEntryByEntry) 
         const auto [columns, rows] = means(periodic, {3, 2});
         for (const double time : {0.0, 0.0021, 0.31, 5.7}) {
             const Motion one_by_one = turned(periodic, time);
-            const auto compare = [&](const MatrixXd &single, const MatrixXd &mean) {
+            const auto compare = [&, &rows = rows, &columns = columns](const MatrixXd &single,
+                                                                       const MatrixXd &mean) {
                 // Rounding of sums of numbers as large as the largest of the matrix.
                 const double size = mean.cwiseAbs().maxCoeff();
                 EXPECT_LT((rows * single - mean * columns).cwiseAbs().maxCoeff(), 1e-13 * size);

@@ -85,7 +85,7 @@ void campbell(benchmark::State &state, const std::string &name) {
 }
 
 void critical(benchmark::State &state, const std::string &name) {
-    repeat(state, name, analyses::critical_speeds);
+    repeat(state, name, [](const model::Case &scene) { return analyses::critical_speeds(scene); });
 }
 
 void response(benchmark::State &state, const std::string &name) {

@@ -145,7 +145,10 @@ void add_stability(std::vector<Workload> &list, const std::string &folder) {
 void add_others(std::vector<Workload> &list, const std::string &folder) {
     list.push_back({.name = "critical_damped",
                     .what = "critical of lalanne_three_discs",
-                    .run = on(three_discs(folder, {}), analyses::critical_speeds)});
+                    .run = on(
+                        three_discs(folder, {}), +[](const model::Case &scene) {
+                            return analyses::critical_speeds(scene);
+                        })});
     constexpr int count = 6;
     const std::string samples = fmt::format(
         R"(samples={{count = {}, of = ["critical", "peaks"], vary = [)"

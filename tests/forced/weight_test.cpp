@@ -204,8 +204,9 @@ TEST(Weight, OfAxisymmetricRotorsInRotatingAxesIsStaticAndTheirImbalanceAsInFixe
                 EXPECT_EQ(std::abs(fixed.motion(w).x), 0);
                 const forced::Phasor a = imbalance_turning.motion(w);
                 const forced::Phasor b = imbalance_fixed.motion(w);
-                EXPECT_LT(std::abs(a.x - b.x), 1e-11 * std::abs(b.x));
-                EXPECT_LT(std::abs(a.y - b.y), 1e-11 * std::abs(b.y));
+                // The shaft is up to 1e5 times as stiff within an element as what bears it.
+                EXPECT_LT(std::abs(a.x - b.x), 1e-10 * std::abs(b.x));
+                EXPECT_LT(std::abs(a.y - b.y), 1e-10 * std::abs(b.y));
             }
         }
     }

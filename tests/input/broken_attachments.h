@@ -62,7 +62,7 @@ inline std::vector<BrokenCase> broken_attachments() {
          base + "[[disc]]\nz = 0\nouter = 1e200\nwidth = 1e200\n"},
         {"second bearing beyond", 12, "bearing[1].z", "expected a place on the shaft",
          bearing + "k = 1\n[[bearing]]\nz = -0.1\nk = 1\n"},
-        {"bearing of nothing", 8, "bearing[0]", "got a bearing with neither",
+        {"bearing of nothing", 8, "bearing[0]", "got a bearing with none",
          base + "[[bearing]]\nz = 0\nk = 0\n"},
         {"k and kxx", 10, "bearing[0].k", "got both", bearing + "k = 1e6\nkxx = 1e6\n"},
         {"negative k", 10, "bearing[0].k", "0 or more, got -1", bearing + "k = -1\n"},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "broken_attachments.h"
+#include "broken_bearings.h"
 #include "broken_maps.h"
 #include "broken_motion.h"
 #include "broken_operation.h"
@@ -16,8 +17,9 @@ namespace whirl::tests {
 /// Cases with one mistake each, for tests of the reader and of the program.
 inline std::vector<BrokenCase> broken_cases() {
     std::vector<BrokenCase> all = broken_shafts();
-    for (const auto &part : {broken_attachments(), broken_rotating_parts(), broken_settings(),
-                             broken_samples(), broken_operation(), broken_maps(), broken_motion()})
+    for (const auto &part :
+         {broken_attachments(), broken_bearings(), broken_rotating_parts(), broken_settings(),
+          broken_samples(), broken_operation(), broken_maps(), broken_motion()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

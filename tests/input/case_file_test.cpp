@@ -194,9 +194,9 @@ TEST_F(FullCase, Bearings) {
     EXPECT_EQ(isotropic.kt, 7 * Eigen::Matrix2d::Identity());
     EXPECT_EQ(isotropic.ct, 8 * Eigen::Matrix2d::Identity());
     ASSERT_TRUE(bearings[0].pedestal);
-    EXPECT_EQ(bearings[0].pedestal->mass, 5);
-    EXPECT_EQ(bearings[0].pedestal->k, 1e8);
-    EXPECT_EQ(bearings[0].pedestal->c, 6);
+    EXPECT_EQ(bearings[0].pedestal->mass, Eigen::Vector2d(5, 5));
+    EXPECT_EQ(bearings[0].pedestal->k, Eigen::Vector2d(1e8, 1e8));
+    EXPECT_EQ(bearings[0].pedestal->c, Eigen::Vector2d(6, 6));
     EXPECT_EQ(bearings[1].z, 1.5); // 1e-10 beyond the end is rounding
     EXPECT_FALSE(bearings[1].pedestal);
     EXPECT_EQ(bearings[1].rows.at(0).k, (Eigen::Matrix2d() << 1, 2, 3, 4).finished());

@@ -45,11 +45,11 @@ TEST(Seals, StandBehindTheBearingsInTheOrderOfTheFile) {
     const model::Bearing &eye = rotor.seals()[0];
     EXPECT_EQ(eye.name, "eye");
     EXPECT_EQ(eye.z, 0.25);
-    EXPECT_EQ(eye.mass, 0.5);
+    EXPECT_EQ(eye.rows[0].m, (0.5 * Eigen::Matrix2d::Identity()));
     EXPECT_EQ(eye.rows[0].k, (Eigen::Matrix2d() << 5, 3, -1, 0).finished());
     EXPECT_EQ(eye.rows[0].c, (2 * Eigen::Matrix2d::Identity()));
     const model::Bearing &other = rotor.seals()[1];
-    EXPECT_EQ(other.mass, 2);
+    EXPECT_EQ(other.at(150).m, (2 * Eigen::Matrix2d::Identity()));
     EXPECT_EQ(other.at(150).k, (Eigen::Matrix2d() << 2, 3, -3, 0).finished());
 }
 

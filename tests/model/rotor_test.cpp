@@ -62,7 +62,7 @@ TEST(Rotor, KnowsWhetherAnythingIsDamped) {
     rotor.shaft.internal_damping = 0;
     rotor.bearings[1].pedestal = model::Pedestal{1, 1, 0};
     EXPECT_FALSE(rotor.damped());
-    rotor.bearings[1].pedestal->c = 2;
+    rotor.bearings[1].pedestal->c.setConstant(2);
     EXPECT_TRUE(rotor.damped());
     rotor.bearings[1].pedestal.reset();
     rotor.bearings[0] = table();

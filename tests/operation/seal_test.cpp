@@ -19,8 +19,8 @@ model::Bearing seal(double z, double mass, const model::BearingCoefficients &at 
     model::Bearing out;
     out.seal = true;
     out.z = z;
-    out.mass = mass;
     out.rows = {at};
+    out.rows[0].m = mass * Eigen::Matrix2d::Identity();
     return out;
 }
 

@@ -89,6 +89,9 @@ void read_shaft(const toml::table &root, const std::filesystem::path &folder, Ca
     const toml::node *shear = shaft.get("shear");
     const double kappa = shear && shear->is_number() ? number(*shear) : 0;
     const int elements = static_cast<int>(number(shaft, "elements", 1));
+    for (const char *key : {"alpha", "beta", "modal_damping", "axial_torque"})
+        if (shaft.contains(key))
+            throw std::runtime_error(std::string("the oracles know of no ") + key);
     rotor.rigid = yes(shaft, "rigid");
     rotor.classical = shaft.contains("order") && number(shaft, "order", 0) == 1;
     rotor.axial_force = number(shaft, "axial_force");
@@ -129,8 +132,13 @@ Support support_of(const toml::table &table) {
             number(table, std::string("c") + ends[i], diagonal ? number(table, "c") : 0);
     }
     out.kt[0][0] = out.kt[1][1] = number(table, "kt");
-    if (table.contains("ct") || table.contains("ktxx") || table.contains("pedestal_k"))
-        throw std::runtime_error("the oracles read of tilt coefficients kt alone, no pedestals");
+    for (const char *key : {"ct", "ktxx", "pedestal_k", "pedestal_kx"})
+        if (table.contains(key))
+            throw std::runtime_error("the oracles read of tilt coefficients kt alone, no "
+                                     "pedestals");
+    for (const char *key : {"mxx", "mxy", "myx", "myy"})
+        if (table.contains(key))
+            throw std::runtime_error("the oracles read no mass coefficients");
     return out;
 }
 
@@ -178,6 +186,8 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
     for (const toml::table *t : tables_of(root, "disc"))
         rotor.discs.push_back(disc_of(*t, materials));
     for (const toml::table *t : tables_of(root, "bearing")) {
+        if (t->contains("m"))
+            throw std::runtime_error("the oracles read mass coefficients of seals alone");
         SpeedTable table;
         if (t->contains("table"))
             table = speed_table_of((folder / word(*t, "table")).string(), number(*t, "z"));

@@ -43,7 +43,7 @@ std::string bearing(const model::Bearing &b) {
     out += fmt::format("kt = {}\nct = {}\n", at.kt(0, 0), at.ct(0, 0)); // a case has them round
     if (b.pedestal)
         out += fmt::format("pedestal_mass = {}\npedestal_k = {}\npedestal_c = {}\n",
-                           b.pedestal->mass, b.pedestal->k, b.pedestal->c);
+                           b.pedestal->mass(0), b.pedestal->k(0), b.pedestal->c(0)); // alike
     return out + "\n";
 }
 

@@ -130,9 +130,9 @@ oracles::SteppedRotor continuum_of(const model::Rotor &rotor) {
         support.ct = block(at.ct);
         if (b.pedestal) {
             support.pedestal = true;
-            support.pedestal_mass = b.pedestal->mass;
-            support.pedestal_k = b.pedestal->k;
-            support.pedestal_c = b.pedestal->c;
+            support.pedestal_mass = b.pedestal->mass.x(); // those drawn are the same in y
+            support.pedestal_k = b.pedestal->k.x();
+            support.pedestal_c = b.pedestal->c.x();
         }
         out.supports.push_back(support);
     }

@@ -37,17 +37,20 @@ void scale(model::Shaft &shaft, const Factors &f) {
         }
     }
     shaft.internal_damping *= f.time;
+    shaft.alpha /= f.time;
+    shaft.beta *= f.time;
+    shaft.axial_torque *= f.moment;
     shaft.axial_force *= f.mass * f.length / (f.time * f.time);
 }
 
 void scale(model::Bearing &b, const Factors &f) {
     b.z *= f.length;
-    b.mass *= f.mass; // of a seal
     for (double &speed : b.speeds)
         speed *= f.speed;
     for (model::BearingCoefficients &at : b.rows) {
         at.k *= f.stiffness;
         at.c *= f.damping;
+        at.m *= f.mass;
         at.kt *= f.moment;
         at.ct *= f.inertia / f.time;
     }
@@ -132,7 +135,7 @@ Eigen::Matrix2d turned(const Eigen::Matrix2d &m, double angle) {
 template <class Change> void change_coefficients(model::Rotor &rotor, Change &&change) {
     for (model::Bearing &b : rotor.bearings)
         for (model::BearingCoefficients &at : b.rows)
-            for (Eigen::Matrix2d *m : {&at.k, &at.c, &at.kt, &at.ct})
+            for (Eigen::Matrix2d *m : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
                 *m = change(*m);
 }
 

@@ -1,3 +1,4 @@
+#include "report/common/html.h"
 #include "report/common/plotly.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -5,6 +6,7 @@
 #include "sample_results.h"
 
 #include <nlohmann/json.hpp>
+#include <pugixml.hpp>
 
 #include <regex>
 
@@ -21,7 +23,10 @@ std::string without_bundle(std::string html) {
 } // namespace
 
 TEST(Html, LoadsNothingFromElsewhere) {
-    const std::string html = without_bundle(to_html(sample_case(), sample_campbell(), "<svg/>"));
+    const std::string page = without_bundle(to_html(sample_case(), sample_campbell(), "<svg/>"));
+    // A link to a place of the page or to a file beside it loads nothing by itself.
+    const std::regex link(R"re(<a href="(#[a-z0-9-]+|[a-z0-9_-]+\.[a-z]+)">)re");
+    const std::string html = std::regex_replace(page, link, "<a>");
     const std::regex reference(R"((src|href|srcset|data)\s*=\s*"(?!data:)[^"]*"|@import|url\()");
     std::smatch found;
     EXPECT_FALSE(std::regex_search(html, found, reference)) << found.str();
@@ -37,6 +42,33 @@ TEST(Html, HoldsPlotlyOrSaysThatItIsAStillPicture) {
         EXPECT_NE(html.find(plotly_bundle()), std::string::npos);
         EXPECT_EQ(plotly_bundle().find("</script"), std::string_view::npos);
     }
+}
+
+TEST(Html, ContentsListEveryHeadingInOrder) {
+    const std::string html = without_bundle(to_html(sample_case(), sample_campbell(), ""));
+    std::vector<std::string> headings;
+    const std::regex heading(R"re(<h2 id="([^"]+)">(.*?)</h2>)re");
+    for (std::sregex_iterator at(html.begin(), html.end(), heading), end; at != end; ++at)
+        headings.push_back("<a href=\"#" + at->str(1) + "\">" + at->str(2) + "</a>");
+    ASSERT_GE(headings.size(), 3U);
+    EXPECT_EQ(html.find("<h2>"), std::string::npos) << "a heading that nothing leads to";
+    std::size_t from = html.find("<ul id=\"contents\">");
+    for (const std::string &link : headings) {
+        const std::size_t at = html.find(link, from);
+        ASSERT_NE(at, std::string::npos) << link;
+        from = at;
+    }
+    EXPECT_LT(from, html.find("<h2 id"));
+}
+
+TEST(Html, PicturesSayWhatTheyAreAndCannotEndTheirLabel) {
+    const std::string html = picture_element("<?xml?>\n<svg a=\"b\"/>", "a \"quoted\" <title>");
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(html.c_str())) << html;
+    const pugi::xml_node figure = document.child("figure");
+    EXPECT_STREQ(figure.attribute("aria-label").value(), "a \"quoted\" <title>");
+    EXPECT_STREQ(figure.child("svg").attribute("a").value(), "b");
+    EXPECT_EQ(picture_element("", "none"), "");
 }
 
 TEST(Html, TitleIsEscapedAndCannotEndTheDataElement) {

@@ -170,7 +170,7 @@ TEST(BladeLoss, IsTheStepResponseOfADampedOscillator) {
     const Complex b = -steady - a;
     const double size = static_cast<double>(std::abs(steady));
     EXPECT_LT(largest_difference(result,
-                                 [&](double t) -> Complex {
+                                 [&, l1 = l1, l2 = l2](double t) -> Complex {
                                      const Complex s = t - loss;
                                      return t <= loss
                                                 ? Complex(0)
@@ -300,6 +300,27 @@ TEST(BaseMotion, EndsInTheSteadyClosedForm) {
         std::hypot(rotor.kx - rotor.mass * frequency * frequency, rotor.c * frequency);
     EXPECT_NEAR(result.stations[disc].amplitude, expected, 2e-5 * expected);
     EXPECT_EQ(result.outcome, results::Outcome::steady) << result.evidence;
+}
+
+// Fluid in a bearing is held by the foundation: it takes part in the motion relative to it, and the
+// foundation's acceleration does not pull at it. -m a/(k - (m + mf) w^2 + i c w).
+TEST(BaseMotion, DoesNotPullAtTheFluidInBearings) {
+    RigidJeffcott rotor;
+    const double fluid = 4;
+    const double frequency = 0.7 * rotor.natural();
+    model::Case scene = still_scene(rotor, 1.2);
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[0].m = fluid / 2 * Eigen::Matrix2d::Identity();
+    model::StationForce harmonic;
+    harmonic.y = 5;
+    harmonic.frequency = frequency;
+    scene.simulate.base = model::BaseMotion{harmonic, {}};
+    const results::SimulateResult result = analyses::simulate(scene);
+    const double expected =
+        5 * rotor.mass /
+        std::hypot(rotor.kx - (rotor.mass + fluid) * frequency * frequency, rotor.c * frequency);
+    EXPECT_NEAR(result.stations[disc].amplitude, expected, 2e-5 * expected);
+    EXPECT_LT(energy_missing(result), 1e-7);
 }
 
 // The books of balls and pendulums close while all that this file is about happens at once.

@@ -18,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <tuple>
 
 namespace {
 
@@ -141,6 +142,42 @@ TEST(Locked, OnUnequalBearingsIsWhereAnUndampedRotorGrows) {
             EXPECT_GT(tests::PeriodicSystem(d, inside, {}).growth(400), 1e-2) << inside;
         for (const double outside : {from - beside, to + beside})
             EXPECT_LT(tests::PeriodicSystem(d, outside, {}).growth(400), 1e-6) << outside;
+    }
+}
+
+/// Multipliers of the periodic equations without imaginary part: of motions at a whole multiple of
+/// the spin speed.
+int real_multipliers(const assembly::Discretization &d, double speed) {
+    int out = 0;
+    for (const std::complex<double> &multiplier :
+         tests::PeriodicSystem(d, speed, {}).multipliers(400))
+        out += std::abs(multiplier.imag()) < 1e-7 * std::abs(multiplier);
+    return out;
+}
+
+TEST(Locked, InANarrowBandOfADampedRotorOnUnequalBearingsIsTheSameOnEveryGrid) {
+    // cases/hill_rotor: the backward tilt meets its own copy about the spin speed it crosses; in
+    // the band two multipliers are real, outside none.
+    model::Case scene;
+    scene.rotor.shaft = tests::weightless_rigid_shaft(1);
+    scene.rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
+    scene.rotor.anisotropies = {{"", 0.5, 0.08, 0}};
+    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 20), tests::bearing(1, 4e5, 6e5, 0, 20)};
+    const assembly::Discretization d(scene.rotor, 1);
+    for (const auto &[low, high, count] :
+         {std::tuple(420.0, 440.0, 2), std::tuple(420.0, 440.0, 3), std::tuple(415.0, 445.0, 41)}) {
+        scene.speeds = {low, high, count};
+        const results::CampbellResult result = analyses::campbell(scene);
+        ASSERT_EQ(result.locked.size(), 1U) << count;
+        const auto [from, to] = std::pair(result.locked[0].from, result.locked[0].to);
+        const double beside = 1e-4 * (to - from);
+        for (const double inside : {from + beside, (from + to) / 2, to - beside})
+            EXPECT_EQ(real_multipliers(d, inside), 2) << inside;
+        for (const double outside : {from - beside, to + beside})
+            EXPECT_EQ(real_multipliers(d, outside), 0) << outside;
+        ASSERT_EQ(result.crossings.size(), 2U) << count;
+        EXPECT_EQ(result.crossings[0].speed, from);
+        EXPECT_EQ(result.crossings[1].speed, to);
     }
 }
 

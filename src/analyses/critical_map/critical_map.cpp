@@ -180,8 +180,9 @@ void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap
                std::vector<std::string> &notes) {
     const bool other_axes = !rotor.bearings_isotropic() && (map.varied || !rotor.seals().empty());
     notes.push_back(fmt::format(
-        "critical speed map: without damping and cross coupling{}{}",
-        other_axes ? "; supports that do not vary have the mean of kxx and kyy" : "",
+        "critical speed map: without damping and cross coupling{}{}{}",
+        rotor.shaft.axial_torque != 0 ? " and without the axial torque" : "",
+        other_axes ? "; supports that do not vary have the mean of their x and y coefficients" : "",
         map.form == results::Form::rotating
             ? "; forward only, the balls of balancers held in place; where inertias or stiffnesses "
               "of the rotor differ in two directions, each direction has its curve"

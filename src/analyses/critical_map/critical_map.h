@@ -9,8 +9,9 @@ namespace whirl::analyses {
 /// Critical speed map: the lowest critical speeds of either sense of whirl (half of campbell.modes
 /// of each) of the rotor without damping, over the isotropic stiffness of all bearings together or
 /// of the one that [critical_map] names. Seals, pedestals and the other bearings stay, with the
-/// mean of kxx and kyy and without damping and cross coupling, tables over the speed at the
-/// critical speed itself. Of asymmetric rotors: forward, balls held, both directions of a motion.
+/// mean of their x and y coefficients, without damping, cross coupling and axial torque, tables
+/// over the speed at the critical speed itself. Of asymmetric rotors: forward, balls held, both
+/// directions of a motion.
 ///
 /// Crossings: critical speeds of the rotor whose varied bearings have the kxx (kyy) of one bearing
 /// as a table over the speed, in all directions; each is looked up again on the map at its

@@ -1,7 +1,9 @@
 #include "report/common/html.h"
 
+#include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <sstream>
 
 namespace whirl::report {
@@ -51,6 +53,47 @@ std::string filled(const std::string &text, const std::map<std::string, std::str
         done = value == values.end() ? open + 1 : close + 1;
     }
     return result + text.substr(done);
+}
+
+std::string picture_element(const std::string &svg, const std::string &label) {
+    const std::size_t start = svg.find("<svg");
+    if (start == std::string::npos)
+        return "";
+    pugi::xml_document document;
+    pugi::xml_node figure = document.append_child("figure");
+    figure.append_attribute("role") = "img";
+    figure.append_attribute("aria-label") = printable(label).c_str();
+    std::string html = markup(document);
+    return html.insert(html.find("</figure>"), "\n" + svg.substr(start) + "\n");
+}
+
+std::string with_contents(std::string page) {
+    const std::string mark = "<ul id=\"contents\">";
+    std::string items;
+    std::size_t end = std::min(page.find("<script id=\"result\""), page.size());
+    int number = 0;
+    for (std::size_t at = page.find("<h2>"); at < end; at = page.find("<h2>", at)) {
+        const std::size_t close = page.find("</h2>", at);
+        if (close == std::string::npos)
+            break;
+        const std::string name = fmt::format("section-{}", ++number);
+        items += fmt::format("<li><a href=\"#{}\">{}</a></li>", name,
+                             page.substr(at + 4, close - at - 4));
+        const std::string open = fmt::format("<h2 id=\"{}\">", name);
+        page.replace(at, 4, open);
+        end += open.size() - 4;
+        at += open.size();
+    }
+    const std::size_t list = page.find(mark);
+    return list == std::string::npos ? page : page.insert(list + mark.size(), items);
+}
+
+std::string file_links(const std::vector<std::string> &names) {
+    std::string links;
+    for (const std::string &name : names)
+        links += fmt::format("{}<a href=\"{}\">{}</a>", links.empty() ? "" : " · ", escaped(name),
+                             escaped(name));
+    return links;
 }
 
 std::string json_for_script(const std::string &json) {

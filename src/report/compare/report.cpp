@@ -108,7 +108,8 @@ std::string sections(const Comparison &comparison) {
     return html;
 }
 
-std::string page_of(const Comparison &comparison, const std::string &still) {
+std::string page_of(const Comparison &comparison, const std::string &still,
+                    const std::vector<std::string> &files) {
     std::string notes;
     for (const std::string &note : comparison.notes)
         notes += element("p", note, "note");
@@ -119,30 +120,31 @@ std::string page_of(const Comparison &comparison, const std::string &still) {
             date = found->value("date", "");
             cases += "# " + result.name + "\n" + found->value("case", "") + "\n";
         }
-    return filled(embedded("page.html"),
-                  {{"heading", "Comparison"},
-                   {"title", escaped("Comparison: " + comparison.command)},
-                   {"case", escaped(comparison.results.front().name)},
-                   {"command", "compare"},
-                   {"version", program_version()},
-                   {"style", embedded("page.css")},
-                   {"notes", notes},
-                   {"rotor", ""},
-                   {"plot", still},
-                   {"sections", sections(comparison)},
-                   {"model", ""},
-                   {"date", date},
-                   {"case_text", escaped(cases)},
-                   {"json", json_for_script(json_text(comparison_json(comparison)))},
-                   {"scripts", ""}});
+    return with_contents(filled(embedded("page.html"),
+                                {{"heading", "Comparison"},
+                                 {"title", escaped("Comparison: " + comparison.command)},
+                                 {"case", escaped(comparison.results.front().name)},
+                                 {"command", "compare"},
+                                 {"version", program_version()},
+                                 {"style", embedded("page.css")},
+                                 {"notes", notes},
+                                 {"rotor", ""},
+                                 {"files", file_links(files)},
+                                 {"page_script", embedded("page.js")},
+                                 {"plot", still},
+                                 {"sections", sections(comparison)},
+                                 {"model", ""},
+                                 {"date", date},
+                                 {"case_text", escaped(cases)},
+                                 {"json", json_for_script(json_text(comparison_json(comparison)))},
+                                 {"scripts", ""}}));
 }
 
 std::string element_of(const std::filesystem::path &svg) {
     std::ifstream file(svg, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
-    const std::size_t start = text.str().find("<svg");
-    return start == std::string::npos ? "" : text.str().substr(start);
+    return picture_element(text.str(), "Results side by side and their differences");
 }
 
 } // namespace
@@ -198,7 +200,10 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     }
     files.add("compare.json", json_text(comparison_json(comparison)));
     files.add("compare.csv", csv_table(columns, lines_of(comparison)));
-    files.add("report.html", page_of(comparison, still));
+    std::vector<std::string> linked{"compare.json", "compare.csv"};
+    if (!still.empty())
+        linked.insert(linked.end(), {"compare.svg", "compare.png"});
+    files.add("report.html", page_of(comparison, still, linked));
     return files.commit();
 }
 

@@ -75,7 +75,7 @@ Figure pendulum_designs_figure(const model::Case &scene, const results::Pendulum
     const bool both = !designs.empty();
     Figure figure;
     figure.width = 1080;
-    figure.height = both ? 980 : 560;
+    figure.height = both ? 1010 : 560;
     const double pixel = 1.0 / figure.height;
     const auto &shown = balancer.dampings.front();
     const auto place = [&](int top, int bottom) {
@@ -99,9 +99,9 @@ Figure pendulum_designs_figure(const model::Case &scene, const results::Pendulum
             fmt::format("set title {} offset 0,-0.5\n",
                         plot_text("Designs, external damping H = " +
                                   readable(balancer.designs.front().external_damping, 3))) +
-            panel("d", designs);
+            panel("d", designs) + "unset label\n";
     figure.script +=
-        place(both ? 560 : 105, both ? 910 : 490) +
+        place(both ? 590 : 105, both ? 940 : 490) +
         fmt::format("set title {} offset 0,-0.5\n",
                     plot_text(fmt::format("External damping, ρ = {}", readable(shown.rho, 4)))) +
         panel("h", dampings) + "unset multiplot\n";

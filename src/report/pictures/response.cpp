@@ -23,9 +23,13 @@ struct Curve {
     std::vector<PlotPoint> points;
 };
 
-std::string place_name(const std::string &name, double z) {
-    const std::string at = "z = " + readable(z * metres, 4) + " " + unit_name("length", "m");
-    return name.empty() ? at : name + ", " + at;
+std::vector<std::string> names_of(const std::vector<Curve> &curves,
+                                  const std::vector<Curve> &others) {
+    std::vector<std::string> names{"operating speeds"};
+    for (const std::vector<Curve> *list : {&curves, &others})
+        for (const Curve &curve : *list)
+            names.push_back(curve.name);
+    return names;
 }
 
 std::vector<PlotPoint> over_speed(const std::vector<double> &speeds,
@@ -156,7 +160,7 @@ Panels panels_of(const ResponseResult &result) {
         const bool fine = i < result.curves.values.size();
         const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
         amplitude.push_back(
-            {place_name(node.name, node.z),
+            {place_text(node.name, node.z),
              over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, micrometres)});
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
     }
@@ -168,7 +172,7 @@ Panels panels_of(const ResponseResult &result) {
         const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
         amplitude.push_back(
             {fmt::format("{} at {}°",
-                         place_name(probe.name.empty() ? "probe" : probe.name, probe.z),
+                         place_text(probe.name.empty() ? "probe" : probe.name, probe.z),
                          readable(probe.angle * 180 / pi, 4)),
              over_speed(speeds, fine ? result.curves.values[j] : probe.amplitude, micrometres)});
         phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[j] : probe.phase)});
@@ -177,7 +181,7 @@ Panels panels_of(const ResponseResult &result) {
         const auto &bearing = result.bearings[i];
         const std::size_t j = result.nodes.size() + i;
         const bool fine = j < result.curves.values.size();
-        force.push_back({place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+        force.push_back({place_text(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
                          over_speed(fine ? result.curves.speeds : result.speeds,
                                     fine ? result.curves.values[j] : bearing.force, newtons)});
     }
@@ -188,8 +192,9 @@ Panels panels_of(const ResponseResult &result) {
 
 Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     const auto [amplitude, phase, force, nodes] = panels_of(result);
+    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(amplitude, force));
     Figure figure;
-    figure.width = 1080;
+    figure.width = room.width;
     figure.height = force.empty() ? 780 : 1040;
     const double pixel = 1.0 / figure.height;
     const Range x = speed_axis(result);
@@ -198,20 +203,22 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
                     fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
                     figure.height) +
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
-        logarithmic_axis(amplitude) + panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        logarithmic_axis(amplitude) +
+        panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
         panel_axes(result, "Amplitude (µm)", false) +
         draw("a", amplitude, true, operation_key(scene, x)) +
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
-        panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
+        panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +
         panel_axes(result,
                    result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
                    force.empty()) +
         draw("p", phase, false);
     if (!force.empty())
-        figure.script +=
-            logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
-            panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
+        figure.script += logarithmic_axis(force) +
+                         panel_margins(room.left, room.right, 1 - 975 * pixel, 1 - 730 * pixel) +
+                         panel_axes(result, "Largest bearing force (N)", true) +
+                         draw("f", force, true);
     figure.script += "unset multiplot\n";
     return figure;
 }
@@ -226,19 +233,20 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     for (const std::size_t i : drawn_of(of.stations)) {
         const auto &station = of.stations[i];
         circle.push_back(
-            {place_name(station.name, station.z),
+            {place_text(station.name, station.z),
              over_speed(speeds, fine ? of.curves.values[i] : station.twice, micrometres)});
         still.push_back({"", over_speed(result.speeds, station.sag, still_micrometres)});
     }
     for (std::size_t i = 0; i < of.bearings.size() && i < most_curves; ++i) {
         const auto &bearing = of.bearings[i];
         force.push_back(
-            {place_name(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
+            {place_text(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
              over_speed(speeds, fine ? of.curves.values[of.stations.size() + i] : bearing.twice,
                         newtons)});
     }
+    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(circle, force));
     Figure figure;
-    figure.width = 1080;
+    figure.width = room.width;
     figure.height = 1040;
     const double pixel = 1.0 / figure.height;
     const Range x = speed_axis(result);
@@ -248,13 +256,15 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
                                 readable(of.gravity, 5), circle.size(), of.stations.size()),
                     figure.height) +
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
-        logarithmic_axis(circle) + panel_margins(0.085, 0.78, 1 - 430 * pixel, 1 - 75 * pixel) +
+        logarithmic_axis(circle) +
+        panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
         panel_axes(result, "Circle at twice the spin speed (µm)", false) +
         draw("a", circle, true, operation_key(scene, x)) +
         "unset label\nunset logscale y\nset format y '%g'\nset autoscale y\nset ytics auto\n" +
-        panel_margins(0.085, 0.78, 1 - 700 * pixel, 1 - 460 * pixel) +
+        panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +
         panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +
-        logarithmic_axis(force) + panel_margins(0.085, 0.78, 1 - 975 * pixel, 1 - 730 * pixel) +
+        logarithmic_axis(force) +
+        panel_margins(room.left, room.right, 1 - 975 * pixel, 1 - 730 * pixel) +
         panel_axes(result, "Bearing force at 2x (N)", true) + draw("f", force, true) +
         "unset multiplot\n";
     return figure;

@@ -23,11 +23,6 @@ struct Curve {
     std::vector<std::vector<PlotPoint>> points;
 };
 
-std::string balancer_name(const results::BalancerMotion &b) {
-    const std::string at = "z = " + readable(b.z, 4) + " m";
-    return b.name.empty() ? at : b.name + ", " + at;
-}
-
 std::vector<Curve> amplitude_curves(const SimulateResult &result) {
     std::vector<Curve> curves;
     const std::vector<double> &time = result.series.time;
@@ -35,7 +30,7 @@ std::vector<Curve> amplitude_curves(const SimulateResult &result) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 1; k < time.size(); ++k) // at rest there is nothing to draw
             points.push_back({time[k], result.series.amplitude[i][k] * micrometres});
-        curves.push_back({balancer_name(result.balancers[i]), {points}});
+        curves.push_back({place_text(result.balancers[i].name, result.balancers[i].z), {points}});
     }
     for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
         const std::vector<double> &amplitude = result.other_starts[i].amplitude;
@@ -142,12 +137,18 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
     const bool constant = std::all_of(speed.begin(), speed.end(),
                                       [&](double value) { return value == speed.front(); });
     const bool lagging = result.outcome == results::Outcome::lagging;
+    const std::vector<Curve> angles = angle_curves(result);
+    std::vector<std::string> names;
+    for (const std::vector<Curve> *list : {&amplitude, &angles})
+        for (const Curve &curve : *list)
+            names.push_back(curve.name);
+    const LegendedFigure room = beside_legend(92, 864, 1080, names);
     Figure figure;
-    figure.width = 1080;
+    figure.width = room.width;
     figure.height = constant ? 780 : 960;
     const double pixel = 1.0 / figure.height;
     const auto panel = [&](int top, int bottom) {
-        return panel_margins(0.085, 0.8, 1 - bottom * pixel, 1 - top * pixel);
+        return panel_margins(room.left, room.right, 1 - bottom * pixel, 1 - top * pixel);
     };
     figure.script =
         figure_head("Motion in time: " + title_of(scene),
@@ -162,7 +163,7 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
         (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
         panel(430, 715) +
         axes(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)", constant) +
-        draw("g", angle_curves(result), most_curves);
+        draw("g", angles, most_curves);
     if (!constant) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < speed.size(); ++k)

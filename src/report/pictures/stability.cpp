@@ -92,7 +92,7 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n"
            "plot $growth using 1:2 with lines lw 2 lc rgb '#222222' title 'growth'" +
            keys + operation_key(scene, x) +
-           "\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
+           "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
 }
 
 std::string family_panel(const model::Case &scene, const StabilityResult &result) {

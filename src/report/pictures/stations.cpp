@@ -49,8 +49,7 @@ std::vector<std::size_t> drawn_stations(const SimulateResult &result) {
 }
 
 std::string station_name(const StationMotion &station) {
-    const std::string at = "z = " + readable(station.z, 4) + " m";
-    return station.name.empty() ? at : station.name + ", " + at;
+    return place_text(station.name, station.z);
 }
 
 bool speed_changes(const SimulateResult &result) {
@@ -91,9 +90,16 @@ std::string peak_look(std::size_t index) {
     return fmt::format("with points lc rgb '{}' pt {} ps 1.1", style.colour, style.point);
 }
 
-std::string panel_of(int height, int top, int bottom) {
-    const double pixel = 1.0 / height;
-    return panel_margins(0.085, 0.76, 1 - bottom * pixel, 1 - top * pixel);
+LegendedFigure room_of(const SimulateResult &result) {
+    std::vector<std::string> names;
+    for (const StationMotion &station : result.stations)
+        names.push_back("x at " + station_name(station));
+    return beside_legend(92, 821, 1080, names);
+}
+
+std::string panel_of(const Figure &figure, const LegendedFigure &room, int top, int bottom) {
+    const double pixel = 1.0 / figure.height;
+    return panel_margins(room.left, room.right, 1 - bottom * pixel, 1 - top * pixel);
 }
 
 std::string axes(const std::string &label, const std::string &below) {
@@ -109,9 +115,10 @@ std::string amplitude_over_time(const SimulateResult &result) {
         const StationMotion &station = result.stations[drawn[i]];
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < result.series.time.size(); ++k)
-            points.push_back({result.series.time[k], result.series.amplitude[drawn[i]][k] * 1e6});
+            points.push_back(
+                {result.series.time[k], result.series.amplitude[drawn[i]][k] * micrometres});
         lines.add(points, line_look(i, "1", 1.4), station_name(station));
-        lines.add({{station.peak.time, station.peak.value * 1e6}}, peak_look(i), "");
+        lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i), "");
     }
     return axes("Amplitude (µm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.text();
@@ -128,7 +135,7 @@ std::string amplitude_range(const SimulateResult &result) {
     const double peak = result.stations[results::largest_station(result.stations)].peak.value;
     if (steady <= comparable * peak)
         return "set yrange [0:*]\n";
-    return fmt::format("set logscale y\nset yrange [{}:*]\n", decades * peak * 1e6);
+    return fmt::format("set logscale y\nset yrange [{}:*]\n", decades * peak * micrometres);
 }
 
 /// The steady response behind, the motion in front.
@@ -139,15 +146,16 @@ std::string amplitude_over_speed(const SimulateResult &result) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < result.steady.speeds.size(); ++k) {
             const double value = result.steady.amplitudes[drawn[i]][k];
-            points.push_back({result.steady.speeds[k] * rpm,
-                              std::isfinite(value) ? std::optional(value * 1e6) : std::nullopt});
+            points.push_back(
+                {result.steady.speeds[k] * rpm,
+                 std::isfinite(value) ? std::optional(value * micrometres) : std::nullopt});
         }
         const StationMotion &station = result.stations[drawn[i]];
         if (station.steady_peak && std::isfinite(*station.steady_peak)) {
             const double speed = *station.steady_peak_speed * rpm;
             points.insert(std::find_if(points.begin(), points.end(),
                                        [&](const PlotPoint &p) { return p.x > speed; }),
-                          {speed, *station.steady_peak * 1e6});
+                          {speed, *station.steady_peak * micrometres});
         }
         if (!points.empty())
             lines.add(points, line_look(i, "(3,4)", 1), i == 0 ? "steady (dashed)" : "");
@@ -157,9 +165,9 @@ std::string amplitude_over_speed(const SimulateResult &result) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < result.series.time.size(); ++k)
             points.push_back(
-                {result.series.speed[k] * rpm, result.series.amplitude[drawn[i]][k] * 1e6});
+                {result.series.speed[k] * rpm, result.series.amplitude[drawn[i]][k] * micrometres});
         lines.add(points, line_look(i, "1", 1.4), i == 0 ? "in this motion" : "");
-        lines.add({{station.peak.speed * rpm, station.peak.value * 1e6}}, peak_look(i),
+        lines.add({{station.peak.speed * rpm, station.peak.value * micrometres}}, peak_look(i),
                   i == 0 ? "its peak" : "");
     }
     const auto [low, high] =
@@ -177,7 +185,7 @@ std::string deflection_over_time(const SimulateResult &result) {
          {std::pair("x", &result.series.x[largest]), std::pair("y", &result.series.y[largest])}) {
         std::vector<PlotPoint> points;
         for (std::size_t k = 0; k < values->size(); ++k)
-            points.push_back({result.series.time[k], (*values)[k] * 1e6});
+            points.push_back({result.series.time[k], (*values)[k] * micrometres});
         lines.add(points, line_look(name == std::string("x") ? 0 : 1, "1", 1),
                   fmt::format("{} at {}", name, station_name(result.stations[largest])));
     }
@@ -199,25 +207,26 @@ std::string speed_over_time(const SimulateResult &result) {
 
 Figure stations_figure(const model::Case &scene, const SimulateResult &result) {
     const bool changes = speed_changes(result);
+    const LegendedFigure room = room_of(result);
     Figure figure;
-    figure.width = 1080;
+    figure.width = room.width;
     figure.height = changes ? 1010 : 760;
     figure.script =
         figure_head("Motion in time: " + title_of(scene),
                     fmt::format("{} after {} s at {} rpm", results::outcome_name(result.outcome),
                                 readable(result.time), readable(result.speed * rpm)),
                     figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + panel_of(figure.height, 75, 380) +
-        amplitude_over_time(result);
+        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + panel_of(figure, room, 75, 380) +
+        amplitude_over_time(result) + "unset label\n";
     if (changes) {
         const auto [low, high] =
             std::minmax_element(result.series.speed.begin(), result.series.speed.end());
         figure.script += operation_band(scene, {*low * rpm, *high * rpm}) +
-                         panel_of(figure.height, 445, 750) + amplitude_over_speed(result) +
-                         "unset object\nunset arrow\n" + panel_of(figure.height, 815, 950) +
+                         panel_of(figure, room, 445, 750) + amplitude_over_speed(result) +
+                         "unset object\nunset arrow\n" + panel_of(figure, room, 815, 950) +
                          speed_over_time(result);
     } else {
-        figure.script += panel_of(figure.height, 445, 700) + deflection_over_time(result);
+        figure.script += panel_of(figure, room, 445, 700) + deflection_over_time(result);
     }
     figure.script += "unset multiplot\n";
     return figure;

@@ -1,6 +1,7 @@
 #include "report/pictures/style.h"
 
 #include "report/common/gnuplot.h"
+#include "report/common/text_width.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
@@ -66,6 +67,18 @@ std::string panel_margins(double left, double right, double bottom, double top) 
                        left, right, bottom, top);
 }
 
+LegendedFigure beside_legend(double left, double right, int least,
+                             const std::vector<std::string> &names) {
+    constexpr double font = 14;   // of the pictures (common/gnuplot.cpp)
+    constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
+    double widest = 0;
+    for (const std::string &name : names)
+        widest = std::max(widest, text_width(name, font));
+    const double needed = right + 0.02 * (right - left) + sample + widest + 8;
+    const int width = std::max(least, static_cast<int>(std::ceil(needed)));
+    return {width, left / width, right / width};
+}
+
 Range range_of(const std::vector<double> &values) {
     if (values.empty())
         return {0, 1};
@@ -110,6 +123,15 @@ double overlap(const LabelPlacer::Box &a, const LabelPlacer::Box &b) {
 }
 
 } // namespace
+
+bool LabelPlacer::take(const Box &box) {
+    if (box.x < 0 || box.x + box.width > 1 || box.y < 0 || box.y + box.height > 1 ||
+        std::any_of(_labels.begin(), _labels.end(),
+                    [&](const Box &other) { return overlap(box, other) > 0; }))
+        return false;
+    _labels.push_back(box);
+    return true;
+}
 
 std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double width,
                                                    double height) {

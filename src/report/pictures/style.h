@@ -43,6 +43,17 @@ struct PlotPoint {
 /// Margins of a panel in fractions of the figure.
 [[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
 
+/// A figure whose panels have their legends at their right, `set key at graph 1.02,1 left top
+/// reverse Left samplen 3`: as wide as the longest name needs.
+struct LegendedFigure {
+    int width = 0;              ///< pixels
+    double left = 0, right = 0; ///< margins of the panels, fractions of the width
+};
+/// @param left, right  ends of the panels, pixels
+/// @param least        width of the figure where the names are short
+[[nodiscard]] LegendedFigure beside_legend(double left, double right, int least,
+                                           const std::vector<std::string> &names);
+
 /// Smallest and largest of the values, widened by `share` where they are equal.
 struct Range {
     double low = 0;
@@ -61,6 +72,8 @@ class LabelPlacer {
         double x = 0, y = 0, width = 0, height = 0; ///< lower left corner and size
     };
     void block(const Box &box) { _boxes.push_back(box); }
+    /// Takes this very place. @returns false where another label has it or it leaves the picture.
+    bool take(const Box &box);
     /// Least covered place of a label of this size around (x, y); the place is taken from then on.
     /// Nothing where any place leaves the picture or lies on another label.
     std::optional<Box> place(double x, double y, double width, double height);

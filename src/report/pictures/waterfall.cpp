@@ -15,7 +15,6 @@ using results::Waterfall;
 
 namespace {
 
-constexpr double hertz = 0.5 / pi;
 constexpr double shown_share = 2e-3; ///< of the largest: nothing of that size beyond is not drawn
 constexpr double room = 8;           ///< the highest line is as high as so many gaps between lines
 constexpr double orders[] = {1, 2, 3};
@@ -96,6 +95,8 @@ class Layout {
     std::vector<std::size_t> _order;
 };
 
+std::string order_name(double order) { return readable(order) + "× spin speed"; }
+
 /// Data blocks and plot command.
 std::string lines_of(const Layout &layout) {
     std::string data;
@@ -112,7 +113,7 @@ std::string lines_of(const Layout &layout) {
         data += data_block(name, {layout.multiple(order)});
         plots += fmt::format("{}${} with lines lc rgb '{}' lw 1.3 dt (4,4) title {}",
                              number > 1 ? ", " : "", name, series_style(number).colour,
-                             plot_text(readable(order) + "× spin speed"));
+                             plot_text(order_name(order)));
     }
     return data + "plot " + plots + "\n";
 }
@@ -122,16 +123,20 @@ std::string lines_of(const Layout &layout) {
 Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall) {
     const Layout layout(waterfall);
     Figure figure;
-    figure.width = 1080;
     figure.height = 760;
-    const std::string place =
-        waterfall.name.empty() ? "z = " + readable(waterfall.z, 4) + " m" : waterfall.name;
+    const std::string place = place_text(waterfall.name, waterfall.z);
+    std::vector<std::string> names;
+    for (const double order : orders)
+        names.push_back(order_name(order));
+    const LegendedFigure room = beside_legend(92, 907, 1080, names);
+    figure.width = room.width;
     figure.script =
         figure_head("Waterfall: " + title_of(scene),
                     fmt::format("{}, windows of {} s; the highest line is {} µm", place,
-                                readable(waterfall.window, 3), readable(layout.largest() * 1e6, 4)),
+                                readable(waterfall.window, 3),
+                                readable(layout.largest() * micrometres, 4)),
                     figure.height) +
-        panel_margins(0.085, 0.84, 0.09, 0.885) +
+        panel_margins(room.left, room.right, 0.09, 0.885) +
         fmt::format("set xlabel 'Frequency (Hz)'\nset ylabel {}\nset xrange [0:{}]\nset yrange "
                     "[{}:{}]\nset key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
                     plot_text(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)"),

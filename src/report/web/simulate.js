@@ -24,10 +24,10 @@ result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
 }));
 // Without balancers: the stations, over time and beside the steady response over speed.
 result.stations.forEach((s, k) => {
-  const name = (s.name ? s.name + ", " : "") + `z = ${short(s.z, 4)} m`, line = {color: colours[k % 8], width: 1.5};
-  const common = {mode: "lines", legendgroup: "s" + k}, micro = list => list.map(a => a === null ? null : a * 1e6);
+  const name = (s.name ? s.name + ", " : "") + `z = ${short(s.z * metres, 4)} m`, line = {color: colours[k % 8], width: 1.5};
+  const common = {mode: "lines", legendgroup: "s" + k}, micro = list => list.map(a => a === null ? null : a * micrometres);
   traces.push({...common, x: time, y: micro(result.series.amplitude[k]), name, line, hovertemplate: "%{x:.6g} s: %{y:.5g} µm<extra>" + name + "</extra>"});
-  traces.push({mode: "markers", legendgroup: "s" + k, showlegend: false, x: [s.peak_time], y: [s.peak * 1e6], marker: {color: line.color, size: 8},
+  traces.push({mode: "markers", legendgroup: "s" + k, showlegend: false, x: [s.peak_time], y: [s.peak * micrometres], marker: {color: line.color, size: 8},
     hovertemplate: "peak at %{x:.6g} s: %{y:.6g} µm<extra>" + name + "</extra>"});
   traces.push({...common, x: result.series.speed.map(v => v * rpm), y: micro(result.series.amplitude[k]), name, showlegend: false, line, xaxis: "x2", yaxis: "y2",
     hovertemplate: "%{x:.6g} rpm: %{y:.5g} µm<extra>" + name + "</extra>"});

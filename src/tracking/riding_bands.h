@@ -1,0 +1,26 @@
+#pragma once
+
+#include "results/campbell.h"
+#include "tracking/crossing_nodes.h"
+
+#include <vector>
+
+namespace whirl::tracking {
+
+/// A band of speeds over which motions of periodic equations stay on a multiple of the spin speed.
+struct RidingBand {
+    results::Locked interval;
+    double real_from = 0; ///< 1/s, of the two motions that meet at either end
+    double real_to = 0;
+};
+
+/// Where two multipliers of periodic equations (rotor and bearings both anisotropic) meet on the
+/// real axis, their frequencies stay on an integer multiple of the spin speed until they part again
+/// (theory.md, Following modes). Such bands are looked for where a frequency changes sides of the
+/// multiple between two speeds of the sweep, and from speeds inside one; ends inside the range are
+/// halved to 1e-11. Other than motions that stand still in the rotor, which standing_intervals
+/// finds.
+/// @param multiple  of the spin speed, any: only integers have bands
+[[nodiscard]] std::vector<RidingBand> riding_bands(const SweepNodes &sweep, double multiple);
+
+} // namespace whirl::tracking

@@ -1,0 +1,53 @@
+#!/bin/sh
+# Opens reports in a headless browser: no error on the console, the diagram drawn, tables and contents there.
+# usage: reports_in_browser.sh WHIRL CASES SCRATCH; status 77 where no browser is installed
+whirl=$1
+cases=$2
+scratch=$3
+for browser in chromium chromium-browser google-chrome none; do
+    command -v "$browser" > /dev/null 2>&1 && break
+done
+if [ "$browser" = none ]; then
+    echo "no browser is installed"
+    exit 77
+fi
+rm -rf "$scratch"
+mkdir -p "$scratch"
+failed=0
+look() { # name of the folder, arguments of whirl
+    out=$scratch/$1
+    shift
+    if ! "$whirl" "$@" --quiet --out "$out"; then
+        echo "$out: whirl $* failed"
+        failed=1
+        return
+    fi
+    "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$scratch/profile" --enable-logging=stderr --dump-dom \
+        "file://$out/report.html" > "$out/dom.html" 2> "$out/log"
+    if grep -E 'CONSOLE.*(Error|error|Uncaught)|Uncaught' "$out/log"; then
+        echo "$out: an error on the console"
+        failed=1
+    fi
+    for wanted in 'href="#section-1"' 'aria-sort='; do
+        grep -q "$wanted" "$out/dom.html" || { echo "$out: no $wanted"; failed=1; }
+    done
+    # Where the page has a place for the diagram, it must be drawn.
+    if grep -q '<div id="plot"' "$out/report.html" && ! grep -q 'class="main-svg"' "$out/dom.html"; then
+        echo "$out: the diagram was not drawn"
+        failed=1
+    fi
+}
+jeffcott=$cases/runup_jeffcott
+look show show "$cases/nelson_mcvaugh"
+look campbell campbell "$cases/friswell_5_9_5" --set speeds.count=11
+look critical critical "$cases/friswell_5_9_2"
+look stability stability "$cases/keyway_shaft" --set speeds.count=11
+look response response "$jeffcott" --set speeds.count=11
+look gravity response "$cases/keyway_gravity" --set speeds.count=11
+look balance balance "$cases/pendulum_planar" --set speeds.count=11 --set balance.balanced_position=false
+look rigid-limit rigid-limit "$cases/rigid_limit"
+look simulate simulate "$jeffcott" --set speeds.count=1 --set simulate.time=13
+look samples samples "$cases/uncertain_jeffcott" --set samples.count=12
+look modes modes "$cases/friswell_5_9_2"
+look compare compare critical "$jeffcott" "$jeffcott@bearing[*].k=1e5"
+exit $failed

@@ -1,0 +1,51 @@
+// The boxes by which tests/cases/pictures_test.cpp judges the pictures.
+
+#include "support/svg_texts.h"
+
+#include <gtest/gtest.h>
+
+namespace whirl::tests {
+
+namespace {
+
+std::string svg(const std::string &inside) {
+    return "<svg viewBox=\"0 0 200 100\">" + inside + "</svg>";
+}
+
+} // namespace
+
+// In DejaVu Sans "iii" is 3 x 0.278 and "MMM" 3 x 0.863 of the font's size wide.
+TEST(SvgTexts, BoxesFollowAnchorLettersAndTurn) {
+    const auto boxes = svg_texts(svg("<text x=\"50\" y=\"20\" font-size=\"10\">MMM</text>"
+                                     "<text x=\"50\" y=\"40\" font-size=\"10\" "
+                                     "text-anchor=\"end\">iii</text>"
+                                     "<g transform=\"translate(10,90) rotate(-90)\" "
+                                     "font-size=\"10\"><text><tspan> MMM</tspan></text></g>"));
+    ASSERT_EQ(boxes.size(), 3U);
+    EXPECT_NEAR(boxes[0].corners[0].x, 50, 1e-12);
+    EXPECT_NEAR(boxes[0].corners[1].x, 50 + 25.89, 1e-9);
+    EXPECT_NEAR(boxes[1].corners[0].x, 50 - 8.34, 1e-9);
+    EXPECT_EQ(boxes[2].text, "MMM");
+    EXPECT_NEAR(boxes[2].corners[1].y, 90 - 25.89, 1e-9) << "it reads upwards";
+    EXPECT_NEAR(boxes[2].corners[2].x, 10, 1e-9) << "on its baseline";
+    EXPECT_LT(boxes[2].corners[1].x, 10);
+}
+
+TEST(SvgTexts, FaultsAreTextsOutsideAndOnEachOther) {
+    const auto at = [](int x, int y) {
+        return "<text font-size=\"10\" x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(y) +
+               "\">MMM</text>";
+    };
+    EXPECT_TRUE(layout_faults(svg(at(0, 10) + at(27, 10) + at(0, 20) + at(174, 99))).empty());
+    EXPECT_EQ(layout_faults(svg(at(178, 50))).size(), 1U) << "leaves at the right";
+    EXPECT_EQ(layout_faults(svg(at(50, 5))).size(), 1U) << "leaves at the top";
+    EXPECT_EQ(layout_faults(svg(at(50, 50) + at(70, 53))).size(), 1U);
+    EXPECT_EQ(layout_faults(svg(at(50, 50) + at(50, 50))).size(), 1U) << "drawn twice";
+    const std::string aslant =
+        "<g transform=\"translate(100,60) rotate(45)\" font-size=\"10\"><text>MMM</text></g>";
+    EXPECT_TRUE(layout_faults(svg(aslant + at(100, 80))).size() == 1U) << "on the turned one";
+    EXPECT_TRUE(layout_faults(svg(aslant + at(120, 65))).empty())
+        << "inside its upright frame only";
+}
+
+} // namespace whirl::tests
