@@ -132,8 +132,9 @@ TEST_F(Program, ModesAreThoseAtTheSpeedAsked) {
     const ProgramRun sweep = run({"campbell", rotor, "--json", "--set", "speeds.from=3000 rpm",
                                   "--set", "speeds.to=3100 rpm", "--set", "speeds.count=2"});
     ASSERT_EQ(sweep.status, 0) << sweep.errors;
+    const nlohmann::json over_speed = nlohmann::json::parse(sweep.output);
     std::vector<double> followed;
-    for (const nlohmann::json &mode : nlohmann::json::parse(sweep.output).at("modes"))
+    for (const nlohmann::json &mode : over_speed.at("modes"))
         followed.push_back(mode.at("frequency").at(0));
     std::sort(followed.begin(), followed.end());
     ASSERT_GE(followed.size(), at.at("modes").size());
