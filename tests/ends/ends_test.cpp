@@ -126,17 +126,28 @@ void bisect(const WholeRotor &rotor, double a, int grow_a, double b, int grow_b,
     bisect(rotor, middle, grow, b, grow_b, out);
 }
 
-std::vector<Bisected> bisected(const WholeRotor &rotor, double from, double to, int steps) {
+/// Between neighbours of a grid, and of these speeds beside it.
+std::vector<Bisected> bisected(const WholeRotor &rotor, double from, double to, int steps,
+                               const std::vector<double> &beside) {
+    std::vector<double> speeds = beside;
+    for (int k = 0; k <= steps; ++k)
+        speeds.push_back(from + (to - from) * k / steps);
+    std::sort(speeds.begin(), speeds.end());
     std::vector<Bisected> out;
-    double a = from;
-    int grow_a = rotor.growing(a);
-    for (int k = 1; k <= steps; ++k) {
-        const double b = from + (to - from) * k / steps;
-        const int grow_b = rotor.growing(b);
-        bisect(rotor, a, grow_a, b, grow_b, out);
-        a = b;
+    int grow_a = rotor.growing(speeds[0]);
+    for (std::size_t k = 1; k < speeds.size(); ++k) {
+        const int grow_b = rotor.growing(speeds[k]);
+        bisect(rotor, speeds[k - 1], grow_a, speeds[k], grow_b, out);
         grow_a = grow_b;
     }
+    return out;
+}
+
+/// Where bands narrower than a step of a grid would be seen.
+std::vector<double> between(const std::vector<results::StabilityEnd> &ends) {
+    std::vector<double> out;
+    for (std::size_t i = 1; i < ends.size(); ++i)
+        out.push_back((ends[i - 1].speed + ends[i].speed) / 2);
     return out;
 }
 
@@ -159,16 +170,21 @@ TEST(Ends, OfRandomRotorsAreThoseOfTheCountedStateMatrix) {
     constexpr double from = 20;
     constexpr double to = 1000;
     std::size_t ends = 0;
-    for (int seed = 1; seed <= 24; ++seed) {
+    for (int seed = 1; seed <= 36; ++seed) {
         const Drawn drawn = ::drawn(seed);
         const WholeRotor whole(drawn);
         const ends::EndsFound found = ends_of(drawn, whole.discretization(), from, to);
-        const auto expected = bisected(whole, from, to, 200);
+        const auto expected = bisected(whole, from, to, 200, between(found.ends));
         EXPECT_TRUE(found.doubtful.empty()) << seed;
         ASSERT_EQ(found.ends.size(), expected.size()) << seed;
         for (std::size_t i = 0; i < expected.size(); ++i) {
-            // What the dense solver leaves of a real part, over its rate.
-            EXPECT_NEAR(found.ends[i].speed, expected[i].speed, 1e-8 * expected[i].speed) << seed;
+            // What the dense solver leaves of a real part, over its rate. Of motions that hardly
+            // grow that is more: then the number changes across the end, if not at it alone.
+            const double end = found.ends[i].speed;
+            EXPECT_TRUE(std::abs(end - expected[i].speed) < 1e-8 * end ||
+                        (whole.growing(end * (1 - 1e-6)) == expected[i].below &&
+                         whole.growing(end * (1 + 1e-6)) == expected[i].above))
+                << seed << ": " << end << " for " << expected[i].speed;
             EXPECT_EQ(found.ends[i].growing_below, expected[i].below) << seed;
             EXPECT_EQ(found.ends[i].growing_above, expected[i].above) << seed;
             EXPECT_NE(found.ends[i].kind, results::EndKind::collision) << seed;
