@@ -2,6 +2,8 @@
 
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
+#include "forced/static_sag.h"
+#include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
@@ -13,8 +15,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace whirl::analyses {
@@ -78,6 +82,21 @@ void note_bearings(std::span<const model::Bearing> bearings, const char *kind,
     }
 }
 
+void add_static_sag(results::ShowResult &result, const model::Case &scene,
+                    const assembly::Discretization &d) {
+    const double gravity = scene.response.gravity;
+    try {
+        result.sag = forced::static_sag(d, gravity != 0 ? gravity : forced::standard_gravity);
+    } catch (const linalg::SolverError &failure) {
+        result.model.notes.push_back(std::string("no static sag: ") + failure.what());
+        return;
+    }
+    const auto supports = scene.rotor.supports();
+    if (result.sag && std::any_of(supports.begin(), supports.end(),
+                                  [](const auto &bearing) { return bearing.depends_on_speed(); }))
+        result.model.notes.emplace_back("static sag: with the first row of the bearing tables");
+}
+
 } // namespace
 
 results::ShowResult show(const model::Case &scene) {
@@ -121,6 +140,7 @@ results::ShowResult show(const model::Case &scene) {
         result.dI_angle = some ? std::arg(*a) / 2 : 0;
     }
     result.anisotropy = rigid::anisotropy_chart(rotor, all, result.model.notes);
+    add_static_sag(result, scene, d);
     return result;
 }
 

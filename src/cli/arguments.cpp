@@ -15,7 +15,7 @@ namespace whirl::cli {
 namespace {
 
 /// Every command accepts what one of them has; the others ignore it and do not show it.
-void add_map_options(CLI::App &app, const Command &command, Arguments &arguments) {
+void add_own_options(CLI::App &app, const Command &command, Arguments &arguments) {
     const auto hide_elsewhere = [&command](CLI::Option *option, const char *name) {
         if (std::count(command.options.begin(), command.options.end(), name) == 0)
             option->group("");
@@ -34,6 +34,16 @@ void add_map_options(CLI::App &app, const Command &command, Arguments &arguments
                           "--map over the stiffness of this bearing alone")
                        ->type_name("NAME|PLACE"),
                    "--map-bearing");
+    hide_elsewhere(app.add_option_function<std::string>(
+                          "--speed",
+                          [&arguments](const std::string &speed) {
+                              arguments.overrides.push_back("speeds.count=1");
+                              arguments.overrides.push_back("speeds.from=" + speed);
+                              arguments.overrides.push_back("speeds.to=" + speed);
+                          },
+                          "spin speed of the shapes, e.g. \"3000 rpm\", in place of speeds.from")
+                       ->type_name("SPEED"),
+                   "--speed");
 }
 
 /// What every command ends with: its version, its manual page, examples below its help.
@@ -94,7 +104,7 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
                    "override an entry of the case, e.g. --set speeds.count=11; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
-    add_map_options(app, command, arguments);
+    add_own_options(app, command, arguments);
     add_unit_options(app, arguments);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     finish(app, reads_text(command.settings), command.examples);

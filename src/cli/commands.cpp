@@ -167,9 +167,8 @@ const std::vector<Command> &commands() {
         {"modes",
          "mode shapes as pictures and for ParaView",
          {"speeds", "campbell"},
-         {},
-         {"cases/nelson_mcvaugh --set \"speeds.from=12000 rpm\" --set speeds.count=1 --set "
-          "speeds.to="},
+         {"--speed"},
+         {"cases/nelson_mcvaugh --speed \"12000 rpm\""},
          on_case(analyses::mode_shapes)},
     };
     return table;

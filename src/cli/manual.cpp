@@ -66,7 +66,7 @@ const std::string exit_status = ".SH EXIT STATUS\n0: done; 1: the analysis faile
 
 std::string manual_page(const CLI::App &command, const std::string &reads,
                         const std::vector<std::string> &examples) {
-    const std::string name = command.get_name();
+    const std::string &name = command.get_name();
     const bool of_results = name == "compare";
     std::string page = begin_page("whirl-" + name, command.get_description(),
                                   fmt::format(".B whirl {}\n.I {}\n[\\fIoptions\\fR]", roff(name),

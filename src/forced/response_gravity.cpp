@@ -20,12 +20,6 @@ namespace whirl::forced {
 
 namespace {
 
-/// A shaft of two stiffnesses is solved in rotating axes. Unequal inertias alone do not move: what
-/// turns about an axis that stands still, u ~ exp(-i Omega t), has u'' + Omega^2 u = 0.
-results::Form form_under_weight(const model::Rotor &rotor) {
-    return rotor.shaft.asymmetric() ? results::Form::rotating : results::Form::general;
-}
-
 /// The motion under the weight at one speed, as rows for lists_of().
 class Weighed {
   public:

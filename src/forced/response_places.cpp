@@ -17,6 +17,10 @@ std::string speeds_without_limit(const std::vector<double> &speeds,
     return out;
 }
 
+results::Form form_under_weight(const model::Rotor &rotor) {
+    return rotor.shaft.asymmetric() ? results::Form::rotating : results::Form::general;
+}
+
 std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     std::map<int, std::string> nodes;
     const auto &mesh = d.shaft_mesh();

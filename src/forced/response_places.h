@@ -20,6 +20,11 @@ inline constexpr double resonance_rounding = 1e-3;
 inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
 
+/// In which motion under the weight is solved: a shaft of two stiffnesses in rotating axes. Unequal
+/// inertias alone do not move: what turns about an axis that stands still, u ~ exp(-i Omega t), has
+/// u'' + Omega^2 u = 0.
+[[nodiscard]] results::Form form_under_weight(const model::Rotor &rotor);
+
 /// "120, 240": those at which an amplitude is infinite; empty: none.
 [[nodiscard]] std::string speeds_without_limit(const std::vector<double> &speeds,
                                                const std::vector<double> &amplitudes);

@@ -7,6 +7,7 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/static_sag.h"
 
 #include <fmt/format.h>
 
@@ -277,6 +278,7 @@ Json chart_json(const AnisotropyChart &chart) {
 
 Json json_of(const ShowResult &result) {
     Json json = json_row(show_columns, result);
+    json["static"] = result.sag ? sag_json(*result.sag) : Json();
     json["balancers"] = json_list(result.balancers, balancer_json);
     json["anisotropy"] = result.anisotropy ? chart_json(*result.anisotropy) : Json();
     json["formulations"] = json_list(result.formulations, [](const auto &entry) {
@@ -289,6 +291,8 @@ Json json_of(const ShowResult &result) {
 
 std::vector<Section> sections_of(const ShowResult &result) {
     std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result)}};
+    if (result.sag)
+        sections.push_back({sag_heading(*result.sag), sag_page(*result.sag)});
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
@@ -337,6 +341,8 @@ std::string text_of(const model::Case &scene, const ShowResult &result) {
                 text_table(dimensionless_columns, result.balancers) + "\n";
     if (result.anisotropy)
         text += chart_text(*result.anisotropy);
+    if (result.sag)
+        text += sag_text(*result.sag);
     return text + forms_text(result) + notes_text(result.model);
 }
 
@@ -354,7 +360,8 @@ Report describe(const model::Case &scene, const ShowResult &result) {
             .drawing = [&] { return show_drawing(scene, result); },
             .pictures = [&] { return pictures_of(scene, result); },
             .pictures_heading = "Curves of the rigid rotor",
-            .pictures_after = 1 + result.balancers.size() + (result.anisotropy ? 1 : 0)};
+            .pictures_after =
+                (result.sag ? 2 : 1) + result.balancers.size() + (result.anisotropy ? 1 : 0)};
 }
 
 } // namespace whirl::report

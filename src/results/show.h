@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/model_summary.h"
+#include "results/static_sag.h"
 
 #include <complex>
 #include <optional>
@@ -104,6 +105,7 @@ struct ShowResult {
     std::optional<double> dI_angle; ///< axis of the smaller one in the rotor, rad
     std::vector<BalancerNumbers> balancers;
     std::optional<AnisotropyChart> anisotropy;
+    std::optional<StaticSag> sag; ///< none: nothing carries the weight
 };
 
 } // namespace whirl::results

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <unistd.h>
 
 namespace {
@@ -120,6 +121,25 @@ TEST_F(Program, SeveralOverridesAreAllUsed) {
     const auto json = nlohmann::json::parse(result.output);
     EXPECT_EQ(json.at("speeds").size(), 2U);
     EXPECT_EQ(json.at("modes").size(), 4U);
+}
+
+TEST_F(Program, ModesAreThoseAtTheSpeedAsked) {
+    const ProgramRun modes = run({"modes", rotor, "--json", "--speed", "3000 rpm"});
+    ASSERT_EQ(modes.status, 0) << modes.errors;
+    const nlohmann::json at = nlohmann::json::parse(modes.output);
+    EXPECT_NEAR(at.at("speed"), 100 * std::numbers::pi, 1e-12 * 314);
+    // The sweep of campbell from that speed on is another way to the same motions.
+    const ProgramRun sweep = run({"campbell", rotor, "--json", "--set", "speeds.from=3000 rpm",
+                                  "--set", "speeds.to=3100 rpm", "--set", "speeds.count=2"});
+    ASSERT_EQ(sweep.status, 0) << sweep.errors;
+    const nlohmann::json over_speed = nlohmann::json::parse(sweep.output);
+    std::vector<double> followed;
+    for (const nlohmann::json &mode : over_speed.at("modes"))
+        followed.push_back(mode.at("frequency").at(0));
+    std::sort(followed.begin(), followed.end());
+    ASSERT_GE(followed.size(), at.at("modes").size());
+    for (std::size_t i = 0; i < at.at("modes").size(); ++i) // both solve to 1e-12
+        EXPECT_NEAR(at.at("modes")[i].at("frequency").get<double>() / followed[i], 1, 1e-10);
 }
 
 TEST_F(Program, JsonAloneOnStandardOutputAndNoFiles) {

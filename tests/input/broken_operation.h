@@ -37,8 +37,8 @@ inline std::vector<BrokenCase> broken_operation() {
         {"seal on a pedestal", 11, "seal[0].pedestal_k", "unknown",
          seal + "k = 1\npedestal_k = 1\n"},
         {"seal of two stiffnesses", 10, "seal[0].k", "got both", seal + "k = 1\nkxx = 1\n"},
-        {"bearing of mass", 11, "bearing[0].m", "unknown",
-         base + "[[bearing]]\nz = 0\nk = 1\nm = 1\n"},
+        {"bearing of negative mass", 11, "bearing[0].m", "0 or more, got -1",
+         base + "[[bearing]]\nz = 0\nk = 1\nm = -1\n"},
     };
 }
 

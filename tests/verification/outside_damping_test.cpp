@@ -108,8 +108,8 @@ TEST(ProportionalDamping, IsInTheResponseAndItsError) {
             scene.speeds = model::SpeedRange{20, 400, 8};
             const auto result = analyses::unbalance_response(scene);
             for (const auto &node : result.nodes)
-                for (const auto &error : node.error) // order 4 against 8: some 1e-7
-                    EXPECT_LT(error, 1e-5) << asymmetry << " " << kyy;
+                for (const auto &error : node.error) // some 1e-5: damping in one mesh alone, 1e-2
+                    EXPECT_LT(error, 1e-4) << asymmetry << " " << kyy;
         }
 }
 
@@ -132,8 +132,9 @@ TEST(ProportionalDamping, OfMassActsOnARigidShaft) {
 /// The ratio of each undamped frequency at rest, and 0 of those beyond.
 void expect_ratios(const model::Rotor &rotor, Form form, int order,
                    const std::vector<double> &frequencies, const std::vector<double> &ratios) {
+    constexpr int rigid = 4; // of a free rotor
     const modes::Spectrum found =
-        tests::spectrum_of(rotor, form, order, 0, static_cast<int>(2 * frequencies.size()));
+        tests::spectrum_of(rotor, form, order, 0, static_cast<int>(2 * frequencies.size()) + rigid);
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
         const double ratio = i < ratios.size() ? ratios[i] : 0;
         const Complex value = frequencies[i] * Complex(-ratio, std::sqrt(1 - ratio * ratio));

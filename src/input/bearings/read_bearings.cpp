@@ -20,9 +20,11 @@ void read_rows(CheckedTable &table, model::Bearing &bearing) {
         table.fail(mixed->key, mixed->message);
     if (const auto wrong = against_mass(constant.m))
         table.fail(table.has("m") ? "m" : "mxx", *wrong);
-    const bool spline = table.choice("interpolation", {"linear", "spline"}, 0) == 1;
+    constexpr std::size_t none = 2; // said, or none that there is
+    const std::size_t between = table.choice("interpolation", {"linear", "spline"}, none);
+    const bool spline = between == 1;
     if (!table.has("table")) {
-        if (table.has("interpolation"))
+        if (between != none)
             table.fail("interpolation", "expected it with a table, got no table");
         bearing.rows.push_back(constant);
         return;

@@ -2,6 +2,7 @@
 
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
+#include "report/response/marks.h"
 #include "results/response.h"
 
 #include <fmt/format.h>
@@ -84,7 +85,7 @@ std::string draw(const std::string &panel, const std::vector<Curve> &curves, boo
 
 /// Logarithmic axis over the curves, at most six powers of ten down from the largest value, so that
 /// the start from rest does not squeeze the peaks.
-std::string logarithmic_axis(const std::vector<Curve> &curves) {
+Range logarithmic_range(const std::vector<Curve> &curves) {
     double high = 0;
     double low = HUGE_VAL;
     for (const Curve &curve : curves)
@@ -96,10 +97,15 @@ std::string logarithmic_axis(const std::vector<Curve> &curves) {
     if (high <= 0)
         high = low = 1;
     low = std::max(low, 1e-6 * high);
+    return {std::pow(10, std::floor(std::log10(low))),
+            std::pow(10, std::floor(std::log10(high)) + 1)};
+}
+
+std::string logarithmic_axis(const std::vector<Curve> &curves) {
+    const Range y = logarithmic_range(curves);
     return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset ytics auto\n"
                        "set yrange [{}:{}]\n",
-                       std::pow(10, std::floor(std::log10(low))),
-                       std::pow(10, std::floor(std::log10(high)) + 1));
+                       y.low, y.high);
 }
 
 /// rpm
@@ -142,7 +148,16 @@ template <class Place> std::vector<std::size_t> drawn_of(const std::vector<Place
 } // namespace
 
 std::vector<std::size_t> drawn_nodes(const ResponseResult &result) {
-    return drawn_of(result.nodes);
+    std::vector<std::size_t> drawn = drawn_of(result.nodes);
+    const auto largest = largest_station(result);
+    if (!largest || std::find(drawn.begin(), drawn.end(), *largest) != drawn.end())
+        return drawn;
+    // Never without the largest: in place of its neighbour among those that are drawn.
+    const auto far = [&](std::size_t i) { return std::max(i, *largest) - std::min(i, *largest); };
+    *std::min_element(drawn.begin(), drawn.end(),
+                      [&](std::size_t a, std::size_t b) { return far(a) < far(b); }) = *largest;
+    std::sort(drawn.begin(), drawn.end());
+    return drawn;
 }
 
 namespace {
@@ -192,12 +207,22 @@ Panels panels_of(const ResponseResult &result) {
 
 Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     const auto [amplitude, phase, force, nodes] = panels_of(result);
-    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(amplitude, force));
+    const Range x = speed_axis(result);
+    std::vector<std::string> names = names_of(amplitude, force);
+    PeakMarks marks;
+    if (const auto largest = largest_station(result)) {
+        std::vector<std::vector<PlotPoint>> busy;
+        for (const Curve &curve : amplitude)
+            busy.push_back(curve.points);
+        marks = peak_marks(result, *largest, {x, logarithmic_range(amplitude), 750, 355}, busy);
+        names.push_back("peaks of " +
+                        place_text(result.nodes[*largest].name, result.nodes[*largest].z));
+    }
+    const LegendedFigure room = beside_legend(92, 842, 1080, names);
     Figure figure;
     figure.width = room.width;
     figure.height = force.empty() ? 780 : 1040;
     const double pixel = 1.0 / figure.height;
-    const Range x = speed_axis(result);
     figure.script =
         figure_head("Unbalance response: " + title_of(scene),
                     fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
@@ -205,8 +230,8 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
         logarithmic_axis(amplitude) +
         panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
-        panel_axes(result, "Amplitude (µm)", false) +
-        draw("a", amplitude, true, operation_key(scene, x)) +
+        panel_axes(result, "Amplitude (µm)", false) + marks.before +
+        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) +
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
         panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +

@@ -7,6 +7,7 @@
 #include "report/pictures/figures.h"
 #include "report/reports.h"
 #include "report/response/gravity.h"
+#include "report/response/marks.h"
 #include "report/response/tables.h"
 
 #include <fmt/format.h>
@@ -264,12 +265,15 @@ std::string text_of(const model::Case &scene, const ResponseResult &result) {
     return text + model_text(result.model);
 }
 
-/// The picture of the weight beside that of the imbalances.
+/// The polar plot, and the picture of the weight beside that of the imbalances.
 std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result) {
-    if (!result.gravity || weight_alone(result))
-        return {};
-    return {{"response_gravity", gravity_figure(scene, result),
-             gravity_csv(*result.gravity, result.speeds)}};
+    std::vector<Picture> pictures;
+    if (has_polar(result))
+        pictures.push_back({"response_polar", polar_figure(scene, result), ""});
+    if (result.gravity && !weight_alone(result))
+        pictures.push_back({"response_gravity", gravity_figure(scene, result),
+                            gravity_csv(*result.gravity, result.speeds)});
+    return pictures;
 }
 
 Figure main_figure(const model::Case &scene, const ResponseResult &result) {
@@ -283,7 +287,9 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
         "response", weight_alone(result) ? "Response to the weight" : "Unbalance response", scene,
         result, {json_of, csv_of, sections_of, text_of, main_figure});
     report.pictures = [&scene, &result] { return pictures_of(scene, result); };
-    report.pictures_heading = "Motion under the weight";
+    report.pictures_heading = !result.gravity || weight_alone(result) ? "Polar plot"
+                              : has_polar(result) ? "Polar plot and motion under the weight"
+                                                  : "Motion under the weight";
     report.pictures_after = weight_alone(result) ? 0 : 2;
     return report;
 }

@@ -40,7 +40,7 @@ results::Waterfall WindowSamples::spectra(std::size_t station) const {
     if (_starts.empty())
         return out;
     out.window = window();
-    const int highest = static_cast<int>(_count / 2 / oversampled);
+    const int highest = static_cast<int>(_count / (2 * oversampled));
     for (int i = 0; i <= highest; ++i)
         out.frequencies.push_back(2 * pi * i / window());
     Eigen::FFT<double> fft;

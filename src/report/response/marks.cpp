@@ -1,0 +1,252 @@
+#include "report/response/marks.h"
+
+#include "report/common/text_width.h"
+#include "report/common/words.h"
+#include "report/pictures/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::ResponsePeak;
+using results::ResponseResult;
+
+namespace {
+
+constexpr double label_size = 10;
+
+/// The values of a station over the speeds of the curves, or of the case where there are none.
+const std::vector<double> &amplitudes_of(const ResponseResult &result, std::size_t i) {
+    return i < result.curves.values.size() ? result.curves.values[i] : result.nodes[i].amplitude;
+}
+const std::vector<double> &phases_of(const ResponseResult &result, std::size_t i) {
+    return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
+}
+const std::vector<double> &speeds_of(const ResponseResult &result) {
+    return result.curves.speeds.empty() ? result.speeds : result.curves.speeds;
+}
+
+std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::size_t station) {
+    std::vector<const ResponsePeak *> peaks;
+    for (const ResponsePeak &peak : result.peaks)
+        if (peak.of == "station" && peak.place == static_cast<int>(station) &&
+            std::isfinite(peak.value))
+            peaks.push_back(&peak);
+    return peaks;
+}
+
+/// "2951 rpm, AF 12.3"
+std::string peak_text(const ResponsePeak &peak) {
+    const std::string speed = fmt::format("{:.0f} rpm", peak.speed * rpm);
+    return peak.amplification ? fmt::format("{}, AF {}", speed, readable(*peak.amplification, 3))
+                              : speed;
+}
+
+/// Fractions of a panel.
+struct Across {
+    const BodePanel &panel;
+    [[nodiscard]] double x(double value) const {
+        return (value - panel.x.low) / (panel.x.high - panel.x.low);
+    }
+    [[nodiscard]] double y(double value) const {
+        return std::log(value / panel.y.low) / std::log(panel.y.high / panel.y.low);
+    }
+};
+
+LabelPlacer occupied(const BodePanel &panel, const std::vector<std::vector<PlotPoint>> &busy) {
+    LabelPlacer placer;
+    const Across at{panel};
+    const double width = 6 / panel.pixels_wide;
+    const double height = 6 / panel.pixels_high;
+    for (const auto &curve : busy)
+        for (const PlotPoint &point : curve)
+            if (point.y && *point.y > 0)
+                placer.block(
+                    {at.x(point.x) - width / 2, at.y(*point.y) - height / 2, width, height});
+    return placer;
+}
+
+} // namespace
+
+std::optional<std::size_t> largest_station(const ResponseResult &result) {
+    std::optional<std::size_t> largest;
+    double most = 0; // none where nothing moves
+    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+        double here = 0;
+        for (const std::vector<double> *values :
+             {&amplitudes_of(result, i), &result.nodes[i].amplitude})
+            for (const double value : *values)
+                here = std::isnan(value) ? here : std::max(here, value);
+        for (const ResponsePeak &peak : result.peaks)
+            if (peak.of == "station" && peak.place == static_cast<int>(i))
+                here = std::max(here, peak.value);
+        if (here > most * (1 + 1e-9)) { // not for rounding to choose among equal ones
+            most = here;
+            largest = i;
+        }
+    }
+    return largest;
+}
+
+PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const BodePanel &panel,
+                     const std::vector<std::vector<PlotPoint>> &busy) {
+    PeakMarks marks;
+    LabelPlacer placer = occupied(panel, busy);
+    const Across at{panel};
+    std::vector<PlotPoint> tops;
+    std::vector<PlotPoint> halves;
+    int unnamed = 0;
+    for (const ResponsePeak *peak : peaks_of(result, station)) {
+        const double value = peak->value * micrometres;
+        tops.push_back({peak->speed * rpm, value});
+        for (const std::optional<double> &half : {peak->lower, peak->upper})
+            if (half && *half * rpm >= panel.x.low && *half * rpm <= panel.x.high)
+                halves.push_back({*half * rpm, value / std::sqrt(2.0)});
+        const std::string text = peak_text(*peak);
+        const auto box = placer.place(at.x(peak->speed * rpm), at.y(value),
+                                      (text_width(text, label_size) + 8) / panel.pixels_wide,
+                                      15 / panel.pixels_high);
+        unnamed += box ? 0 : 1;
+        if (box)
+            marks.before +=
+                fmt::format("set label {} at graph {},{} left font ',{}'\n", plot_text(text),
+                            box->x, box->y + box->height / 2, label_size);
+    }
+    if (unnamed > 0)
+        marks.before += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.04 "
+                                    "left font ',{}' textcolor '#555555'\n",
+                                    unnamed, label_size);
+    if (tops.empty())
+        return marks;
+    const auto &of = result.nodes[station];
+    marks.before += data_block("tops", {tops}) + data_block("halves", {halves});
+    marks.plots = fmt::format(", $tops with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' title {}",
+                              plot_text("peaks of " + place_text(of.name, of.z)));
+    if (!halves.empty())
+        marks.plots += ", $halves with points pt 2 ps 1 lw 1.6 lc rgb '#000000' title 'half power'";
+    return marks;
+}
+
+bool has_polar(const ResponseResult &result) {
+    const auto limited = [](const std::vector<double> &values) {
+        return std::all_of(values.begin(), values.end(),
+                           [](double value) { return std::isfinite(value); });
+    };
+    bool any = false;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+        if (!limited(amplitudes_of(result, i)))
+            return false;
+        for (const double value : amplitudes_of(result, i))
+            any = any || value > 0;
+    }
+    return any && result.speeds.size() > 1 &&
+           std::all_of(result.peaks.begin(), result.peaks.end(),
+                       [](const ResponsePeak &peak) { return std::isfinite(peak.value); });
+}
+
+namespace {
+
+std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t station) {
+    std::vector<PlotPoint> points;
+    const std::vector<double> &amplitude = amplitudes_of(result, station);
+    const std::vector<double> &phase = phases_of(result, station);
+    for (std::size_t k = 0; k < amplitude.size() && k < phase.size(); ++k) {
+        const double size = amplitude[k] * micrometres;
+        if (size == 0)
+            points.push_back({0, 0});
+        else if (std::isfinite(phase[k]))
+            points.push_back({size * std::cos(phase[k]), size * std::sin(phase[k])});
+    }
+    return points;
+}
+
+/// Circles of round amplitudes with their numbers along the direction of -45 degrees.
+std::string rings(double largest) {
+    const double power = std::pow(10, std::floor(std::log10(largest)));
+    const double step = largest / power < 2 ? 0.5 * power : largest / power < 5 ? power : 2 * power;
+    std::vector<std::vector<PlotPoint>> circles;
+    std::string script;
+    for (int i = 1; i * step <= largest * (1 + 1e-9); ++i) {
+        circles.emplace_back();
+        for (int k = 0; k <= 120; ++k)
+            circles.back().push_back(
+                {i * step * std::cos(k * pi / 60), i * step * std::sin(k * pi / 60)});
+        script += fmt::format("set label '{:.3g}' at {},{} center font ',9' textcolor '#777777'\n",
+                              i * step, i * step * std::cos(pi / 4), -i * step * std::sin(pi / 4));
+    }
+    return script + data_block("rings", circles);
+}
+
+/// Peaks of a station with their speeds, where there is room.
+std::string polar_peaks(const ResponseResult &result, std::size_t station, double range,
+                        double pixels) {
+    LabelPlacer placer;
+    std::vector<PlotPoint> tops;
+    std::string script;
+    for (const PlotPoint &point : polar_points(result, station))
+        placer.block({(point.x / range + 1) / 2 - 3 / pixels,
+                      (*point.y / range + 1) / 2 - 3 / pixels, 6 / pixels, 6 / pixels});
+    for (const ResponsePeak *peak : peaks_of(result, station)) {
+        const double size = peak->value * micrometres;
+        const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
+        tops.push_back(top);
+        const std::string text = fmt::format("{:.0f} rpm", peak->speed * rpm);
+        const auto box = placer.place((top.x / range + 1) / 2, (*top.y / range + 1) / 2,
+                                      (text_width(text, label_size) + 8) / pixels, 15 / pixels);
+        if (box)
+            script += fmt::format("set label {} at graph {},{} left font ',{}' front\n",
+                                  plot_text(text), box->x, box->y + box->height / 2, label_size);
+    }
+    return script + data_block("tops", {tops});
+}
+
+} // namespace
+
+Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
+    const std::size_t largest = largest_station(result).value_or(0);
+    double most = 0;
+    for (const double value : amplitudes_of(result, largest))
+        most = std::max(most, value * micrometres);
+    for (const ResponsePeak *peak : peaks_of(result, largest))
+        most = std::max(most, peak->value * micrometres);
+    const double range = 1.15 * most;
+    std::vector<std::string> names{"peaks of " +
+                                   place_text(result.nodes[largest].name, result.nodes[largest].z)};
+    std::string data;
+    std::string plots = "$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle";
+    const std::vector<std::size_t> drawn = drawn_nodes(result);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const LineStyle style = series_style(i);
+        const auto &node = result.nodes[drawn[i]];
+        names.push_back(place_text(node.name, node.z));
+        data += data_block(fmt::format("p{}", i), {polar_points(result, drawn[i])});
+        plots += fmt::format(", $p{} with lines lc rgb '{}' lw 1.8 dt {} title {}", i, style.colour,
+                             style.dash, plot_text(names.back()));
+    }
+    plots += ", $tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]);
+    constexpr double pixels = 640;
+    const LegendedFigure room = beside_legend(92, 92 + pixels, 980, names);
+    Figure figure;
+    figure.width = room.width;
+    figure.height = 800;
+    const double pixel = 1.0 / figure.height;
+    figure.script =
+        figure_head("Polar plot: " + title_of(scene),
+                    fmt::format("amplitude (µm) at the angle of the phase of x, from {:.0f} to "
+                                "{:.0f} rpm",
+                                speeds_of(result).front() * rpm, speeds_of(result).back() * rpm),
+                    figure.height) +
+        panel_margins(room.left, room.right, 1 - 730 * pixel, 1 - (730 - pixels) * pixel) +
+        fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb '#BBBBBB'\n"
+                    "set yzeroaxis lc rgb '#BBBBBB'\nset xlabel 'x (µm)'\nset ylabel 'y (µm)'\n"
+                    "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
+                    -range, range) +
+        rings(most) + polar_peaks(result, largest, range, pixels) + data + "plot " + plots +
+        "\nunset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report

@@ -1,0 +1,62 @@
+#include "report/static_sag.h"
+
+#include "report/common/table.h"
+#include "report/common/words.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace whirl::report {
+
+using results::SagBearing;
+using results::SagStation;
+using results::StaticSag;
+
+namespace {
+
+const Columns<SagStation> sag_columns{
+    {"z", "", {"z (m)"}, {"z m"}, &SagStation::z},
+    {"name", "", {"Station"}, {"station"}, &SagStation::name},
+    {"x", "", {}, {}, &SagStation::x},
+    {"y", "", {}, {}, &SagStation::y},
+    {"", "", {"Static deflection x (m)", "{:.5g}"}, {"static x m", "{:.4g}"}, &SagStation::x},
+    {"", "", {"Static deflection y (m)", "{:.5g}"}, {"static y m", "{:.4g}"}, &SagStation::y},
+    {"slope_x", "", {"Slope x (rad)", "{:.5g}"}, {}, &SagStation::slope_x},
+    {"slope_y", "", {"Slope y (rad)", "{:.5g}"}, {"slope y rad", "{:.4g}"}, &SagStation::slope_y},
+    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &SagStation::error},
+    {"slope_error", "", {}, {}, &SagStation::slope_error}};
+
+const Columns<SagBearing> bearing_columns{
+    {"z", "", {"z (m)"}, {"z m"}, &SagBearing::z},
+    {"name", "", {"Bearing"}, {"bearing"}, &SagBearing::name},
+    {"load",
+     "",
+     {"Load downwards (N)", "{:.7g}"},
+     {"load downwards N", "{:.6g}"},
+     &SagBearing::load},
+    {"side", "", {"Load along x (N)", "{:.5g}"}, {}, &SagBearing::side},
+    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &SagBearing::error}};
+
+} // namespace
+
+std::string sag_heading(const StaticSag &sag) {
+    return fmt::format("At rest under its weight ({:.6g} m/s²)", sag.gravity);
+}
+
+Json sag_json(const StaticSag &sag) {
+    return {{"gravity", sag.gravity},
+            {"stations", json_rows(sag_columns, sag.stations)},
+            {"bearings", json_rows(bearing_columns, sag.bearings)}};
+}
+
+std::string sag_page(const StaticSag &sag) {
+    return page_table(bearing_columns, sag.bearings) + page_table(sag_columns, sag.stations);
+}
+
+std::string sag_text(const StaticSag &sag) {
+    return sag_heading(sag) + "\n" + text_table(bearing_columns, sag.bearings) + "\n" +
+           text_table(sag_columns, sag.stations) + "\n";
+}
+
+} // namespace whirl::report
