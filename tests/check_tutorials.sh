@@ -37,7 +37,7 @@ found() {
 for page in "${pages[@]}"; do
   folder="$(mktemp -d)"
   cd "$folder"
-  ln -s "$root/cases" cases
+  ln -s "$root/cases" "$root/meshes" .
   kind="" file="" line=0 next=1
   : > printed
   while IFS= read -r text; do
