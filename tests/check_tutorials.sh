@@ -11,6 +11,8 @@ program="$(realpath "$1")"
 root="$(realpath "${2:-$(dirname "${BASH_SOURCE[0]}")/..}")"
 pages=("${@:3}")
 ((${#pages[@]})) || pages=("$root"/docs/tutorial_*.md)
+mapfile -t pages < <(realpath -e "${pages[@]}") # the work is done in other folders
+((${#pages[@]})) || { echo "no tutorials"; exit 1; }
 whirl() { "$program" "$@"; }
 
 broken=0
