@@ -123,7 +123,7 @@ Command simulate_row() {
             "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
             {"simulate", "speeds"},
             {},
-            {"cases/runup_jeffcott", "cases/ring_jeffcott --set \"simulate.time=20 s\""},
+            {"cases/runup_jeffcott", "cases/blade_loss --units mm-rpm"},
             simulate_or_leave_restart};
 }
 
