@@ -172,7 +172,7 @@ void real_balancers(const results::BalanceResult &result, bool damped,
     }
     std::string text = fmt::format(
         "With the real balancers the balanced position is stable over {:.4g} rad/s of the range, "
-        "the criterion holds over {:.4g}, both over {:.4g}.",
+        "the criterion holds over {:.4g} rad/s, both over {:.4g} rad/s.",
         width_of(real), width_of(criterion), both);
     if (both < 0.98 * width_of(criterion))
         text += " Where the criterion holds and the real balancers fail, their mass shifts the "
@@ -182,7 +182,7 @@ void real_balancers(const results::BalanceResult &result, bool damped,
                 "every kind of balancer.";
     if (result.balanced_position->arrangements > 1)
         text += fmt::format(" Over {} arrangements of the balls: stable with every one over {:.4g} "
-                            "rad/s, with some over {:.4g}.",
+                            "rad/s, with some over {:.4g} rad/s.",
                             result.balanced_position->arrangements,
                             width_of(result.balanced_position->with_every),
                             width_of(result.balanced_position->with_some));
