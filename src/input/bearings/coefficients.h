@@ -57,6 +57,6 @@ void read_bearing_table(const std::string &path, bool spline, model::Bearing &be
 /// between them depart from the spline by at most `departure` of the largest entry of that kind.
 /// Between two rows of the table there is a line, among three a parabola.
 /// @returns false where that would take more than 2000 rows
-[[nodiscard]] bool refine_by_spline(model::Bearing &bearing, double departure = 1e-6);
+[[nodiscard]] bool refine_by_spline(model::Bearing &bearing, double departure = 1e-5);
 
 } // namespace whirl::input
