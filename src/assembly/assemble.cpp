@@ -79,6 +79,17 @@ void assemble_shaft_asymmetry(const Discretization &d, const AddConjugate &add) 
     }
 }
 
+/// Entries of a planar matrix times a block on (x, y).
+void add_element(Term term, const std::vector<int> &unknowns, const Eigen::MatrixXd &matrix,
+                 const Eigen::Matrix2d &block, const AddCoupling &add) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        for (std::size_t j = 0; j < unknowns.size(); ++j) {
+            const double a = matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+            if (a != 0)
+                add(term, unknowns[i], unknowns[j], a * block);
+        }
+}
+
 /// alpha M + beta K of the shaft's elements, on velocities in the fixed frame.
 void assemble_proportional_damping(const Discretization &d, const AddCoupling &add) {
     const model::Shaft &shaft = d.rotor().shaft;
@@ -92,12 +103,7 @@ void assemble_proportional_damping(const Discretization &d, const AddCoupling &a
         const Eigen::MatrixXd block =
             d.rigid() ? Eigen::MatrixXd(shaft.alpha * T.transpose() * beam.M * T)
                       : Eigen::MatrixXd(shaft.alpha * beam.M + shaft.beta * beam.K);
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-            for (std::size_t j = 0; j < unknowns.size(); ++j) {
-                const double c = block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-                if (c != 0)
-                    add(Term::damping, unknowns[i], unknowns[j], c * Eigen::Matrix2d::Identity());
-            }
+        add_element(Term::damping, unknowns, block, Eigen::Matrix2d::Identity(), add);
     }
 }
 
@@ -123,16 +129,8 @@ void assemble_torque(const Discretization &d, const AddCoupling &add) {
     if (shaft.axial_torque == 0 || d.rigid())
         return;
     const auto last = static_cast<int>(d.shaft_mesh().spans.size());
-    for (int span = 0; span < last; ++span) {
-        const std::vector<int> unknowns = d.beam_unknowns(span);
-        const Eigen::MatrixXd &B = d.beam(span).torque;
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-            for (std::size_t j = 0; j < unknowns.size(); ++j) {
-                const double b = B(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-                if (b != 0)
-                    add(Term::stiffness, unknowns[i], unknowns[j], turned(b));
-            }
-    }
+    for (int span = 0; span < last; ++span)
+        add_element(Term::stiffness, d.beam_unknowns(span), d.beam(span).torque, turned(1), add);
     const double follows = shaft.torque_kind == model::TorqueKind::axial        ? -1
                            : shaft.torque_kind == model::TorqueKind::tangential ? 1
                                                                                 : 0;

@@ -12,6 +12,12 @@
 
 namespace whirl::tracking {
 
+int side_of(const modes::WhirlMode &mode, double speed, double multiple) {
+    const double target = multiple * std::abs(speed);
+    const double distance = mode.eigenvalue.imag() - target;
+    return std::abs(distance) <= resolved * target ? 0 : distance > 0 ? 1 : -1;
+}
+
 StepEnd end_of(const modes::Spectrum &spectrum, const Rates &rates, std::size_t place,
                double multiple, bool towards_higher) {
     const modes::WhirlMode &mode = spectrum.modes[place];

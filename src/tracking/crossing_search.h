@@ -14,6 +14,9 @@ namespace whirl::tracking {
 /// this share of the speed: eigenvalues are known to some 1e-12.
 inline constexpr double resolved = 1e-11;
 
+/// -1, 0 or 1: a mode's frequency is below a multiple of the spin speed, on it, or above.
+[[nodiscard]] int side_of(const modes::WhirlMode &mode, double speed, double multiple);
+
 /// Distance of a mode of a spectrum from a multiple of the spin speed.
 [[nodiscard]] StepEnd end_of(const modes::Spectrum &spectrum, const Rates &rates, std::size_t place,
                              double multiple, bool towards_higher);

@@ -115,10 +115,7 @@ class Sweep {
         if (!overlap_of(band, _nodes.speed(k), _nodes.speed(k + 1)))
             return false;
         const auto side = [&](std::size_t node, std::size_t place) {
-            const modes::Spectrum &spectrum = _nodes.spectrum(node);
-            const double target = band.multiple * std::abs(spectrum.speed);
-            const double distance = spectrum.modes[place].eigenvalue.imag() - target;
-            return std::abs(distance) <= resolved * target ? 0 : distance > 0 ? 1 : -1;
+            return side_of(_nodes.spectrum(node).modes[place], _nodes.speed(node), band.multiple);
         };
         return side(k, link.from) * side(k + 1, link.to) <= 0;
     }

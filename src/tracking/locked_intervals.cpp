@@ -139,8 +139,7 @@ bool on_multiple(const modes::SpectrumSolver &solver, const modes::WhirlMode &mo
     const bool stands =
         multiple == 1 && results::in_rotating_axes(solver.form()) && locked(mode, speed);
     // At rest a motion without a frequency is on every multiple; nothing else is known of it.
-    const double target = multiple * std::abs(speed);
-    return !stands && std::abs(mode.eigenvalue.imag() - target) <= resolved * target;
+    return !stands && side_of(mode, speed, multiple) == 0;
 }
 
 /// Follows one line over its speeds on a multiple.

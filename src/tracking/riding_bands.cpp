@@ -46,19 +46,19 @@ class BandSearch {
     std::vector<Sides> _nodes;
     std::vector<RidingBand> _bands;
 
+    /// Still in the rotor, on the spin speed itself.
+    [[nodiscard]] bool stands(const modes::WhirlMode &mode, double speed) const {
+        return _multiple == 1 && locked(mode, speed);
+    }
     [[nodiscard]] Sides sides(const modes::Spectrum &spectrum) const {
         Sides out{spectrum.speed};
-        const double target = _multiple * std::abs(spectrum.speed);
         for (const modes::WhirlMode &mode : spectrum.modes) {
-            if (locked(mode, spectrum.speed) && _multiple == 1)
+            if (stands(mode, spectrum.speed))
                 continue;
-            const double distance = mode.eigenvalue.imag() - target;
-            if (std::abs(distance) <= resolved * target) {
-                ++out.on;
-                out.real += mode.eigenvalue.real();
-            } else if (distance < 0) {
-                ++out.below;
-            }
+            const int side = side_of(mode, spectrum.speed, _multiple);
+            out.below += side < 0 ? 1 : 0;
+            out.on += side == 0 ? 1 : 0;
+            out.real += side == 0 ? mode.eigenvalue.real() : 0;
         }
         out.real /= static_cast<double>(std::max<std::ptrdiff_t>(1, out.on));
         return out;
@@ -130,7 +130,7 @@ class BandSearch {
         for (std::size_t i = 0; i < node.lines.size(); ++i) {
             const modes::WhirlMode &mode = mode_at(node, i);
             const double distance = std::abs(mode.eigenvalue.imag() - _multiple * std::abs(speed));
-            if (node.lines[i] == no_line || (_multiple == 1 && locked(mode, speed)) ||
+            if (node.lines[i] == no_line || stands(mode, speed) ||
                 (line != no_line && distance >= least))
                 continue;
             line = node.lines[i];

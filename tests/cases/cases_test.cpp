@@ -1,6 +1,7 @@
 // Runs the program on every folder of cases/ and compares with its expected.json, check by check.
 
 #include "program_run.h"
+#include "support/case_names.h"
 #include "support/schema.h"
 
 #include <gtest/gtest.h>
@@ -30,15 +31,6 @@ void PrintTo(const Check &check, std::ostream *out) {
     *out << check.entry.value("source", "no source");
 }
 
-std::vector<std::string> case_folders() {
-    std::vector<std::string> names;
-    for (const auto &item : fs::directory_iterator(fs::path(WHIRL_ROOT) / "cases"))
-        if (item.is_directory())
-            names.push_back(item.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// The list of checks of a case; empty where the file is missing or not as it should be.
 json checks_of(const std::string &case_name) {
     std::ifstream file(fs::path(WHIRL_ROOT) / "cases" / case_name / "expected.json");
@@ -49,7 +41,7 @@ json checks_of(const std::string &case_name) {
 
 std::vector<Check> all_checks() {
     std::vector<Check> all;
-    for (const std::string &name : case_folders()) {
+    for (const std::string &name : whirl::tests::case_names()) {
         int number = 0;
         for (const json &entry : checks_of(name))
             all.push_back({name, ++number, entry});
@@ -252,7 +244,7 @@ TEST_P(CaseFolder, is_complete) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, CaseFolder, testing::ValuesIn(case_folders()),
+INSTANTIATE_TEST_SUITE_P(Cases, CaseFolder, testing::ValuesIn(whirl::tests::case_names()),
                          [](const auto &test) { return test.param; });
 
 } // namespace

@@ -2,6 +2,7 @@
 // text leaves the frame and no two lie on each other.
 
 #include "program_run.h"
+#include "support/case_names.h"
 #include "support/svg_texts.h"
 
 #include <gtest/gtest.h>
@@ -20,15 +21,6 @@ std::string content_of(const fs::path &path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
-}
-
-std::vector<std::string> case_names() {
-    std::vector<std::string> names;
-    for (const auto &item : fs::directory_iterator(fs::path(WHIRL_ROOT) / "cases"))
-        if (item.is_directory())
-            names.push_back(item.path().filename().string());
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 /// A command line behind the case, without what every run has.
@@ -126,7 +118,7 @@ TEST_P(CasePictures, OfAComparisonAreInOrderToo) {
     EXPECT_GE(done, 1) << errors;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, CasePictures, testing::ValuesIn(case_names()),
+INSTANTIATE_TEST_SUITE_P(Cases, CasePictures, testing::ValuesIn(whirl::tests::case_names()),
                          [](const auto &test) { return test.param; });
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "properties/spectra_difference.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
+#include "support/case_names.h"
 
 #include <fmt/format.h>
 
@@ -32,10 +33,9 @@ constexpr int few = 11;
 
 std::vector<fs::path> case_folders(const std::string &wanted) {
     std::vector<fs::path> folders;
-    for (const auto &item : fs::directory_iterator(fs::path(WHIRL_ROOT) / "cases"))
-        if (item.is_directory() && (wanted == "all" || item.path().filename() == wanted))
-            folders.push_back(item.path());
-    std::sort(folders.begin(), folders.end());
+    for (const std::string &name : whirl::tests::case_names())
+        if (wanted == "all" || name == wanted)
+            folders.push_back(fs::path(WHIRL_ROOT) / "cases" / name);
     return folders;
 }
 

@@ -285,16 +285,21 @@ TEST(BaseMotion, ActsAsAFieldOnTheMass) {
     EXPECT_LT(energy_missing(result), 1e-7);
 }
 
-// Relative to the foundation: -a/(natural^2 - w^2 + i c w/m).
-TEST(BaseMotion, EndsInTheSteadyClosedForm) {
-    RigidJeffcott rotor;
-    const double frequency = 1.2 * rotor.natural();
+/// At rest, while the foundation shakes along y with 5 m/s2.
+model::Case shaken_scene(const RigidJeffcott &rotor, double frequency) {
     model::Case scene = still_scene(rotor, 1.2);
     model::StationForce harmonic;
     harmonic.y = 5;
     harmonic.frequency = frequency;
     scene.simulate.base = model::BaseMotion{harmonic, {}};
-    const results::SimulateResult result = analyses::simulate(scene);
+    return scene;
+}
+
+// Relative to the foundation: -a/(natural^2 - w^2 + i c w/m).
+TEST(BaseMotion, EndsInTheSteadyClosedForm) {
+    RigidJeffcott rotor;
+    const double frequency = 1.2 * rotor.natural();
+    const results::SimulateResult result = analyses::simulate(shaken_scene(rotor, frequency));
     const double expected =
         5 * rotor.mass /
         std::hypot(rotor.kx - rotor.mass * frequency * frequency, rotor.c * frequency);
@@ -308,13 +313,9 @@ TEST(BaseMotion, DoesNotPullAtTheFluidInBearings) {
     RigidJeffcott rotor;
     const double fluid = 4;
     const double frequency = 0.7 * rotor.natural();
-    model::Case scene = still_scene(rotor, 1.2);
+    model::Case scene = shaken_scene(rotor, frequency);
     for (model::Bearing &bearing : scene.rotor.bearings)
         bearing.rows[0].m = fluid / 2 * Eigen::Matrix2d::Identity();
-    model::StationForce harmonic;
-    harmonic.y = 5;
-    harmonic.frequency = frequency;
-    scene.simulate.base = model::BaseMotion{harmonic, {}};
     const results::SimulateResult result = analyses::simulate(scene);
     const double expected =
         5 * rotor.mass /

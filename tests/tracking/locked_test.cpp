@@ -122,14 +122,20 @@ TEST(Locked, BetweenTheTwoCriticalSpeedsOfAnAsymmetricRotor) {
     }
 }
 
-TEST(Locked, OnUnequalBearingsIsWhereAnUndampedRotorGrows) {
-    // The tilting rotor of cases/hill_rotor without its damping: what stands still in it grows, and
-    // what does not keeps its size, by the multipliers of its periodic equations.
+/// The tilting rotor of cases/hill_rotor.
+model::Case hill_scene(double c) {
     model::Case scene;
     scene.rotor.shaft = tests::weightless_rigid_shaft(1);
     scene.rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
     scene.rotor.anisotropies = {{"", 0.5, 0.08, 0}};
-    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 0), tests::bearing(1, 4e5, 6e5, 0, 0)};
+    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, c), tests::bearing(1, 4e5, 6e5, 0, c)};
+    return scene;
+}
+
+TEST(Locked, OnUnequalBearingsIsWhereAnUndampedRotorGrows) {
+    // Without its damping: what stands still in it grows, and what does not keeps its size, by the
+    // multipliers of its periodic equations.
+    model::Case scene = hill_scene(0);
     const assembly::Discretization d(scene.rotor, 1);
     for (const int count : {8, 31}) {
         scene.speeds = {600, 1300, count};
@@ -156,13 +162,9 @@ int real_multipliers(const assembly::Discretization &d, double speed) {
 }
 
 TEST(Locked, InANarrowBandOfADampedRotorOnUnequalBearingsIsTheSameOnEveryGrid) {
-    // cases/hill_rotor: the backward tilt meets its own copy about the spin speed it crosses; in
+    // The backward tilt meets its own copy about the spin speed it crosses; in
     // the band two multipliers are real, outside none.
-    model::Case scene;
-    scene.rotor.shaft = tests::weightless_rigid_shaft(1);
-    scene.rotor.discs = {tests::disc(0.5, 20, 0.8, 0.5)};
-    scene.rotor.anisotropies = {{"", 0.5, 0.08, 0}};
-    scene.rotor.bearings = {tests::bearing(0, 4e5, 6e5, 0, 20), tests::bearing(1, 4e5, 6e5, 0, 20)};
+    model::Case scene = hill_scene(20);
     const assembly::Discretization d(scene.rotor, 1);
     for (const auto &[low, high, count] :
          {std::tuple(420.0, 440.0, 2), std::tuple(420.0, 440.0, 3), std::tuple(415.0, 445.0, 41)}) {
