@@ -1,8 +1,7 @@
 #include "analyses/balance.h"
 
 #include "analyses/balance_findings.h"
-#include "analyses/balance_in_time.h"
-#include "analyses/balance_stability.h"
+#include "analyses/real_balancers.h"
 #include "criterion/bands.h"
 #include "criterion/error.h"
 #include "criterion/pendulum.h"
@@ -11,7 +10,6 @@
 #include "criterion/rotor.h"
 #include "linalg/check.h"
 #include "model/errors.h"
-#include "model/variants.h"
 #include "process/parallel.h"
 #include "process/progress.h"
 
@@ -207,25 +205,6 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
     return result;
 }
 
-/// What the criterion leaves open: the balancers as they are, with the order chosen for it and the
-/// form that suits them, whatever form was asked for for the criterion.
-void fill_real_balancers(const model::Case &scene, const criterion::BalanceScene &s,
-                         results::BalanceResult &result) {
-    const model::BalanceSettings &asked = scene.balance;
-    if (!asked.balanced_position && asked.simulated == 0)
-        return;
-    std::vector<std::string> &notes = result.model.notes;
-    model::Case real = scene;
-    real.rotor = model::with_order(std::move(real.rotor), s.order);
-    real.formulation = model::FormChoice::automatic;
-    std::optional<process::Stage> stage(std::in_place, "linear stability with real balancers", 0.4,
-                                        0.7);
-    JudgedPosition position = judged_position(real, notes);
-    result.balanced_position = std::move(position.stable);
-    stage.emplace("motions in time", 0.7, 1.0);
-    result.simulated = simulated_speeds(real, position.model, notes);
-}
-
 } // namespace
 
 results::BalanceResult balance(const model::Case &scene, const BalanceOptions &options) {
@@ -242,7 +221,7 @@ results::BalanceResult balance(const model::Case &scene, const BalanceOptions &o
             result.pendulum = criterion::pendulum_balance(scene, s, result.model.notes);
         }
         if (s.has_range() && !scene.rotor.balancers.empty())
-            fill_real_balancers(scene, s, result);
+            judge_real_balancers(scene, s.order, result);
         result.findings = balance_findings(result, scene);
         return result;
     } catch (const linalg::SolverError &error) {

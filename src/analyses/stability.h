@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/case_with.h"
 #include "balancers/arrangement.h"
 #include "model/case.h"
 #include "results/stability.h"
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace whirl::analyses {
-
-/// The case with some of its entries overridden ("path=value").
-using CaseWith = std::function<model::Case(const std::vector<std::string> &overrides)>;
 
 /// Where motion is unstable: growth over the speeds of the case; all unstable bands in the range,
 /// ends refined (unstable_bands.h); critical and additional speeds; permissible anisotropies;

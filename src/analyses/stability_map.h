@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/stability.h"
+#include "analyses/case_with.h"
 #include "results/stability.h"
 
 namespace whirl::analyses {

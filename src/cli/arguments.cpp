@@ -153,7 +153,7 @@ std::string command_list() {
     std::string list;
     for (const Command &command : commands())
         list += (list.empty() ? "" : ", ") + command.name;
-    return list + ", compare";
+    return comparison() ? list + ", compare" : list;
 }
 
 Parsed parse_arguments(int argc, const char *const *argv) {
@@ -168,7 +168,8 @@ Parsed parse_arguments(int argc, const char *const *argv) {
     Arguments arguments;
     for (const Command &command : commands())
         add_options(*app.add_subcommand(command.name, command.answer), command, arguments);
-    add_compare(app, arguments);
+    if (comparison())
+        add_compare(app, arguments);
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp &) {

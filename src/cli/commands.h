@@ -47,16 +47,30 @@ struct Command {
     std::function<void(const Run &)> run; ///< case to result to report
 };
 
-/// All commands, in the order of --help.
+/// A row each, in the source of its name.
+Command accuracy_command();
+Command balance_command();
+Command campbell_command();
+Command critical_command();
+Command modes_command();
+Command response_command();
+Command rigid_limit_command();
+Command samples_command();
+Command show_command();
+Command simulate_command();
+Command stability_command();
+
+/// What this program can do: all commands (commands/all.cpp), or one (commands/one.cpp), in the
+/// order of --help.
 [[nodiscard]] const std::vector<Command> &commands();
 
 /// Of compare: results that were written before or are computed now, side by side.
 /// @throws model::BadInput for results that are of different kinds
-void compare_results(const Arguments &arguments);
+using Compare = void (*)(const Arguments &arguments);
 
-/// Of simulate: the motion, from the restart file that the case names if any. On SIGINT writes a
-/// restart file into the folder for results.
-/// @throws model::AnalysisFailure then, with what to do to go on.
-void simulate_or_leave_restart(const Run &run);
+/// Null in a program of one command.
+[[nodiscard]] Compare comparison();
+
+void compare_results(const Arguments &arguments);
 
 } // namespace whirl::cli

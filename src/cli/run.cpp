@@ -66,9 +66,13 @@ const Command &command_of(const Arguments &arguments) {
 
 } // namespace
 
+std::filesystem::path Run::folder() const {
+    return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
+}
+
 void run(const Arguments &arguments) {
     if (arguments.command == "compare")
-        return compare_results(arguments);
+        return comparison()(arguments);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);

@@ -27,7 +27,9 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
 #define WHIRL_EIGEN_SOLVES(what, Dense)                                                            \
     what class Eigen::PartialPivLU<Dense>;                                                         \
     what class Eigen::FullPivLU<Dense>;                                                            \
-    what class Eigen::CompleteOrthogonalDecomposition<Dense>
+    what class Eigen::CompleteOrthogonalDecomposition<Dense>;                                      \
+    what void Eigen::CompleteOrthogonalDecomposition<Dense>::_solve_impl(const Dense &, Dense &)   \
+        const
 
 #define WHIRL_EIGEN_SYMMETRIC(what, Dense)                                                         \
     what class Eigen::Tridiagonalization<Dense>;                                                   \
@@ -53,7 +55,18 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
 // Not the whole class: it has members that complex numbers cannot have.
 #define WHIRL_EIGEN_SPARSE_LU(what, Sparse)                                                        \
     what void Eigen::SparseLU<Sparse>::analyzePattern(const Sparse &);                             \
-    what void Eigen::SparseLU<Sparse>::factorize(const Sparse &)
+    what void Eigen::SparseLU<Sparse>::factorize(const Sparse &);                                  \
+    WHIRL_EIGEN_SPARSE_SOLVE(what, Sparse::Scalar, Eigen::Dynamic);                                \
+    WHIRL_EIGEN_SPARSE_SOLVE(what, Sparse::Scalar, 1)
+
+// The solves with a factor, and with its transposed one.
+#define WHIRL_EIGEN_SPARSE_SOLVE(what, Scalar, columns)                                            \
+    what void Eigen::internal::MappedSuperNodalMatrix<Scalar, int>::solveInPlace(                  \
+        Eigen::MatrixBase<Eigen::Matrix<Scalar, Eigen::Dynamic, columns>> &) const;                \
+    what void Eigen::internal::MappedSuperNodalMatrix<Scalar, int>::solveTransposedInPlace<false>( \
+        Eigen::MatrixBase<Eigen::Matrix<Scalar, Eigen::Dynamic, columns>> &) const;                \
+    what void Eigen::internal::MappedSuperNodalMatrix<Scalar, int>::solveTransposedInPlace<true>(  \
+        Eigen::MatrixBase<Eigen::Matrix<Scalar, Eigen::Dynamic, columns>> &) const
 
 #define WHIRL_EIGEN_SPARSE_CHOLESKY(what)                                                          \
     what class Eigen::SimplicialCholeskyBase<Eigen::SimplicialLDLT<whirl::eigen::SparseReal>>;     \

@@ -45,9 +45,7 @@ struct DefinitePair::Factors {
         Eigen::MatrixXd B(n, n);
         for (Eigen::Index j = 0; j < n; ++j)
             B.col(j) = apply(Eigen::VectorXd::Unit(n, j));
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((B + B.transpose()) / 2);
-        if (solver.info() != Eigen::Success)
-            throw SolverError("the dense symmetric eigensolver did not converge");
+        const auto solver = symmetric_eigenpairs(B);
         // A singular A has eigenvalues zero (speeds at infinity) only up to rounding.
         const double zero = 1e-13 * solver.eigenvalues().cwiseAbs().maxCoeff();
         std::vector<RealPair> pairs;

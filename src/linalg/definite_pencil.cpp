@@ -43,10 +43,10 @@ struct DefinitePencil::Factors {
     Eigen::VectorXd sigma;
 
     void make_modal() {
-        const Eigen::MatrixXd P = L.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(F));
-        const Eigen::BDCSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
-        sigma = svd.singularValues();
-        LtU = Lt.triangularView<Eigen::Upper>().solve(svd.matrixU());
+        const LeftSingular modes =
+            left_singular(L.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd(F)));
+        sigma = modes.values;
+        LtU = Lt.triangularView<Eigen::Upper>().solve(modes.vectors);
         A = LtU.transpose() * (S * LtU);
         A = ((A + A.transpose()) / 2).eval();
         modal = true;
@@ -155,9 +155,7 @@ std::vector<RealPair> DefinitePencil::dense(double s) const {
         const Eigen::VectorXd unit = Eigen::VectorXd::Unit(2 * n, j);
         f.apply(s, unit.data(), H.col(j).data());
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((H + H.transpose()) / 2);
-    if (solver.info() != Eigen::Success)
-        throw SolverError("the dense symmetric eigensolver did not converge");
+    const auto solver = symmetric_eigenpairs(H);
     std::vector<RealPair> pairs;
     for (Eigen::Index i = 0; i < 2 * n; ++i)
         pairs.push_back(pair_from(s, solver.eigenvalues()(i), solver.eigenvectors().col(i)));

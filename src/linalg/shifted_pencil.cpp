@@ -184,9 +184,7 @@ std::vector<RealPair> dense(const Shifted &problem) {
         const Eigen::VectorXd unit = Eigen::VectorXd::Unit(all, j);
         problem.apply(unit.data(), T.col(j).data());
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((T + T.transpose()) / 2);
-    if (solver.info() != Eigen::Success)
-        throw SolverError("the dense symmetric eigensolver did not converge");
+    const auto solver = symmetric_eigenpairs(T);
     // Infinite w, of unknowns without mass, come as zero up to rounding.
     const double zero = 1e-14 * solver.eigenvalues().cwiseAbs().maxCoeff();
     std::vector<RealPair> pairs;

@@ -3,6 +3,8 @@
 #include "linalg/check.h"
 #include "linalg/handles.h"
 
+#include <petscblaslapack.h>
+
 #include <algorithm>
 
 namespace whirl::linalg {
@@ -163,6 +165,36 @@ std::vector<std::pair<double, Eigen::VectorXd>>
 largest_positive(const SymmetricOperator &op, int wanted,
                  const std::vector<Eigen::VectorXd> &deflated) {
     return solve(op, EPS_LARGEST_REAL, wanted, deflated);
+}
+
+Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> symmetric_eigenpairs(const Eigen::MatrixXd &A) {
+    const Eigen::MatrixXd symmetric = (A + A.transpose()) / 2;
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
+    if (solver.info() != Eigen::Success)
+        throw SolverError("the dense symmetric eigensolver did not converge");
+    return solver;
+}
+
+LeftSingular left_singular(Eigen::MatrixXd A) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    LeftSingular out{Eigen::VectorXd(n), {}};
+    double no_right_vectors = 0;
+    PetscBLASInt failed = 0;
+    PetscBLASInt room = -1; // asks how much is best
+    double best = 0;
+    // "O": the vectors overwrite the matrix.
+    const auto decompose = [&](double *work) {
+        LAPACKgesvd_("O", "N", &n, &n, A.data(), &n, out.values.data(), nullptr, &n,
+                     &no_right_vectors, &n, work, &room, &failed);
+    };
+    decompose(&best);
+    room = static_cast<PetscBLASInt>(best);
+    Eigen::VectorXd work(room);
+    decompose(work.data());
+    if (failed != 0)
+        throw SolverError("the dense singular value decomposition did not converge");
+    out.vectors = std::move(A);
+    return out;
 }
 
 } // namespace whirl::linalg

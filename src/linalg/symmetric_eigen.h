@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <functional>
 #include <memory>
@@ -50,5 +51,19 @@ largest_magnitude(const SymmetricOperator &op, int wanted,
 [[nodiscard]] std::vector<std::pair<double, Eigen::VectorXd>>
 largest_positive(const SymmetricOperator &op, int wanted,
                  const std::vector<Eigen::VectorXd> &deflated);
+
+/// All eigenpairs, ascending, of the symmetric part of a full matrix.
+/// @throws SolverError where the iteration does not converge.
+[[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
+symmetric_eigenpairs(const Eigen::MatrixXd &A);
+
+/// Singular values of a full square matrix, descending, and their left vectors.
+struct LeftSingular {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors; ///< columns
+};
+
+/// By LAPACK's dgesvd. @throws SolverError where it does not converge.
+[[nodiscard]] LeftSingular left_singular(Eigen::MatrixXd A);
 
 } // namespace whirl::linalg

@@ -191,7 +191,9 @@ ModeBasis dual_basis_of(const Sparse &mass, const Eigen::VectorXcd &values,
     out.complex_right.resize(2 * n, count);
     out.complex_right << vectors, V;
     const Eigen::MatrixXcd gram = weighted.adjoint() * out.complex_right;
-    out.complex_left = gram.completeOrthogonalDecomposition().solve(weighted.adjoint()).transpose();
+    out.complex_left = gram.completeOrthogonalDecomposition()
+                           .solve(Eigen::MatrixXcd(weighted.adjoint()))
+                           .transpose();
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     out.rate_below = Eigen::VectorXcd::Constant(count, unknown);
     out.rate_above = out.rate_below;

@@ -3,6 +3,7 @@
 #include "assembly/assemble.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
 #include "reduction/orthonormal.h"
 #include "reduction/planar_pair.h"
@@ -53,8 +54,7 @@ Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &colum
     Eigen::MatrixXd V(columns.rows(), 0);
     take_in(V, pair.M, columns, 1e-7);
     const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((K + K.transpose()) / 2);
-    return V * solver.eigenvectors();
+    return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
 /// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous

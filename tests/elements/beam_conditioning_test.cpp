@@ -25,8 +25,8 @@ TEST_P(Conditioning, BoundedWhateverTheLength) {
         const auto n = K.rows() - 2;
         const Eigen::MatrixXd held = K.bottomRightCorner(n, n);
         const Eigen::VectorXd scale = held.diagonal().cwiseSqrt().cwiseInverse();
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * held *
-                                                                    scale.asDiagonal());
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+            Eigen::MatrixXd(scale.asDiagonal() * held * scale.asDiagonal()));
         EXPECT_GT(solver.eigenvalues().minCoeff() / solver.eigenvalues().maxCoeff(), 1e-4)
             << length;
     }

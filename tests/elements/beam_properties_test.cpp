@@ -92,8 +92,8 @@ class BeamProperties : public testing::TestWithParam<Kind> {
 /// which changes no sign.
 Eigen::VectorXd scaled_eigenvalues(const Eigen::MatrixXd &A) {
     const Eigen::VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * A *
-                                                          scale.asDiagonal())
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+               Eigen::MatrixXd(scale.asDiagonal() * A * scale.asDiagonal()))
         .eigenvalues();
 }
 

@@ -3,6 +3,7 @@
 #include "oracles/answers.h"
 #include "oracles/ball_motion.h"
 #include "oracles/balls.h"
+#include "oracles/criterion.h"
 #include "oracles/influence.h"
 #include "oracles/pendulums.h"
 #include "oracles/rigid_rotor.h"
@@ -17,15 +18,6 @@ namespace {
 
 const std::string rigid_form = "closed form of the rigid rotor";
 const std::string exact_form = "criterion of the transfer matrix";
-
-std::vector<Real> flat(const std::vector<Band> &bands) {
-    std::vector<Real> out;
-    for (const auto &[from, to] : bands) {
-        out.push_back(from);
-        out.push_back(to);
-    }
-    return out;
-}
 
 /// The number after a part of a path, "/planes/" in "/planes/1/bands"; -1 where there is none.
 int index_after(const std::string &path, const std::string &part) {

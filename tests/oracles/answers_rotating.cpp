@@ -2,6 +2,7 @@
 
 #include "oracles/answers.h"
 #include "oracles/balls.h"
+#include "oracles/criterion.h"
 #include "oracles/floquet.h"
 #include "oracles/rotating_state.h"
 
@@ -11,15 +12,6 @@
 namespace whirl::oracles {
 
 namespace {
-
-std::vector<Real> flat(const std::vector<Band> &bands) {
-    std::vector<Real> out;
-    for (const auto &[from, to] : bands) {
-        out.push_back(from);
-        out.push_back(to);
-    }
-    return out;
-}
 
 bool round(const Block &b) { return b[0][0] == b[1][1] && b[0][1] == 0 && b[1][0] == 0; }
 

@@ -21,6 +21,15 @@ Real end_between(const std::function<bool(Real)> &inside, Real a, Real b, bool i
 
 } // namespace
 
+std::vector<Real> flat(const std::vector<Band> &bands) {
+    std::vector<Real> out;
+    for (const auto &[from, to] : bands) {
+        out.push_back(from);
+        out.push_back(to);
+    }
+    return out;
+}
+
 std::vector<Band> bands_where(const std::function<bool(Real)> &inside, Real from, Real to,
                               int steps) {
     std::vector<Band> out;

@@ -11,6 +11,9 @@ namespace whirl::oracles {
 /// An interval of spin speeds, rad/s.
 using Band = std::pair<Real, Real>;
 
+/// From and to of each band, one after the other.
+[[nodiscard]] std::vector<Real> flat(const std::vector<Band> &bands);
+
 /// Where `inside` holds: looked at on a grid of `steps`, ends by bisection to the last digits.
 [[nodiscard]] std::vector<Band> bands_where(const std::function<bool(Real)> &inside, Real from,
                                             Real to, int steps);

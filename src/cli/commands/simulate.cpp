@@ -35,8 +35,8 @@ class InterruptionBySignal {
     struct sigaction _before {};
 };
 
-} // namespace
-
+/// From the restart file that the case names if any. On SIGINT writes a restart file into the
+/// folder for results. @throws model::AnalysisFailure then, with what to do to go on.
 void simulate_or_leave_restart(const Run &run) {
     std::optional<model::Restart> from;
     if (!run.scene.simulate.restart.empty())
@@ -54,6 +54,17 @@ void simulate_or_leave_restart(const Run &run) {
         fmt::format("interrupted at {:.6g} s of {:.6g} s; to go on add --set "
                     "simulate.restart={}",
                     result.restart->time, run.scene.simulate.time, file.string()));
+}
+
+} // namespace
+
+Command simulate_command() {
+    return {"simulate",
+            "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
+            {"simulate", "speeds"},
+            {},
+            {"cases/runup_jeffcott", "cases/blade_loss --units mm-rpm"},
+            simulate_or_leave_restart};
 }
 
 } // namespace whirl::cli

@@ -1,0 +1,201 @@
+#include "analyses/real_balancers.h"
+
+#include "analyses/simulate.h"
+#include "analyses/stability.h"
+#include "balancers/arrangement.h"
+#include "model/errors.h"
+#include "model/variants.h"
+#include "process/processes.h"
+#include "process/progress.h"
+#include "results/simulate.h"
+#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// What `bands`, ascending and apart, leave of the range.
+std::vector<results::SpeedBand> rest_of(const std::vector<stability::SpeedInterval> &bands,
+                                        double from, double to) {
+    std::vector<results::SpeedBand> rest;
+    double start = from;
+    for (const stability::SpeedInterval &band : bands) {
+        if (band.first > start)
+            rest.push_back({start, band.first});
+        start = std::max(start, band.second);
+    }
+    if (start < to)
+        rest.push_back({start, to});
+    return rest;
+}
+
+/// Arrangements looked at where the balls have a choice; each takes a search of its own.
+constexpr int arrangements = 6;
+
+/// Errors of the ends of `rest`: those of the ends of the unstable bands beside it.
+std::vector<std::pair<double, double>> errors_of(const std::vector<results::SpeedBand> &rest,
+                                                 const UnstableBands &unstable) {
+    std::vector<std::pair<double, double>> out;
+    for (const results::SpeedBand &band : rest) {
+        out.emplace_back(0, 0); // at a border of the range
+        for (std::size_t i = 0; i < unstable.bands.size(); ++i) {
+            if (unstable.bands[i].second == band.from)
+                out.back().first = unstable.errors[i].second;
+            if (unstable.bands[i].first == band.to)
+                out.back().second = unstable.errors[i].first;
+        }
+    }
+    return out;
+}
+
+results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
+                                        const model::SpeedRange &range,
+                                        std::vector<std::string> &notes) {
+    const std::vector<double> grid = stability::search_speeds(range);
+    const double from = range.from;
+    const double to = range.to;
+    results::BalancedPosition out;
+    std::vector<stability::SpeedInterval> sometimes_unstable;
+    std::vector<stability::SpeedInterval> always_unstable;
+    for (const balancers::Arrangement &arrangement :
+         balancers::sampled_arrangements(model.rotor, arrangements)) {
+        const bool first = out.arrangements == 0;
+        const UnstableBands unstable = unstable_bands_of(model, grid, arrangement, first);
+        const std::vector<stability::SpeedInterval> bands = stability::joined(unstable.bands);
+        if (first) {
+            out.bands = rest_of(bands, from, to);
+            out.errors = errors_of(out.bands, unstable);
+            for (const auto &[a, b] : unstable.doubtful)
+                notes.push_back(fmt::format(
+                    "between {:.10g} and {:.10g} rad/s the motions about the balanced position "
+                    "could not be followed: a narrow unstable band may be missing there",
+                    a, b));
+        }
+        always_unstable = first ? bands : stability::common(always_unstable, bands);
+        sometimes_unstable.insert(sometimes_unstable.end(), bands.begin(), bands.end());
+        ++out.arrangements;
+    }
+    out.with_every = rest_of(stability::joined(sometimes_unstable), from, to);
+    out.with_some = rest_of(always_unstable, from, to);
+    return out;
+}
+
+/// What the eigenvalues say of the balanced position, with the real balancers in all their planes.
+struct JudgedPosition {
+    /// By what it is judged, for motions in time too; none without such a position.
+    std::optional<stability::StabilityModel> model;
+    /// Where every motion about it dies out: what unstable_bands.h leaves of the range. None where
+    /// balance.balanced_position does not ask for it.
+    std::optional<results::BalancedPosition> stable;
+};
+
+/// Form and order are chosen once for all arrangements. Notes say what there is not, and why.
+JudgedPosition judged_position(const model::Case &scene, std::vector<std::string> &notes) {
+    JudgedPosition out;
+    try {
+        const model::SpeedRange &range = model::required_speeds(scene);
+        out.model = stability::stability_model(scene, stability::search_speeds(range));
+        if (scene.balance.balanced_position)
+            out.stable = stable_speeds(*out.model, range, notes);
+    } catch (const model::BadInput &error) {
+        notes.push_back(std::string("no balanced position to look at: ") + error.what());
+    } catch (const model::AnalysisFailure &failure) {
+        notes.push_back(std::string("the balanced position was not judged: ") + failure.what());
+    }
+    return out;
+}
+
+/// What the eigenvalues of the balanced position say at a speed; nothing where there is no such
+/// position or no spectrum.
+class PositionGrowth {
+  public:
+    explicit PositionGrowth(const std::optional<stability::StabilityModel> &model) {
+        if (!model)
+            return;
+        _from = model->from;
+        try {
+            _solver = std::make_unique<stability::MotionSolver>(
+                *model, balancers::arrangement_at_balance(model->rotor));
+        } catch (const model::BadInput &) {        // no such position: nothing to say
+        } catch (const model::AnalysisFailure &) { // no spectrum: nothing either
+        }
+    }
+
+    [[nodiscard]] std::optional<double> at(double speed) const {
+        try {
+            if (!_solver || std::abs(speed) < _from)
+                return std::nullopt;
+            return stability::growth_of(_solver->at(speed));
+        } catch (const model::AnalysisFailure &) {
+            return std::nullopt;
+        }
+    }
+
+  private:
+    std::unique_ptr<stability::MotionSolver> _solver;
+    double _from = 0; ///< rad/s
+};
+
+/// Motions in time with the real balancers, from the start that the case gives, at
+/// balance.simulated speeds inside the range; [simulate] says how long. Runs that fail are named
+/// in a note. Process 0 only.
+/// @param position  by what the growth beside them is judged
+std::vector<results::SimulatedSpeed>
+simulated_speeds(const model::Case &scene, const std::optional<stability::StabilityModel> &position,
+                 std::vector<std::string> &notes) {
+    std::vector<results::SimulatedSpeed> out;
+    const int count = scene.balance.simulated;
+    if (count == 0 || process::process_rank() != 0)
+        return out;
+    model::Case run = scene;
+    run.simulate.run_up.clear();
+    run.simulate.torque.reset();
+    run.simulate.other_starts.clear();
+    const PositionGrowth growth(position);
+    const double step = (scene.speeds->to - scene.speeds->from) / count;
+    for (int i = 0; i < count; ++i) {
+        const double speed = scene.speeds->from + (i + 0.5) * step; // inside, never at rest
+        run.speeds = model::SpeedRange{speed, speed, 1};
+        const process::Stage stage(fmt::format("motion in time at {:.6g} rad/s", speed),
+                                   static_cast<double>(i) / count, (i + 1.0) / count);
+        try {
+            const results::SimulateResult result = simulate(run);
+            if (result.restart) // interrupted: what there is
+                return out;
+            out.push_back({speed, results::outcome_name(result.outcome), result.residual_ratio,
+                           growth.at(speed)});
+        } catch (const model::AnalysisFailure &failure) {
+            notes.push_back(
+                fmt::format("no motion in time at {:.6g} rad/s: {}", speed, failure.what()));
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+void judge_real_balancers(const model::Case &scene, int order, results::BalanceResult &result) {
+    const model::BalanceSettings &asked = scene.balance;
+    if (!asked.balanced_position && asked.simulated == 0)
+        return;
+    std::vector<std::string> &notes = result.model.notes;
+    model::Case real = scene;
+    real.rotor = model::with_order(std::move(real.rotor), order);
+    real.formulation = model::FormChoice::automatic;
+    std::optional<process::Stage> stage(std::in_place, "linear stability with real balancers", 0.4,
+                                        0.7);
+    JudgedPosition position = judged_position(real, notes);
+    result.balanced_position = std::move(position.stable);
+    stage.emplace("motions in time", 0.7, 1.0);
+    result.simulated = simulated_speeds(real, position.model, notes);
+}
+
+} // namespace whirl::analyses

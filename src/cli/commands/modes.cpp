@@ -1,0 +1,19 @@
+#include "cli/commands.h"
+
+#include "analyses/modes.h"
+#include "cli/commands/on_case.h"
+#include "report/reports.h"
+#include "results/modes.h"
+
+namespace whirl::cli {
+
+Command modes_command() {
+    return {"modes",
+            "mode shapes as pictures and for ParaView",
+            {"speeds", "campbell"},
+            {"--speed"},
+            {"cases/nelson_mcvaugh --speed \"12000 rpm\""},
+            on_case(analyses::mode_shapes)};
+}
+
+} // namespace whirl::cli

@@ -1,0 +1,20 @@
+#include "cli/commands.h"
+
+#include "analyses/response.h"
+#include "cli/commands/on_case.h"
+#include "report/reports.h"
+#include "results/response.h"
+
+namespace whirl::cli {
+
+Command response_command() {
+    return {"response",
+            "unbalance response over speed, forces at bearings",
+            {"speeds", "imbalance", "probe", "operation"},
+            {},
+            {"cases/compressor_margins --units mm-rpm --peak-to-peak",
+             "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\""},
+            on_case(analyses::unbalance_response)};
+}
+
+} // namespace whirl::cli
