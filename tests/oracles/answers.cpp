@@ -14,6 +14,14 @@ Answer answer(const Request &request) {
         {"show", answer_show},         {"balance", answer_balance},
         {"simulate", answer_simulate}, {"rigid-limit", answer_rigid_limit},
         {"samples", answer_samples}};
+    if (request.rotor.rings_or_rows())
+        return answer_carried(request);
+    if (request.rotor.mounted())
+        return answer_mounted(request);
+    if (request.rotor.axial_torque != 0)
+        return answer_twisted(request);
+    if (!request.rotor.rotary_inertia)
+        no_answer("sections without rotary inertia: no oracle");
     const auto found = answers.find(request.command);
     if (found == answers.end())
         no_answer("no oracle for the command " + request.command);

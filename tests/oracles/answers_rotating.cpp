@@ -105,7 +105,7 @@ Answer answer_balls(const CaseRotor &rotor, const std::string &path) {
     if (path == "/balancers/0/D_c")
         return {position, {second_harmonic(symmetric_position(balancer.n, E)).real()}, {}, {}};
     if (path == "/balancers/0/D_interval") {
-        const HarmonicInterval interval = harmonic_interval(balancer.n, E);
+        const HarmonicInterval interval = harmonic_interval(balancer.rows, balancer.imbalance);
         return {"search over balanced positions", {interval.least, interval.most}, {}, {}};
     }
     if (path == "/balancers/0/dA")

@@ -4,7 +4,7 @@
 
 namespace whirl::oracles {
 
-/// n m R / (m0 R0) of a ball balancer; four pendulums are no balls.
+/// sum of n m R over m0 R0, of balls or rings; four pendulums are no balls.
 [[nodiscard]] Real capacity(const Balancer &balancer);
 
 /// Angles (rad) of the symmetric balanced position against an imbalance at angle 0: sum of cosines
@@ -25,12 +25,12 @@ struct BallInertia {
 };
 [[nodiscard]] BallInertia ball_inertia(const Balancer &balancer);
 
-/// Smallest and largest |D| over all balanced positions of n balls of capacity E: from many starts
-/// by projected gradients, n <= 6.
+/// Smallest and largest |D| = |sum m R^2 exp(2 i alpha)|/sum m R^2 over all balanced positions:
+/// from many starts by projected gradients, six balls at most.
 struct HarmonicInterval {
     Real least = 0;
     Real most = 0;
 };
-[[nodiscard]] HarmonicInterval harmonic_interval(int n, Real capacity);
+[[nodiscard]] HarmonicInterval harmonic_interval(const std::vector<Row> &rows, Real imbalance);
 
 } // namespace whirl::oracles

@@ -1,5 +1,6 @@
 #include "oracles/case_rotor.h"
 
+#include "oracles/case_attached.h"
 #include "oracles/case_values.h"
 
 #include <algorithm>
@@ -14,31 +15,6 @@ namespace whirl::oracles {
 namespace {
 
 using Materials = std::map<std::string, Cylinder>;
-
-std::vector<const toml::table *> tables_of(const toml::table &root, const std::string &name) {
-    std::vector<const toml::table *> out;
-    if (const toml::array *array = root.get(name) ? root.get(name)->as_array() : nullptr)
-        for (const toml::node &item : *array)
-            out.push_back(item.as_table());
-    return out;
-}
-
-/// The named part of a case; an empty one where there is none.
-const toml::table &part(const toml::table &root, const std::string &name) {
-    static const toml::table nothing;
-    const toml::node *node = root.get(name);
-    return node ? *node->as_table() : nothing;
-}
-
-std::string word(const toml::table &table, const std::string &key) {
-    const toml::node *node = table.get(key);
-    return node ? node->value<std::string>().value_or("") : "";
-}
-
-bool yes(const toml::table &table, const std::string &key) {
-    const toml::node *node = table.get(key);
-    return node && node->value<bool>().value_or(false);
-}
 
 Materials materials_of(const toml::table &root) {
     Materials out;
@@ -89,12 +65,15 @@ void read_shaft(const toml::table &root, const std::filesystem::path &folder, Ca
     const toml::node *shear = shaft.get("shear");
     const double kappa = shear && shear->is_number() ? number(*shear) : 0;
     const int elements = static_cast<int>(number(shaft, "elements", 1));
-    for (const char *key : {"alpha", "beta", "modal_damping", "axial_torque"})
+    for (const char *key : {"alpha", "beta", "modal_damping"})
         if (shaft.contains(key))
             throw std::runtime_error(std::string("the oracles know of no ") + key);
     rotor.rigid = yes(shaft, "rigid");
     rotor.classical = shaft.contains("order") && number(shaft, "order", 0) == 1;
     rotor.axial_force = number(shaft, "axial_force");
+    rotor.axial_torque = number(shaft, "axial_torque");
+    rotor.torque_kind = word(shaft, "torque_kind");
+    rotor.rotary_inertia = !shaft.contains("rotary_inertia") || yes(shaft, "rotary_inertia");
     rotor.internal_damping = number(shaft, "internal_damping");
     if (shaft.contains("table")) {
         for (const toml::table &row : stations((folder / word(shaft, "table")).string()))
@@ -119,80 +98,17 @@ RigidDisc disc_of(const toml::table &table, const Materials &materials) {
     return {z, mass, mass * (3 * square + width * width) / 12, mass * square / 2};
 }
 
-constexpr std::array<const char *, 4> ends{"xx", "xy", "yx", "yy"};
-
-Support support_of(const toml::table &table) {
-    Support out;
-    out.z = number(table, "z");
-    for (std::size_t i = 0; i < 4; ++i) {
-        const bool diagonal = i == 0 || i == 3;
-        out.k[i / 2][i % 2] =
-            number(table, std::string("k") + ends[i], diagonal ? number(table, "k") : 0);
-        out.c[i / 2][i % 2] =
-            number(table, std::string("c") + ends[i], diagonal ? number(table, "c") : 0);
-    }
-    out.kt[0][0] = out.kt[1][1] = number(table, "kt");
-    for (const char *key : {"ct", "ktxx", "pedestal_k", "pedestal_kx"})
-        if (table.contains(key))
-            throw std::runtime_error("the oracles read of tilt coefficients kt alone, no "
-                                     "pedestals");
-    for (const char *key : {"mxx", "mxy", "myx", "myy"})
-        if (table.contains(key))
-            throw std::runtime_error("the oracles read no mass coefficients");
-    return out;
-}
-
-/// By columns named kxx, ..., cyy.
-SpeedTable speed_table_of(const std::string &file, double z) {
-    SpeedTable out;
-    for (const CsvColumn &column : read_csv(file)) {
-        out.rows.resize(column.numbers.size());
-        if (column.name == "speed") {
-            out.speeds = column.numbers;
-            continue;
-        }
-        const auto end = static_cast<std::size_t>(
-            std::find(ends.begin(), ends.end(), column.name.substr(1)) - ends.begin());
-        for (std::size_t row = 0; row < out.rows.size(); ++row) {
-            Support &s = out.rows[row];
-            s.z = z;
-            (column.name[0] == 'k' ? s.k : s.c).at(end / 2)[end % 2] = column.numbers[row];
-        }
-    }
-    return out;
-}
-
-/// @throws std::runtime_error for what no oracle here knows: rings and several rows of balls, whose
-/// expected numbers come from equations of motion by computer algebra (README of their cases).
-Balancer balancer_of(const toml::table &table) {
-    if (word(table, "kind") == "ring" || table.contains("rows"))
-        throw std::runtime_error("rings and rows of balls: no oracle");
-    Balancer out;
-    out.z = number(table, "z");
-    out.pendulums = word(table, "kind") == "pendulum4";
-    out.n = out.pendulums ? 4 : static_cast<int>(number(table, "n"));
-    out.mass = number(table, "mass");
-    out.radius = number(table, "radius");
-    out.arm = number(table, "arm");
-    out.pivot = number(table, "pivot");
-    out.damping = number(table, "damping");
-    out.imbalance = number(table, "imbalance");
-    out.imbalance_radius = number(table, "imbalance_radius");
-    return out;
-}
-
 void read_attached(const toml::table &root, const std::filesystem::path &folder, CaseRotor &rotor) {
     const Materials materials = materials_of(root);
     for (const toml::table *t : tables_of(root, "disc"))
         rotor.discs.push_back(disc_of(*t, materials));
     for (const toml::table *t : tables_of(root, "bearing")) {
-        if (t->contains("m"))
-            throw std::runtime_error("the oracles read mass coefficients of seals alone");
         SpeedTable table;
         if (t->contains("table"))
             table = speed_table_of((folder / word(*t, "table")).string(), number(*t, "z"));
         rotor.supports.push_back(table.rows.empty() ? support_of(*t) : table.rows.front());
         rotor.tables.push_back(table);
+        rotor.mounts.push_back(mount_of(*t));
     }
     for (const toml::table *t : tables_of(root, "seal")) {
         if (t->contains("table"))
@@ -204,6 +120,9 @@ void read_attached(const toml::table &root, const std::filesystem::path &folder,
             seal.c[1][0] = -seal.c[0][1];
         rotor.supports.push_back(seal);
         rotor.tables.emplace_back();
+        rotor.mounts.emplace_back(); // the fluid as a disc without inertia: the same in x and y
+        if (mount_of(*t).m[0][1] != 0 || mount_of(*t).m[0][0] != mount_of(*t).m[1][1])
+            throw std::runtime_error("the oracles read the fluid of seals as a mass alone");
         rotor.discs.push_back({number(*t, "z"), number(*t, "m"), 0, 0});
     }
     for (const toml::table *t : tables_of(root, "probe"))
@@ -292,13 +211,6 @@ void read_samples(const toml::table &root, CaseRotor &rotor) {
     }
 }
 
-Block between(const Block &a, const Block &b, double share) {
-    Block out = a;
-    for (std::size_t i = 0; i < 4; ++i)
-        out[i / 2][i % 2] += share * (b[i / 2][i % 2] - a[i / 2][i % 2]);
-    return out;
-}
-
 } // namespace
 
 double CaseRotor::length() const {
@@ -314,26 +226,18 @@ bool CaseRotor::damped() const {
                        [](const Support &s) { return s.c != Block{} || s.ct != Block{}; });
 }
 
+bool CaseRotor::mounted() const {
+    return !std::all_of(mounts.begin(), mounts.end(), [](const Mount &m) { return m.empty(); });
+}
+
+bool CaseRotor::rings_or_rows() const {
+    return std::any_of(balancers.begin(), balancers.end(),
+                       [](const Balancer &b) { return b.ring || b.rows.size() > 1; });
+}
+
 double CaseRotor::speed(int i) const {
     return speed_count == 1 ? speed_from
                             : speed_from + (speed_to - speed_from) * i / (speed_count - 1);
-}
-
-CaseRotor CaseRotor::at_speed(double spin) const {
-    CaseRotor out = *this;
-    for (std::size_t i = 0; i < tables.size(); ++i) {
-        const SpeedTable &table = tables[i];
-        if (table.speeds.empty())
-            continue;
-        const double s = std::clamp(spin, table.speeds.front(), table.speeds.back());
-        std::size_t row = 0;
-        while (row + 2 < table.speeds.size() && s > table.speeds[row + 1])
-            ++row;
-        const double share = (s - table.speeds[row]) / (table.speeds[row + 1] - table.speeds[row]);
-        out.supports[i].k = between(table.rows[row].k, table.rows[row + 1].k, share);
-        out.supports[i].c = between(table.rows[row].c, table.rows[row + 1].c, share);
-    }
-    return out;
 }
 
 CaseRotor read_case(const std::string &file, const std::vector<std::string> &settings) {

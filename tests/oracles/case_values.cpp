@@ -51,7 +51,7 @@ double size_of_unit(const std::string &unit) {
         {"N", 1},          {"rpm", pi / 30}, {"Hz", 2 * pi}, {"rad/s", 1},    {"1/s", 1},
         {"deg", pi / 180}, {"rad", 1},       {"kg m2", 1},   {"1/kg", 1},     {"1", 1},
         {"GPa", 1e9},      {"N/m", 1},       {"MN/m", 1e6},  {"kN s/m", 1e3}, {"g mm", 1e-6},
-        {"%", 1}};
+        {"%", 1},          {"g", 1e-3},      {"kN m", 1e3}};
     const auto found = sizes.find(unit);
     if (found == sizes.end())
         throw std::runtime_error("unit not known to the oracles: " + unit);
@@ -118,6 +118,30 @@ std::vector<CsvColumn> read_csv(const std::string &file) {
         }
     }
     return columns;
+}
+
+std::vector<const toml::table *> tables_of(const toml::table &root, const std::string &name) {
+    std::vector<const toml::table *> out;
+    if (const toml::array *array = root.get(name) ? root.get(name)->as_array() : nullptr)
+        for (const toml::node &item : *array)
+            out.push_back(item.as_table());
+    return out;
+}
+
+const toml::table &part(const toml::table &root, const std::string &name) {
+    static const toml::table nothing;
+    const toml::node *node = root.get(name);
+    return node ? *node->as_table() : nothing;
+}
+
+std::string word(const toml::table &table, const std::string &key) {
+    const toml::node *node = table.get(key);
+    return node ? node->value<std::string>().value_or("") : "";
+}
+
+bool yes(const toml::table &table, const std::string &key) {
+    const toml::node *node = table.get(key);
+    return node && node->value<bool>().value_or(false);
 }
 
 } // namespace whirl::oracles

@@ -26,4 +26,13 @@ struct CsvColumn {
 };
 [[nodiscard]] std::vector<CsvColumn> read_csv(const std::string &file);
 
+/// The items of a list of tables; none where there is none.
+[[nodiscard]] std::vector<const toml::table *> tables_of(const toml::table &root,
+                                                         const std::string &name);
+/// The named part of a case; an empty one where there is none.
+[[nodiscard]] const toml::table &part(const toml::table &root, const std::string &name);
+/// A text; empty where there is none.
+[[nodiscard]] std::string word(const toml::table &table, const std::string &key);
+[[nodiscard]] bool yes(const toml::table &table, const std::string &key);
+
 } // namespace whirl::oracles

@@ -196,7 +196,8 @@ TEST(Balls, interval_of_the_second_harmonic) {
           Row{3, 1.2, 0.416667, 0.444878, 1e-6}, Row{3, 1.5, 0, 0.408248, 1e-6},
           Row{3, 2, 0.25, 0.728869, 1e-6}, Row{4, 1.2, 0.3889, 0.5251, 1e-4}, Row{4, 2, 0, 1, 1e-4},
           Row{5, 2, 0, 0.6748, 1e-4}}) {
-        const HarmonicInterval found = harmonic_interval(row.n, row.E);
+        const HarmonicInterval found =
+            harmonic_interval({{row.n, 1, 1, 0}}, row.n / static_cast<Real>(row.E));
         EXPECT_NEAR(static_cast<double>(found.least), row.least, row.tolerance) << row.n;
         EXPECT_NEAR(static_cast<double>(found.most), row.most, row.tolerance) << row.n;
     }

@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace whirl::oracles {
@@ -69,21 +70,25 @@ RotatingRotor::RotatingRotor(Eigen::Index size) {
     Ma = Ka = ComplexMatrix::Zero(size, size);
 }
 
-std::vector<Complex> RotatingRotor::eigenvalues(Real speed) const {
-    const Quadratic q = quadratic(*this, speed);
-    const Eigen::Index n = q.second.rows();
-    const Eigen::PartialPivLU<RealMatrix> mass(q.second);
+std::vector<Complex> state_eigenvalues(const RealMatrix &M, const RealMatrix &D,
+                                       const RealMatrix &K, Real scale) {
+    const Eigen::Index n = M.rows();
+    const Eigen::PartialPivLU<RealMatrix> mass(M);
     RealMatrix state = RealMatrix::Zero(2 * n, 2 * n);
-    // Times in units of the revolution: entries of one size
-    const Real scale = speed > 0 ? speed : Real(1);
     state.topRightCorner(n, n).setIdentity();
-    state.bottomLeftCorner(n, n) = -mass.solve(q.zeroth) / (scale * scale);
-    state.bottomRightCorner(n, n) = -mass.solve(q.first) / scale;
+    state.bottomLeftCorner(n, n) = -mass.solve(K) / (scale * scale);
+    state.bottomRightCorner(n, n) = -mass.solve(D) / scale;
     const Eigen::EigenSolver<RealMatrix> pairs(state, false);
     std::vector<Complex> out;
     for (const Complex &value : pairs.eigenvalues())
         out.push_back(value * scale);
     return out;
+}
+
+std::vector<Complex> RotatingRotor::eigenvalues(Real speed) const {
+    const Quadratic q = quadratic(*this, speed);
+    // Times in units of the revolution: entries of one size
+    return state_eigenvalues(q.second, q.first, q.zeroth, speed > 0 ? speed : Real(1));
 }
 
 Real RotatingRotor::growth(Real speed) const {
@@ -138,18 +143,20 @@ RotatingRotor rotating_disc(const CaseRotor &rotor) {
     return out;
 }
 
+bool grows(const std::vector<Complex> &eigenvalues, Real noise) {
+    Real largest = 0;
+    Real growth = -std::numeric_limits<Real>::infinity();
+    for (const Complex &lambda : eigenvalues) {
+        largest = std::max(largest, std::abs(lambda));
+        growth = std::max(growth, lambda.real());
+    }
+    return growth > noise * largest;
+}
+
 std::vector<Band> growing_bands(const RotatingRotor &rotor, Real from, Real to, int steps,
                                 Real noise) {
-    const auto grows = [&](Real speed) {
-        Real largest = 0;
-        Real growth = -std::numeric_limits<Real>::infinity();
-        for (const Complex &lambda : rotor.eigenvalues(speed)) {
-            largest = std::max(largest, std::abs(lambda));
-            growth = std::max(growth, lambda.real());
-        }
-        return growth > noise * largest;
-    };
-    return bands_where(grows, from, to, steps);
+    return bands_where([&](Real speed) { return grows(rotor.eigenvalues(speed), noise); }, from, to,
+                       steps);
 }
 
 } // namespace whirl::oracles

@@ -44,6 +44,14 @@ struct RotatingRotor {
 /// The disc of a case on its shaft, the mass of the shaft left out; unknowns w and phi at the disc.
 [[nodiscard]] RotatingRotor rotating_disc(const CaseRotor &rotor);
 
+/// Of M q'' + D q' + K q = 0, 1/s. `scale`: a frequency of their order, so that the entries of the
+/// state matrix are of one size.
+[[nodiscard]] std::vector<Complex> state_eigenvalues(const RealMatrix &M, const RealMatrix &D,
+                                                     const RealMatrix &K, Real scale);
+
+/// Whether a real part is above `noise` times the largest modulus.
+[[nodiscard]] bool grows(const std::vector<Complex> &eigenvalues, Real noise);
+
 /// Bands of spin speed in which motions grow: on a grid of `steps`, ends by bisection. `noise`:
 /// growth of undamped motions by rounding, relative to the largest |lambda|; 0 with damping.
 [[nodiscard]] std::vector<Band> growing_bands(const RotatingRotor &rotor, Real from, Real to,
