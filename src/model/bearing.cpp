@@ -38,11 +38,6 @@ bool Bearing::has_mass() const {
                        [](const BearingCoefficients &row) { return !row.m.isZero(0); });
 }
 
-bool Bearing::mass_depends_on_speed() const {
-    return std::any_of(rows.begin(), rows.end(),
-                       [this](const BearingCoefficients &row) { return row.m != rows.front().m; });
-}
-
 BearingCoefficients Bearing::at(double speed) const {
     if (!depends_on_speed() || speed <= speeds.front())
         return rows.front();

@@ -54,8 +54,6 @@ struct Bearing {
 
     /// Some row has mass coefficients.
     [[nodiscard]] bool has_mass() const;
-    /// The mass coefficients are not the same at all speeds.
-    [[nodiscard]] bool mass_depends_on_speed() const;
 
     /// Coefficients at a spin speed (rad/s): linear between table rows, constant outside.
     [[nodiscard]] BearingCoefficients at(double speed) const;
