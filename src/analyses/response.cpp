@@ -5,6 +5,7 @@
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
 #include "forced/response_places.h"
+#include "forced/station_motion.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
@@ -99,7 +100,7 @@ class Response {
   private:
     const assembly::Discretization &_discretization;
     const std::map<int, std::string> &_nodes;
-    forced::ForcedMotion _forced;
+    forced::StationMotion _forced;
     forced::ResponseError _finer;
     bool _error_known = true;
 
@@ -117,17 +118,20 @@ class Response {
     [[nodiscard]] bool confirmed() const {
         if (!_error_known || _discretization.rigid())
             return false;
-        const auto &mesh = _discretization.shaft_mesh();
         return std::all_of(_nodes.begin(), _nodes.end(), [&](const auto &node) {
-            const forced::Phasor u = _forced.motion(_discretization.deflection_at_node(node.first));
-            return _finer.at(mesh.nodes[static_cast<std::size_t>(node.first)], u) < 0.1;
+            const double z = place_of(node.first);
+            return _finer.at(z, _forced.at(z)) < 0.1;
         });
+    }
+
+    [[nodiscard]] double place_of(int node) const {
+        return _discretization.shaft_mesh().nodes[static_cast<std::size_t>(node)];
     }
 
     [[nodiscard]] std::vector<forced::Phasor> motions() const {
         std::vector<forced::Phasor> out;
         for (const auto &[node, name] : _nodes)
-            out.push_back(_forced.motion(_discretization.deflection_at_node(node)));
+            out.push_back(_forced.at(place_of(node)));
         return out;
     }
 
@@ -151,11 +155,10 @@ class Response {
     }
 
     void add_nodes(std::vector<double> &row) {
-        const auto &mesh = _discretization.shaft_mesh();
         for (const auto &[node, name] : _nodes) {
-            const forced::Phasor u = _forced.motion(_discretization.deflection_at_node(node));
+            const double z = place_of(node);
+            const forced::Phasor u = _forced.at(z);
             const modes::Ellipse orbit = modes::ellipse_of(u.x, u.y);
-            const double z = mesh.nodes[static_cast<std::size_t>(node)];
             row.insert(row.end(), {orbit.major, std::arg(u.x), orbit.major, orbit.minor,
                                    std::abs(u.x), std::arg(u.x), std::abs(u.y), std::arg(u.y),
                                    inclination_of(u, _forced.rounding()),
@@ -174,7 +177,7 @@ class Response {
 
     void add_probes(std::vector<double> &row) {
         for (const model::Probe &probe : _discretization.rotor().probes) {
-            const forced::Phasor u = _forced.motion(_discretization.deflection_at(probe.z));
+            const forced::Phasor u = _forced.at(probe.z);
             const std::complex<double> seen = forced::reading(u, probe.angle);
             row.insert(row.end(),
                        {std::abs(seen), std::arg(seen),

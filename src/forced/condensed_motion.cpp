@@ -1,11 +1,18 @@
 #include "forced/condensed_motion.h"
 
+#include "elements/beam.h"
+#include "forced/equal_chain.h"
 #include "forced/forced_motion.h"
+#include "forced/response_places.h"
 #include "results/formulation.h"
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace whirl::forced {
 
@@ -44,28 +51,113 @@ Eigen::Matrix2cd to_directions() {
 
 } // namespace
 
-CondensedMotion::CondensedMotion(const assembly::Discretization &discretization, results::Form form)
+bool CondensedMotion::describes(const assembly::Discretization &discretization) {
+    const model::Shaft &shaft = discretization.rotor().shaft;
+    return !discretization.rigid() && shaft.modal_damping.empty() && shaft.axial_torque == 0;
+}
+
+CondensedMotion::CondensedMotion(const assembly::Discretization &discretization, results::Form form,
+                                 Nodes nodes)
     : _discretization(discretization), _rotating(form == results::Form::rotating),
-      _parts(part_count(form)),
-      _matrix(2 * _parts * static_cast<int>(discretization.shaft_mesh().nodes.size()),
-              4 * _parts - 1) {
-    const auto &spans = discretization.shaft_mesh().spans;
+      _parts(part_count(form)), _matrix(0, 0) {
+    const auto count = static_cast<int>(discretization.shaft_mesh().nodes.size());
+    if (nodes == Nodes::attached)
+        for (const auto &[node, name] : attached_nodes(discretization))
+            _places.emplace(node, 0);
+    else
+        for (int node = 0; node < count; ++node)
+            _places.emplace(node, 0);
+    find_stretches();
+    int place = 0;
+    for (auto &[node, at] : _places)
+        at = place++;
+    const int size = 2 * _parts * static_cast<int>(_places.size());
+    _matrix = linalg::BandMatrix(size, 4 * _parts - 1);
+    _sizes.resize(size, 2 * (4 * _parts - 1) + 1);
+}
+
+void CondensedMotion::find_stretches() {
+    const auto &spans = _discretization.shaft_mesh().spans;
     for (int span = 0; span < static_cast<int>(spans.size()); ++span) {
-        const auto first = static_cast<std::size_t>(_groups.empty() ? 0 : _groups.back().first);
-        if (!_groups.empty() && equal(spans[first], spans[static_cast<std::size_t>(span)]))
-            _groups.back().last = span;
-        else
-            _groups.push_back({span, span});
+        const bool like_last =
+            span > 0 && equal(spans[static_cast<std::size_t>(_stretches.back().first)],
+                              spans[static_cast<std::size_t>(span)]);
+        if (like_last && !_places.contains(span)) {
+            ++_stretches.back().count;
+            continue;
+        }
+        _places.emplace(span, 0);
+        _stretches.push_back({span, 1, like_last});
+        // Over deflections and slopes of its own ends, short ones too.
+        if (!like_last)
+            _beams.emplace(span, elements::beam_matrices(
+                                     elements::beam_of(_discretization.rotor().shaft,
+                                                       spans[static_cast<std::size_t>(span)]),
+                                     _discretization.order()));
     }
+    _places.emplace(static_cast<int>(spans.size()), 0);
 }
 
 int CondensedMotion::unknown(int node, int part, bool slope) const {
-    return 2 * _parts * node + 2 * part + (slope ? 1 : 0);
+    return 2 * _parts * _places.at(node) + 2 * part + (slope ? 1 : 0);
+}
+
+void CondensedMotion::add(int row, int column, Complex value, double size) {
+    _matrix(row, column) += value;
+    _sizes(row, column - row + 4 * _parts - 1) += size;
+}
+
+/// So many equal elements in a row, their inner nodes eliminated.
+CondensedMotion::Block CondensedMotion::in_a_row(const Block &element, int count) const {
+    if (count == 1)
+        return element;
+    Block out{element.values, element.sizes};
+    if (_rotating) { // the unknowns of each end together
+        const std::array<Eigen::Index, 8> order{0, 1, 4, 5, 2, 3, 6, 7};
+        const Chain<8> all =
+            equal_chain<8>({element.values(order, order), element.sizes(order, order)}, count);
+        out.values(order, order) = all.values;
+        out.sizes(order, order) = all.sizes;
+        return out;
+    }
+    for (int part = 0; part < _parts; ++part) { // they do not meet in the shaft
+        const auto own = Eigen::seqN(at_nodes * part, at_nodes);
+        const Chain<at_nodes> all =
+            equal_chain<at_nodes>({element.values(own, own), element.sizes(own, own)}, count);
+        out.values(own, own) = all.values;
+        out.sizes(own, own) = all.sizes;
+    }
+    return out;
+}
+
+/// Values and sizes over (w0, L phi0, w1, L phi1) of the first part, of the second.
+CondensedMotion::Block CondensedMotion::element(int span) const {
+    const double length = _discretization.rotor().shaft.length();
+    const elements::PlanarMatrices &beam = _beams.at(span);
+    const model::Shaft &shaft = _discretization.rotor().shaft;
+    const double turn = std::abs(_speed);
+    const Eigen::MatrixXd size =
+        ((1 + turn * (shaft.beta + 2 * shaft.internal_damping)) * beam.K.cwiseAbs() +
+         beam.K_axial.cwiseAbs() + turn * (turn + shaft.alpha) * beam.M.cwiseAbs() +
+         turn * turn * beam.G.cwiseAbs())
+            .topLeftCorner(at_nodes, at_nodes);
+    Block out{values_of(span), size.replicate(_parts, _parts)};
+    if (!_rotating && _parts == 2) {
+        out.sizes.topRightCorner(at_nodes, at_nodes).setZero();
+        out.sizes.bottomLeftCorner(at_nodes, at_nodes).setZero();
+    }
+    for (Eigen::Index i = 1; i < out.values.rows(); i += 2) {
+        out.values.row(i) /= length;
+        out.values.col(i) /= length;
+        out.sizes.row(i) /= length;
+        out.sizes.col(i) /= length;
+    }
+    return out;
 }
 
 /// Dynamic stiffness of an element over (w0, phi0, w1, phi1) of the first part, of the second.
-Eigen::MatrixXcd CondensedMotion::element(int span) const {
-    const elements::PlanarMatrices &beam = _discretization.beam(span);
+Eigen::MatrixXcd CondensedMotion::values_of(int span) const {
+    const elements::PlanarMatrices &beam = _beams.at(span);
     const model::Shaft &shaft = _discretization.rotor().shaft;
     const double square = _speed * _speed;
     const Eigen::MatrixXd K = beam.K + beam.K_axial;
@@ -73,7 +165,7 @@ Eigen::MatrixXcd CondensedMotion::element(int span) const {
     const Eigen::MatrixXd outside = _speed * (shaft.alpha * beam.M + shaft.beta * beam.K);
     const bool damped = shaft.alpha != 0 || shaft.beta != 0;
     if (_rotating)
-        return rotating_element(span, forward, outside);
+        return rotating_values(span, forward, outside);
     Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(at_nodes * _parts, at_nodes * _parts);
     out.topLeftCorner(at_nodes, at_nodes) =
         damped ? condensed(Eigen::MatrixXcd(forward + imaginary_unit * outside))
@@ -90,9 +182,9 @@ Eigen::MatrixXcd CondensedMotion::element(int span) const {
 }
 
 /// (forward + i outside) u + difference conj(u), and its conjugate.
-Eigen::MatrixXcd CondensedMotion::rotating_element(int span, const Eigen::MatrixXd &forward,
-                                                   const Eigen::MatrixXd &outside) const {
-    const elements::PlanarMatrices &beam = _discretization.beam(span);
+Eigen::MatrixXcd CondensedMotion::rotating_values(int span, const Eigen::MatrixXd &forward,
+                                                  const Eigen::MatrixXd &outside) const {
+    const elements::PlanarMatrices &beam = _beams.at(span);
     const int segment = _discretization.shaft_mesh().spans[static_cast<std::size_t>(span)].segment;
     const model::Segment &of =
         _discretization.rotor().shaft.segments[static_cast<std::size_t>(segment)];
@@ -129,21 +221,19 @@ Eigen::MatrixXcd CondensedMotion::rotating_element(int span, const Eigen::Matrix
 /// Slopes count in lengths of the shaft: all unknowns of one kind, so that the choice of pivots
 /// does not depend on the unit of length.
 void CondensedMotion::add_shaft() {
-    const double length = _discretization.rotor().shaft.length();
-    for (const Group &group : _groups) {
-        Eigen::MatrixXcd A = element(group.first);
-        for (Eigen::Index i = 1; i < A.rows(); i += 2) {
-            A.row(i) /= length;
-            A.col(i) /= length;
-        }
-        const auto place = [this](int span, Eigen::Index i) {
+    Block one;
+    for (const Stretch &stretch : _stretches) {
+        if (!stretch.like_last)
+            one = element(stretch.first);
+        const Block all = in_a_row(one, stretch.count);
+        const auto place = [&](Eigen::Index i) {
             const auto index = static_cast<int>(i) % at_nodes;
-            return unknown(span + index / 2, static_cast<int>(i) / at_nodes, index % 2 == 1);
+            return unknown(stretch.first + (index / 2) * stretch.count,
+                           static_cast<int>(i) / at_nodes, index % 2 == 1);
         };
-        for (int span = group.first; span <= group.last; ++span)
-            for (Eigen::Index i = 0; i < A.rows(); ++i)
-                for (Eigen::Index j = 0; j < A.cols(); ++j)
-                    _matrix(place(span, i), place(span, j)) += A(i, j);
+        for (Eigen::Index i = 0; i < all.values.rows(); ++i)
+            for (Eigen::Index j = 0; j < all.values.rows(); ++j)
+                add(place(i), place(j), all.values(i, j), all.sizes(i, j));
     }
 }
 
@@ -152,7 +242,8 @@ void CondensedMotion::add_block(int node, bool slope, const Eigen::Matrix2cd &bl
     const double scale = slope ? length * length : 1;
     for (int i = 0; i < _parts; ++i)
         for (int j = 0; j < _parts; ++j)
-            _matrix(unknown(node, i, slope), unknown(node, j, slope)) += block(i, j) / scale;
+            add(unknown(node, i, slope), unknown(node, j, slope), block(i, j) / scale,
+                std::abs(block(i, j)) / scale);
 }
 
 void CondensedMotion::add_discs() {
@@ -210,8 +301,7 @@ void CondensedMotion::add_bearings() {
 }
 
 Eigen::VectorXcd CondensedMotion::forces() const {
-    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(
-        2 * _parts * static_cast<Eigen::Index>(_discretization.shaft_mesh().nodes.size()));
+    Eigen::VectorXcd f = Eigen::VectorXcd::Zero(_sizes.rows());
     for (const model::Imbalance &imbalance : _discretization.rotor().imbalances) {
         const Complex force = imbalance.mr * _speed * _speed * std::polar(1.0, imbalance.phase);
         const int node = _discretization.shaft_mesh().node_at(imbalance.z);
@@ -229,11 +319,29 @@ void CondensedMotion::solve(double speed) {
         return;
     }
     _matrix.clear();
+    _sizes.setZero();
     add_shaft();
     add_discs();
     add_anisotropies();
     add_bearings();
-    _motion = _matrix.solve(forces());
+    _forces = forces();
+    _motion = _matrix.solve(_forces);
+}
+
+double CondensedMotion::rounding() const {
+    if (_speed == 0)
+        return 0;
+    const Eigen::Index reach = 4 * _parts - 1;
+    Eigen::VectorXcd change(_motion.size());
+    for (Eigen::Index i = 0; i < change.size(); ++i) {
+        double size = std::abs(_forces(i));
+        for (Eigen::Index j = std::max<Eigen::Index>(0, i - reach);
+             j <= std::min(i + reach, change.size() - 1); ++j)
+            size += _sizes(i, j - i + reach) * std::abs(_motion(j));
+        change(i) = i % 2 == 0 || i % 3 == 0 ? size : -size;
+    }
+    return std::numeric_limits<double>::epsilon() * _matrix.solve_again(std::move(change)).norm() /
+           std::max(_motion.norm(), std::numeric_limits<double>::min());
 }
 
 Phasor CondensedMotion::at_node(int node) const {

@@ -1,18 +1,22 @@
 #pragma once
 
+#include "elements/planar_matrices.h"
 #include "forced/forced_motion.h"
 #include "linalg/complex_factors.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
 
+#include <map>
 #include <vector>
 
 namespace whirl::forced {
 
 /// Synchronous steady motion like ForcedMotion, of an elastic shaft, with the internal unknowns of
 /// each element eliminated at each speed: exact, and the cost of a high order stays in the
-/// elements. What is left is a chain of nodes.
+/// elements. What is left is a chain of nodes. Of these the ones that nothing is attached to can be
+/// eliminated too: n equal elements in a row are joined two by two, log2 n times, so that a fine
+/// mesh costs hardly more than a coarse one.
 ///
 /// The shaft is the same from every direction, so that two parts of the motion do not meet in it:
 /// fixed frame, w = a exp(i Omega t) + conj(d) exp(-i Omega t), with
@@ -20,36 +24,60 @@ namespace whirl::forced {
 /// shaft of two stiffnesses stands still with the motion along and across its stiff axis.
 class CondensedMotion {
   public:
-    /// @param discretization  of an elastic shaft; must outlive this
-    CondensedMotion(const assembly::Discretization &discretization, results::Form form);
+    enum class Nodes { all, attached }; ///< which of them stay
+
+    /// @param discretization  of a shaft that can be described so; must outlive this
+    CondensedMotion(const assembly::Discretization &discretization, results::Form form,
+                    Nodes nodes = Nodes::all);
+
+    /// Nothing acts across its elements, and they bend.
+    [[nodiscard]] static bool describes(const assembly::Discretization &discretization);
 
     /// Solves under the forward synchronous imbalances of the rotor.
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);
 
-    /// Deflection of a node in the last solution, m.
+    /// Deflection of a node that stays, in the last solution, m.
     [[nodiscard]] Phasor at_node(int node) const;
     /// Force of a bearing in the last solution, N.
     [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Relative error of the last solution by rounding of the entries of the elements, and of what
+    /// is eliminated.
+    [[nodiscard]] double rounding() const;
 
   private:
-    /// Elements that are equal but for their place: the spans [first, last].
-    struct Group {
-        int first = 0;
-        int last = 0;
+    /// Equal elements in a row between two nodes that stay, the first of a group of stretches with
+    /// elements all alike.
+    struct Stretch {
+        int first = 0; ///< span
+        int count = 1;
+        bool like_last = false;
+    };
+    /// Dynamic stiffness, and what its entries add up to before they cancel.
+    struct Block {
+        Eigen::MatrixXcd values;
+        Eigen::MatrixXd sizes;
     };
     const assembly::Discretization &_discretization;
     bool _rotating;
-    int _parts; ///< 1: a alone; 2: a and d, or u and conj(u) in the rotating frame
-    std::vector<Group> _groups;
+    int _parts;                 ///< 1: a alone; 2: a and d, or u and conj(u) in the rotating frame
+    std::map<int, int> _places; ///< of the nodes that stay, among themselves
+    std::vector<Stretch> _stretches;
+    std::map<int, elements::PlanarMatrices> _beams; ///< by span, of elements unlike the last
     linalg::BandMatrix _matrix;
+    Eigen::MatrixXd _sizes; ///< of the matrix, by row and distance from the diagonal
     double _speed = 0;
+    Eigen::VectorXcd _forces;
     Eigen::VectorXcd _motion; ///< a node: w and L phi of the first part, of the second part
 
+    void find_stretches();
     [[nodiscard]] int unknown(int node, int part, bool slope) const;
-    [[nodiscard]] Eigen::MatrixXcd element(int span) const;
-    [[nodiscard]] Eigen::MatrixXcd rotating_element(int span, const Eigen::MatrixXd &forward,
-                                                    const Eigen::MatrixXd &outside) const;
+    void add(int row, int column, std::complex<double> value, double size);
+    [[nodiscard]] Block in_a_row(const Block &element, int count) const;
+    [[nodiscard]] Block element(int span) const;
+    [[nodiscard]] Eigen::MatrixXcd values_of(int span) const;
+    [[nodiscard]] Eigen::MatrixXcd rotating_values(int span, const Eigen::MatrixXd &forward,
+                                                   const Eigen::MatrixXd &outside) const;
     void add_shaft();
     void add_discs();
     void add_anisotropies();

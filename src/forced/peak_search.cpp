@@ -71,7 +71,7 @@ void PeakSearch::enter(int piece) const {
 
 PeakSearch::Sample PeakSearch::sample(int piece, double speed) const {
     Sample out{speed, piece, {}, {}, {}, {}};
-    for (const Reading &reading : _motion.at(speed)) {
+    for (const Reading &reading : _motion.quickly_at(speed)) {
         out.value.push_back(reading.major());
         out.slope.push_back(reading.major_slope());
         out.phase.push_back(std::arg(reading.value.x));
@@ -197,9 +197,9 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     peak.quantity = quantity;
     peak.speed = a.speed; // at the row of a bearing table the slope jumps
     if (b.speed > a.speed)
-        peak.speed =
-            linalg::root_between([&](double speed) { return _motion.at(speed)[q].major_slope(); },
-                                 a.speed, a.slope[q], b.speed, b.slope[q]);
+        peak.speed = linalg::root_between(
+            [&](double speed) { return _motion.quickly_at(speed)[q].major_slope(); }, a.speed,
+            a.slope[q], b.speed, b.slope[q]);
     if (peak.speed <= _from || peak.speed >= _to)
         return;
     const Reading reading = _motion.at(peak.speed)[q];
@@ -213,7 +213,7 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
 }
 
 double PeakSearch::major(double speed, std::size_t quantity) const {
-    return _motion.at(speed)[quantity].major();
+    return _motion.quickly_at(speed)[quantity].major();
 }
 
 double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {

@@ -7,7 +7,6 @@
 #include "modes/support_damping.h"
 #include "synchronous/parts.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -179,14 +178,14 @@ Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forc
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {
     const Terms a = terms(from);
-    Piece piece{from, to, a.constant, a.linear, a.quadratic};
+    Piece piece{from, to, {a.constant, a.linear, a.quadratic}, nullptr, {}};
     if (to > from) { // the bearings enter the constant and the linear term, both linear in s
         const Terms b = terms(to);
         const Eigen::MatrixXcd change0 = (b.constant - a.constant) / (to - from);
         const Eigen::MatrixXcd change1 = (b.linear - a.linear) / (to - from);
-        piece.P0 -= from * change0;
-        piece.P1 += change0 - from * change1;
-        piece.P2 += change1;
+        piece.P.P0 -= from * change0;
+        piece.P.P1 += change0 - from * change1;
+        piece.P.P2 += change1;
     }
     return piece;
 }
@@ -199,45 +198,40 @@ void ReducedMotion::enter_piece(double inside) {
     _piece = &known->second;
 }
 
-Eigen::PartialPivLU<Eigen::MatrixXcd> ReducedMotion::factors(Complex speed) const {
-    return Eigen::PartialPivLU<Eigen::MatrixXcd>(_piece->P0 + speed * _piece->P1 +
-                                                 (speed * speed) * _piece->P2);
+const linalg::QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
+    if (!_piece->resolvent || _piece->resolved != std::pair(from, to)) {
+        _piece->resolvent = std::make_unique<linalg::QuadraticResolvent>(_piece->P, _b, from, to);
+        _piece->resolved = {from, to};
+    }
+    return *_piece->resolvent;
 }
 
-std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) const {
-    // With s = shift + width / m the roots m of m^2 P(shift) + m width P' + width^2 P2 are those of
-    // a companion matrix. The shift keeps away from the real speeds, where a pole may be.
-    const double width = std::max(to - from, 0.1 * std::max(std::abs(from), std::abs(to)));
-    const Complex shift((from + to) / 2, 0.3 * width);
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift = factors(shift);
-    const auto &P1 = _piece->P1;
-    const auto &P2 = _piece->P2;
-    const Eigen::Index m = P1.rows();
-    Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
-    companion.topLeftCorner(m, m) = -width * at_shift.solve(P1 + 2.0 * shift * P2);
-    companion.topRightCorner(m, m) = -width * width * at_shift.solve(P2);
-    companion.bottomLeftCorner(m, m).setIdentity();
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(companion, false);
-    if (solver.info() != Eigen::Success)
-        throw linalg::SolverError("the poles of the synchronous response were not found");
-    std::vector<Complex> out;
-    for (const Complex &root : solver.eigenvalues())
-        if (std::abs(root) > 1e-9) // else farther than any speed
-            out.push_back(shift + width / root);
-    return out;
+std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) {
+    return resolvent(from, to).poles();
 }
 
 double ReducedMotion::rounding(double speed) const {
-    return std::numeric_limits<double>::epsilon() / std::max(factors(speed).rcond(), 1e-300);
+    return std::numeric_limits<double>::epsilon() /
+           std::max(_piece->P.at(speed).partialPivLu().rcond(), 1e-300);
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> P = factors(speed);
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(_piece->P.at(speed));
+    const Eigen::VectorXcd u = P.solve(_b);
+    return readings({u, P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u))}, speed);
+}
+
+std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
+    return _piece->resolvent ? readings(_piece->resolvent->at(speed), speed) : at(speed);
+}
+
+/// @param unit  of P u = b, where imbalances have the force speed^2 b
+std::vector<Reading> ReducedMotion::readings(const linalg::QuadraticResolvent::Solution &unit,
+                                             double speed) const {
     const double force = _drive.weight() ? 1 : speed * speed;
     const double force_slope = _drive.weight() ? 0 : 2 * speed;
-    const Eigen::VectorXcd u = P.solve(force * _b);
-    const Eigen::VectorXcd slope =
-        P.solve(force_slope * _b - _piece->P1 * u - (2 * speed) * (_piece->P2 * u));
+    const Eigen::VectorXcd u = force * unit.u;
+    const Eigen::VectorXcd slope = force * unit.slope + force_slope * unit.u;
     std::vector<Reading> out;
     for (int i = 0; i < static_cast<int>(_quantities.size()); ++i)
         out.push_back(reading(i, u, slope, speed));

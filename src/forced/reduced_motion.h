@@ -2,16 +2,17 @@
 
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
+#include "linalg/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <complex>
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::forced {
@@ -73,12 +74,15 @@ class ReducedMotion {
     /// Goes to the piece that a speed (rad/s) lies in; poles() and at() are of that one.
     void enter_piece(double inside);
     /// All poles of the piece, rad/s.
-    [[nodiscard]] std::vector<std::complex<double>> poles(double from, double to) const;
+    [[nodiscard]] std::vector<std::complex<double>> poles(double from, double to);
     /// Relative error of the motion at a speed of the piece that rounding of P may cause; large at
     /// resonances, and at slow speeds of rotors that are free to move.
     [[nodiscard]] double rounding(double speed) const;
     /// Every quantity at a speed of the piece.
     [[nodiscard]] std::vector<Reading> at(double speed) const;
+    /// The same where the poles of the piece have been asked for, by the Schur form that they are
+    /// from: next to a pole less exact than at().
+    [[nodiscard]] std::vector<Reading> quickly_at(double speed) const;
 
   private:
     struct Terms { ///< of P at one bearing speed
@@ -86,7 +90,9 @@ class ReducedMotion {
     };
     struct Piece {
         double from = 0, to = 0; ///< rad/s; equal: the bearings are constant
-        Eigen::MatrixXcd P0, P1, P2;
+        linalg::QuadraticTerms P;
+        std::unique_ptr<linalg::QuadraticResolvent> resolvent; ///< none before poles()
+        std::pair<double, double> resolved;                    ///< where it is for
     };
     const assembly::Discretization &_discretization;
     results::Form _form;
@@ -98,11 +104,13 @@ class ReducedMotion {
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
 
     std::map<int, Piece> _pieces; ///< seen so far, by their numbers
-    const Piece *_piece = nullptr;
+    Piece *_piece = nullptr;
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
-    [[nodiscard]] Eigen::PartialPivLU<Eigen::MatrixXcd> factors(std::complex<double> speed) const;
+    [[nodiscard]] const linalg::QuadraticResolvent &resolvent(double from, double to);
+    [[nodiscard]] std::vector<Reading> readings(const linalg::QuadraticResolvent::Solution &unit,
+                                                double speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
     void make_shapes(double top, bool reduction);
     [[nodiscard]] Eigen::VectorXcd imbalances() const;

@@ -37,12 +37,10 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     const int order = mesh_error::finer_order(coarse.order());
     _fine = std::make_unique<assembly::Discretization>(
         coarse.rotor(), std::min(order, highest_order), order > highest_order ? 2 : 1);
-    // Element by element only where nothing acts across elements.
-    const model::Shaft &shaft = coarse.rotor().shaft;
-    if (drive.weight() || !shaft.modal_damping.empty() || shaft.axial_torque != 0)
+    if (drive.weight() || !CondensedMotion::describes(*_fine))
         _whole = std::make_unique<ForcedMotion>(*_fine, form, drive);
     else
-        _motion = std::make_unique<CondensedMotion>(*_fine, form);
+        _motion = std::make_unique<CondensedMotion>(*_fine, form, CondensedMotion::Nodes::attached);
 }
 
 void ResponseError::solve(double speed) {

@@ -1,5 +1,6 @@
 #include "forced/response_peaks.h"
 
+#include "forced/station_motion.h"
 #include "linalg/check.h"
 
 #include <algorithm>
@@ -13,8 +14,9 @@ namespace {
 class Comparison {
   public:
     Comparison(const assembly::Discretization &discretization, results::Form form,
-               const std::vector<Quantity> &quantities, Drive drive)
-        : _quantities(quantities), _full(discretization, form, drive) {}
+               const std::vector<Quantity> &quantities, const std::vector<double> &places,
+               Drive drive)
+        : _quantities(quantities), _places(places), _full(discretization, form, drive) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
     bool solve(double speed) {
@@ -26,7 +28,7 @@ class Comparison {
         return true;
     }
 
-    [[nodiscard]] Eigen::MatrixXcd motion() const { return _full.planar_motion(); }
+    [[nodiscard]] Eigen::MatrixXcd motion() { return _full.whole().planar_motion(); }
 
     /// Largest difference over the size of the quantity, at the speed solved last; rounding of the
     /// whole rotor's own solution does not count.
@@ -35,7 +37,7 @@ class Comparison {
         double worst = 0;
         for (std::size_t i = 0; i < readings.size(); ++i) {
             const Phasor &mine = readings[i].value;
-            const Phasor whole = of(_quantities[i]);
+            const Phasor whole = of(i);
             const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
             const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
             if (apart > _full.rounding() * std::max(size, readings[i].cancelled))
@@ -46,12 +48,13 @@ class Comparison {
 
   private:
     const std::vector<Quantity> &_quantities;
-    ForcedMotion _full;
+    const std::vector<double> &_places;
+    StationMotion _full;
 
-    [[nodiscard]] Phasor of(const Quantity &quantity) const {
-        return quantity.bearing == Quantity::deflection
-                   ? quantity.seen(_full.motion(quantity.stretch))
-                   : _full.bearing_force(quantity.bearing);
+    [[nodiscard]] Phasor of(std::size_t i) const {
+        const Quantity &quantity = _quantities[i];
+        return quantity.bearing == Quantity::deflection ? quantity.seen(_full.at(_places[i]))
+                                                        : _full.bearing_force(quantity.bearing);
     }
 };
 
@@ -138,7 +141,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     constexpr int most_rounds = 6;
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
                           options.drive, options.reduction);
-    Comparison whole(discretization, form, quantities, options.drive);
+    Comparison whole(discretization, form, quantities, places, options.drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<double> speeds =

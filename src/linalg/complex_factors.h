@@ -21,17 +21,25 @@ class BandMatrix {
     /// A^-1 b. The entries are lost.
     /// @throws SolverError where a pivot is zero or not a number.
     [[nodiscard]] Eigen::VectorXcd solve(Eigen::VectorXcd b);
+    /// A^-1 b of the A that was solved with last.
+    [[nodiscard]] Eigen::VectorXcd solve_again(Eigen::VectorXcd b) const;
 
   private:
     int _size;
     int _width;
+    std::vector<int> _pivots; ///< row exchanged with each
     /// Row by row from `width` before the diagonal to 2 * width behind it: exchanged rows reach
     /// that far.
     std::vector<std::complex<double>> _entries;
 
-    std::complex<double> &entry(int row, int column) {
-        return _entries[static_cast<std::size_t>(row * (3 * _width + 1) + column - row + _width)];
+    [[nodiscard]] std::size_t place(int row, int column) const {
+        return static_cast<std::size_t>(row * (3 * _width + 1) + column - row + _width);
     }
+    std::complex<double> &entry(int row, int column) { return _entries[place(row, column)]; }
+    [[nodiscard]] const std::complex<double> &entry(int row, int column) const {
+        return _entries[place(row, column)];
+    }
+    void eliminate();
 };
 
 /// L D L^T of sparse matrices that are complex and symmetric (not Hermitian), all with one pattern:

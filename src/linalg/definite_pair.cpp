@@ -96,7 +96,7 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
     const Factors &f = *_factors;
     const auto n = static_cast<int>(f.K.rows());
     std::vector<RealPair> pairs;
-    if (n <= 400 || 3 * wanted > n) {
+    if (n <= 150 || 3 * wanted > n) {
         pairs = f.dense();
     } else {
         const SymmetricOperator op{n,

@@ -1,12 +1,15 @@
 #include "forced/condensed_motion.h"
 #include "forced/forced_motion.h"
+#include "forced/response_places.h"
 #include "results/formulation.h"
 #include "support/scenes.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -20,11 +23,23 @@ double size_of(const Phasor &u) { return std::hypot(std::abs(u.x), std::abs(u.y)
 
 double distance(const Phasor &a, const Phasor &b) { return size_of({a.x - b.x, a.y - b.y}); }
 
+std::vector<int> kept_nodes(const assembly::Discretization &d, CondensedMotion::Nodes nodes) {
+    std::vector<int> out;
+    if (nodes == CondensedMotion::Nodes::attached)
+        for (const auto &[node, name] : forced::attached_nodes(d))
+            out.push_back(node);
+    else
+        for (int node = 0; node < static_cast<int>(d.shaft_mesh().nodes.size()); ++node)
+            out.push_back(node);
+    return out;
+}
+
 /// Elimination element by element must give what the whole system gives: at every node and bearing.
-void expect_same(const model::Rotor &rotor, Form form, int order) {
+void expect_same(const model::Rotor &rotor, Form form, int order,
+                 CondensedMotion::Nodes nodes = CondensedMotion::Nodes::all) {
     const assembly::Discretization d(rotor, order);
     ForcedMotion whole(d, form);
-    CondensedMotion condensed(d, form);
+    CondensedMotion condensed(d, form, nodes);
     for (const double speed : {0.0, 37.0, 160.0, -410.0, 905.0, 2300.0}) {
         whole.solve(speed);
         condensed.solve(speed);
@@ -32,8 +47,7 @@ void expect_same(const model::Rotor &rotor, Form form, int order) {
         for (std::size_t node = 0; node < d.shaft_mesh().nodes.size(); ++node)
             largest = std::max(largest,
                                size_of(whole.motion(d.deflection_at_node(static_cast<int>(node)))));
-        for (std::size_t i = 0; i < d.shaft_mesh().nodes.size(); ++i) {
-            const int node = static_cast<int>(i);
+        for (const int node : kept_nodes(d, nodes)) {
             // Both round alike: eps times the condition at these speeds.
             EXPECT_LE(distance(whole.motion(d.deflection_at_node(node)), condensed.at_node(node)),
                       1e-9 * largest)
@@ -60,6 +74,62 @@ model::Rotor rotor_with_imbalances() {
 TEST(CondensedMotion, planar) {
     for (const int order : {1, 2, 4, 7})
         expect_same(rotor_with_imbalances(), Form::planar, order);
+}
+
+/// Nodes beside a short span move with unknowns of their neighbours in the whole system.
+TEST(CondensedMotion, short_spans) {
+    model::Rotor rotor = rotor_with_imbalances();
+    rotor.planes.push_back({"", rotor.bearings[0].z + 1e-3});
+    rotor.planes.push_back({"", rotor.discs[0].z + 2e-4});
+    for (const int order : {1, 2, 4})
+        expect_same(rotor, Form::planar, order);
+    rotor.bearings[0].rows[0].k << 8e5, 3e5, -2e5, 2e6;
+    expect_same(rotor, Form::general, 2);
+}
+
+/// Many equal elements in a row become one.
+TEST(CondensedMotion, fine_meshes_on_the_nodes_that_something_is_attached_to) {
+    model::Rotor rotor = rotor_with_imbalances();
+    for (const int elements : {3, 22}) {
+        rotor.shaft.segments[0].elements = elements + 1;
+        rotor.shaft.segments[1].elements = elements;
+        rotor.shaft.internal_damping = 0;
+        for (const int order : {1, 3})
+            expect_same(rotor, Form::planar, order, CondensedMotion::Nodes::attached);
+        rotor.shaft.internal_damping = 2e-5;
+        rotor.bearings[0].rows[0].k << 8e5, 3e5, -2e5, 2e6;
+        expect_same(rotor, Form::general, 2, CondensedMotion::Nodes::attached);
+        rotor.bearings[0].rows[0].k << 1e6, 2e5, -2e5, 1e6;
+        rotor.shaft.segments[1].asymmetry = 0.3;
+        expect_same(rotor, Form::rotating, 2, CondensedMotion::Nodes::attached);
+        rotor.shaft.segments[1].asymmetry = 0;
+        rotor.bearings[0].rows[0].k << 1e6, 0, 0, 1e6;
+    }
+}
+
+/// The estimate of rounding against what it is of: the distance between two ways that round
+/// differently, near a resonance too.
+TEST(CondensedMotion, rounding_is_no_less_than_what_is_seen) {
+    model::Rotor rotor = rotor_with_imbalances();
+    for (model::Segment &segment : rotor.shaft.segments)
+        segment.elements = 40;
+    const assembly::Discretization d(rotor, 1);
+    ForcedMotion whole(d, Form::planar);
+    CondensedMotion condensed(d, Form::planar, CondensedMotion::Nodes::attached);
+    for (double speed = 20; speed < 1000; speed *= 1.07) {
+        whole.solve(speed);
+        condensed.solve(speed);
+        double apart = 0;
+        double size = 0;
+        for (const auto &[node, name] : forced::attached_nodes(d)) {
+            const Phasor u = whole.motion(d.deflection_at_node(node));
+            apart = std::max(apart, distance(u, condensed.at_node(node)));
+            size = std::max(size, size_of(u));
+        }
+        EXPECT_LE(apart, 3 * (whole.rounding() + condensed.rounding()) * size) << speed;
+        // No idle number: moduli of all elements added up, not with random signs.
+        EXPECT_LT(condensed.rounding(), 1000 * whole.rounding()) << speed;
+    }
 }
 
 TEST(CondensedMotion, general_with_all_that_supports_can_have) {

@@ -1,0 +1,55 @@
+#include "forced/station_motion.h"
+
+#include "linalg/check.h"
+
+namespace whirl::forced {
+
+StationMotion::StationMotion(const assembly::Discretization &discretization, results::Form form,
+                             Drive drive)
+    : _discretization(discretization), _whole(discretization, form, drive) {
+    if (!drive.weight() && CondensedMotion::describes(discretization))
+        _condensed.emplace(discretization, form, CondensedMotion::Nodes::attached);
+}
+
+bool StationMotion::condensed(double speed) {
+    constexpr double acceptable = 1e-8;
+    if (!_condensed)
+        return false;
+    try {
+        _condensed->solve(speed);
+    } catch (const linalg::SolverError &) { // at a resonance of the rotor, or of a part of it
+        return false;
+    }
+    _rounding = _condensed->rounding();
+    return _rounding <= acceptable;
+}
+
+void StationMotion::solve_whole() {
+    _whole.solve(_speed);
+    _by_whole = true;
+    _rounding = _whole.rounding();
+}
+
+void StationMotion::solve(double speed) {
+    _speed = speed;
+    _by_whole = false;
+    if (!condensed(speed))
+        solve_whole();
+}
+
+const ForcedMotion &StationMotion::whole() {
+    if (!_by_whole)
+        solve_whole();
+    return _whole;
+}
+
+Phasor StationMotion::at(double z) const {
+    return _by_whole ? _whole.motion(_discretization.deflection_at(z))
+                     : _condensed->at_node(_discretization.shaft_mesh().node_at(z));
+}
+
+Phasor StationMotion::bearing_force(int bearing) const {
+    return _by_whole ? _whole.bearing_force(bearing) : _condensed->bearing_force(bearing);
+}
+
+} // namespace whirl::forced
