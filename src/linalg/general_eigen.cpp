@@ -1,0 +1,83 @@
+#include "linalg/general_eigen.h"
+
+#include "linalg/check.h"
+
+#include <petscsys.h>
+#include <slepcblaslapack.h>
+
+#include <algorithm>
+
+namespace whirl::linalg {
+
+namespace {
+
+/// A = Q T Q^T, T with 1 x 1 and 2 x 2 blocks on its diagonal.
+struct RealSchurForm {
+    Eigen::MatrixXd Q, T;
+    Eigen::VectorXcd values;
+};
+
+RealSchurForm real_schur(Eigen::MatrixXd A) {
+    const auto n = static_cast<PetscBLASInt>(A.rows());
+    const PetscBLASInt one = 1;
+    const PetscBLASInt room = 64 * std::max<PetscBLASInt>(n, 1);
+    PetscBLASInt failed = 0;
+    Eigen::VectorXd work(room);
+    Eigen::VectorXd tau(std::max<PetscBLASInt>(n, 1));
+    LAPACKgehrd_(&n, &one, &n, A.data(), &n, tau.data(), work.data(), &room, &failed);
+    RealSchurForm out;
+    out.Q = A;
+    if (failed == 0)
+        LAPACKorghr_(&n, &one, &n, out.Q.data(), &n, tau.data(), work.data(), &room, &failed);
+    for (Eigen::Index j = 0; j + 2 < A.cols(); ++j)
+        A.col(j).tail(n - j - 2).setZero();
+    Eigen::VectorXd real(n);
+    Eigen::VectorXd imaginary(n);
+    if (failed == 0)
+        LAPACKhseqr_("S", "V", &n, &one, &n, A.data(), &n, real.data(), imaginary.data(),
+                     out.Q.data(), &n, work.data(), &room, &failed);
+    if (failed != 0)
+        throw SolverError("the dense eigensolver did not converge");
+    out.T = std::move(A);
+    out.values.resize(n);
+    out.values.real() = real;
+    out.values.imag() = imaginary;
+    return out;
+}
+
+} // namespace
+
+std::complex<double> packed_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b,
+                                    Eigen::Index j, bool pair) {
+    const double real = a.col(j).dot(b.col(j));
+    if (!pair)
+        return real;
+    return {real + a.col(j + 1).dot(b.col(j + 1)),
+            a.col(j).dot(b.col(j + 1)) - a.col(j + 1).dot(b.col(j))};
+}
+
+GeneralEigen general_eigen(Eigen::MatrixXd A) {
+    const RealSchurForm schur = real_schur(std::move(A));
+    const auto n = static_cast<PetscBLASInt>(schur.T.rows());
+    GeneralEigen out{schur.values, Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}};
+    PetscBLASInt found = 0;
+    PetscBLASInt failed = 0;
+    Eigen::VectorXd work(3 * std::max<PetscBLASInt>(n, 1));
+    LAPACKtrevc_("B", "A", nullptr, &n, schur.T.data(), &n, out.left.data(), &n, out.right.data(),
+                 &n, &n, &found, work.data(), &failed);
+    if (failed != 0)
+        throw SolverError("the dense eigensolver found no vectors");
+    out.products.resize(n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        out.products(j) = packed_product(out.left, out.right, j, out.is_pair(j));
+        if (out.is_pair(j)) {
+            out.products(j + 1) = std::conj(out.products(j));
+            ++j;
+        }
+    }
+    out.right = (schur.Q * out.right).eval();
+    out.left = (schur.Q * out.left).eval();
+    return out;
+}
+
+} // namespace whirl::linalg
