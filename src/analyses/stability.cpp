@@ -110,11 +110,11 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
 constexpr int sampled = 16;
 
 /// @param first   unstable bands of the first arrangement, known already
-/// @param shapes  that were good for it
+/// @param finder_of_first  with which they were found
 results::ArrangementFamily family_of(const stability::StabilityModel &model,
                                      const std::vector<balancers::Arrangement> &arrangements,
                                      const std::vector<stability::SpeedInterval> &first,
-                                     std::shared_ptr<const Eigen::MatrixXd> shapes,
+                                     const stability::BandFinder &finder_of_first,
                                      const std::vector<double> &grid) {
     results::ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
@@ -122,14 +122,12 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
     std::vector<std::vector<double>> additional;
     std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        stability::BandFinder finder(model, arrangements[k], shapes);
+        stability::BandFinder finder(model, arrangements[k], finder_of_first);
         const stability::MotionsAt at = [&finder](double speed) {
             return finder.solver().at(speed);
         };
         const auto bands =
             k == 0 ? first : bands_between_ends(finder, model, arrangements[k], at, grid).bands;
-        if (k > 0)
-            shapes = finder.shapes();
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
@@ -273,7 +271,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     const std::vector<balancers::Arrangement> arrangements =
         balancers::sampled_arrangements(model.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
-        result.family = family_of(model, arrangements, result.unstable, finder.shapes(), grid);
+        result.family = family_of(model, arrangements, result.unstable, finder, grid);
 }
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,

@@ -44,7 +44,7 @@ Companion decomposed(const DenseProblem &p, double shift) {
     if (!C.allFinite())
         throw linalg::SolverError("the matrix at the shift is singular");
     out.norm = C.norm();
-    out.of = linalg::general_eigen(std::move(C));
+    out.of = linalg::general_eigen(std::move(C), linalg::Vectors::both);
     out.right = out.of.right.topRows(n);
     out.left = lu.transpose().solve(Eigen::MatrixXd(out.of.left.topRows(n)));
     return out;

@@ -7,6 +7,13 @@
 
 #include <algorithm>
 
+extern "C" { // not in PETSc's headers
+void dlahqr_(const PetscBLASInt *schur, const PetscBLASInt *vectors, const PetscBLASInt *n,
+             const PetscBLASInt *low, const PetscBLASInt *high, double *H, const PetscBLASInt *ldh,
+             double *real, double *imaginary, const PetscBLASInt *first, const PetscBLASInt *last,
+             double *Z, const PetscBLASInt *ldz, PetscBLASInt *failed);
+}
+
 namespace whirl::linalg {
 
 namespace {
@@ -33,9 +40,10 @@ RealSchurForm real_schur(Eigen::MatrixXd A) {
         A.col(j).tail(n - j - 2).setZero();
     Eigen::VectorXd real(n);
     Eigen::VectorXd imaginary(n);
+    const PetscBLASInt yes = 1;
     if (failed == 0)
-        LAPACKhseqr_("S", "V", &n, &one, &n, A.data(), &n, real.data(), imaginary.data(),
-                     out.Q.data(), &n, work.data(), &room, &failed);
+        dlahqr_(&yes, &yes, &n, &one, &n, A.data(), &n, real.data(), imaginary.data(), &one, &n,
+                out.Q.data(), &n, &failed);
     if (failed != 0)
         throw SolverError("the dense eigensolver did not converge");
     out.T = std::move(A);
@@ -56,19 +64,21 @@ std::complex<double> packed_product(const Eigen::MatrixXd &a, const Eigen::Matri
             a.col(j).dot(b.col(j + 1)) - a.col(j + 1).dot(b.col(j))};
 }
 
-GeneralEigen general_eigen(Eigen::MatrixXd A) {
+GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which) {
     const RealSchurForm schur = real_schur(std::move(A));
     const auto n = static_cast<PetscBLASInt>(schur.T.rows());
-    GeneralEigen out{schur.values, Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}};
+    const bool both = which == Vectors::both;
+    GeneralEigen out{schur.values, Eigen::MatrixXd::Zero(n, n), {}, {}};
+    out.left = Eigen::MatrixXd::Zero(n, both ? n : 1);
     PetscBLASInt found = 0;
     PetscBLASInt failed = 0;
     Eigen::VectorXd work(3 * std::max<PetscBLASInt>(n, 1));
-    LAPACKtrevc_("B", "A", nullptr, &n, schur.T.data(), &n, out.left.data(), &n, out.right.data(),
-                 &n, &n, &found, work.data(), &failed);
+    LAPACKtrevc_(both ? "B" : "R", "A", nullptr, &n, schur.T.data(), &n, out.left.data(), &n,
+                 out.right.data(), &n, &n, &found, work.data(), &failed);
     if (failed != 0)
         throw SolverError("the dense eigensolver found no vectors");
-    out.products.resize(n);
-    for (Eigen::Index j = 0; j < n; ++j) {
+    out.products = Eigen::VectorXcd::Zero(both ? n : 0);
+    for (Eigen::Index j = 0; j < out.products.size(); ++j) {
         out.products(j) = packed_product(out.left, out.right, j, out.is_pair(j));
         if (out.is_pair(j)) {
             out.products(j + 1) = std::conj(out.products(j));
@@ -76,7 +86,8 @@ GeneralEigen general_eigen(Eigen::MatrixXd A) {
         }
     }
     out.right = (schur.Q * out.right).eval();
-    out.left = (schur.Q * out.left).eval();
+    if (both)
+        out.left = (schur.Q * out.left).eval();
     return out;
 }
 

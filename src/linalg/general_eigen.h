@@ -18,13 +18,17 @@ struct GeneralEigen {
     [[nodiscard]] bool is_pair(Eigen::Index i) const { return values(i).imag() > 0; }
 };
 
-/// By the QR algorithm of LAPACK, both kinds of vectors from one Schur form, without balancing.
+enum class Vectors { right, both };
+
+/// By the QR algorithm with double shifts (LAPACK's dlahqr), without balancing: it takes an entry
+/// for zero only beside its neighbours, so that small eigenvalues stay beside large ones (creeping
+/// motions between strong dampers), which dgeev loses.
+/// @param which  right alone: `left` and `products` are of no use
 /// @throws SolverError where it does not converge
-[[nodiscard]] GeneralEigen general_eigen(Eigen::MatrixXd A);
+[[nodiscard]] GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which);
 
 /// a^H b of columns j (real), or j and j + 1 (real and imaginary parts).
-[[nodiscard]] std::complex<double> packed_product(const Eigen::MatrixXd &a,
-                                                  const Eigen::MatrixXd &b, Eigen::Index j,
-                                                  bool pair);
+[[nodiscard]] std::complex<double>
+packed_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b, Eigen::Index j, bool pair);
 
 } // namespace whirl::linalg
