@@ -96,11 +96,12 @@ std::vector<double> speeds_of(const std::vector<stability::ZeroRootSpeed> &stand
 /// Those of the range of the grid; none where they cannot be resolved beside the other roots.
 std::vector<stability::ZeroRootSpeed>
 zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangement &arrangement,
-                  bool frozen, const std::vector<double> &grid, bool &failed) {
+                  bool frozen, const std::vector<double> &grid, bool &failed,
+                  const Eigen::MatrixXd *shapes = nullptr) {
     const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
     try {
-        return inside(stability::zero_root_speeds(d, arrangement, frozen, top), grid.front(),
-                      grid.back());
+        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes),
+                      grid.front(), grid.back());
     } catch (const linalg::SolverError &) {
         failed = true;
         return {};
@@ -134,10 +135,13 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
             const auto &d = finder.solver().discretization();
             const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
-            critical.push_back(speeds_of(
-                zero_root_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
-            additional.push_back(
-                speeds_of(zero_root_or_none(d, arrangements[k], false, grid, out.incomplete)));
+            const auto shapes = k > 0 ? finder.good_shapes(grid) : nullptr; // first: in full
+            const auto speeds = [&](const assembly::Discretization &of, bool frozen) {
+                return speeds_of(zero_root_or_none(of, arrangements[k], frozen, grid,
+                                                   out.incomplete, shapes.get()));
+            };
+            critical.push_back(speeds(undamped, true));
+            additional.push_back(speeds(d, false));
         }
         process::report_progress(0.9 * static_cast<double>(k + 1) /
                                  static_cast<double>(arrangements.size()));
