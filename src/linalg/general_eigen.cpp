@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 
+#include <Eigen/Eigenvalues>
 #include <petscsys.h>
 #include <slepcblaslapack.h>
 
@@ -27,7 +28,7 @@ struct RealSchurForm {
 RealSchurForm real_schur(Eigen::MatrixXd A) {
     const auto n = static_cast<PetscBLASInt>(A.rows());
     const PetscBLASInt one = 1;
-    const PetscBLASInt room = 64 * std::max<PetscBLASInt>(n, 1);
+    const PetscBLASInt room = std::max<PetscBLASInt>(n, 1); // so little: column by column
     PetscBLASInt failed = 0;
     Eigen::VectorXd work(room);
     Eigen::VectorXd tau(std::max<PetscBLASInt>(n, 1));
@@ -89,6 +90,13 @@ GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which) {
     if (both)
         out.left = (schur.Q * out.left).eval();
     return out;
+}
+
+GeneralEigen general_eigen_otherwise(const Eigen::MatrixXd &A) {
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+    if (solver.info() != Eigen::Success)
+        throw SolverError("the dense eigensolver did not converge");
+    return {solver.eigenvalues(), solver.pseudoEigenvectors(), {}, {}};
 }
 
 } // namespace whirl::linalg

@@ -27,6 +27,11 @@ enum class Vectors { right, both };
 /// @throws SolverError where it does not converge
 [[nodiscard]] GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which);
 
+/// The same with right vectors by Eigen's QR algorithm, slower: what rounding makes of defective
+/// eigenvalues differs, and with it what they hide of others.
+/// @throws SolverError where it does not converge
+[[nodiscard]] GeneralEigen general_eigen_otherwise(const Eigen::MatrixXd &A);
+
 /// a^H b of columns j (real), or j and j + 1 (real and imaginary parts).
 [[nodiscard]] std::complex<double>
 packed_product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b, Eigen::Index j, bool pair);

@@ -122,7 +122,7 @@ double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
     return noise / (std::abs(y_slope) * size);
 }
 
-std::vector<ComplexPair> QuadraticProblem::dense() const {
+std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
     const Eigen::Index n = _M.rows();
     // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
     const Eigen::MatrixXd A = _lu.solve(Eigen::MatrixXd(2 * _shift * _M + _D));
@@ -132,7 +132,8 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
     companion.topLeftCorner(n, n) = -A / s;
     companion.topRightCorner(n, n) = -B / (s * s);
     companion.bottomLeftCorner(n, n).setIdentity();
-    const GeneralEigen found = general_eigen(std::move(companion), Vectors::right);
+    const GeneralEigen found = otherwise ? general_eigen_otherwise(companion)
+                                         : general_eigen(std::move(companion), Vectors::right);
     const double smallest = 1e-14 * found.values.cwiseAbs().maxCoeff(); // below: infinite roots
     std::vector<ComplexPair> pairs;
     for (Eigen::Index i = 0; i < 2 * n; ++i) {
