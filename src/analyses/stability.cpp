@@ -313,11 +313,16 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 } // namespace
 
 UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vector<double> &grid,
-                                const balancers::Arrangement &arrangement, bool with_errors) {
+                                const balancers::Arrangement &arrangement, bool with_errors,
+                                const stability::BandFinder *like) {
     UnstableBands out;
     if (model.conservative)
         return out;
-    stability::BandFinder finder(model, arrangement);
+    const auto found_by = like != nullptr
+                              ? std::make_shared<stability::BandFinder>(model, arrangement, *like)
+                              : std::make_shared<stability::BandFinder>(model, arrangement);
+    out.finder = found_by;
+    stability::BandFinder &finder = *found_by;
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };

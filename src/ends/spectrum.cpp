@@ -85,6 +85,7 @@ double packed_norm(const Eigen::MatrixXd &packed, Eigen::Index j, bool pair) {
 Root conjugate(Root root) {
     root.value = std::conj(root.value);
     root.rate = std::conj(root.rate);
+    root.slope = std::conj(root.slope);
     root.right = root.right.conjugate().eval();
     root.left = root.left.conjugate().eval();
     return root;
@@ -131,7 +132,7 @@ Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int
     const Eigen::VectorXd g_size = sizes(left_size, p.D, right_size);
     const Eigen::VectorXd k_size = sizes(left_size, p.K, right_size);
     const double smallest = 1e-14 * c.of.values.cwiseAbs().maxCoeff(); // below: infinite roots
-    Spectrum out{speed, {}};
+    Spectrum out{speed, {}, unscaled};
     for (Eigen::Index j = 0; j < c.of.values.size(); ++j) {
         const Complex mu = c.of.values(j);
         if (std::abs(mu) <= smallest || mu.imag() < 0)
@@ -146,6 +147,7 @@ Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int
         const Complex l = shift + 1.0 / (c.s * mu);
         const Complex slope = -c.s * mu * product; // y^H Q'(l) mu x
         root.value = l;
+        root.slope = slope;
         root.rate = -(l * linalg::packed_product(c.left, turned_D, j, pair) +
                       linalg::packed_product(c.left, turned_K, j, pair)) /
                     slope;
