@@ -65,12 +65,15 @@ results::BalancedPosition stable_speeds(const stability::StabilityModel &model,
     results::BalancedPosition out;
     std::vector<stability::SpeedInterval> sometimes_unstable;
     std::vector<stability::SpeedInterval> always_unstable;
+    std::shared_ptr<const stability::BandFinder> of_first;
     for (const balancers::Arrangement &arrangement :
          balancers::sampled_arrangements(model.rotor, arrangements)) {
         const bool first = out.arrangements == 0;
-        const UnstableBands unstable = unstable_bands_of(model, grid, arrangement, first);
+        const UnstableBands unstable =
+            unstable_bands_of(model, grid, arrangement, first, of_first.get());
         const std::vector<stability::SpeedInterval> bands = stability::joined(unstable.bands);
         if (first) {
+            of_first = unstable.finder;
             out.bands = rest_of(bands, from, to);
             out.errors = errors_of(out.bands, unstable);
             for (const auto &[a, b] : unstable.doubtful)

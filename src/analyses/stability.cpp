@@ -96,11 +96,12 @@ std::vector<double> speeds_of(const std::vector<stability::ZeroRootSpeed> &stand
 /// Those of the range of the grid; none where they cannot be resolved beside the other roots.
 std::vector<stability::ZeroRootSpeed>
 zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangement &arrangement,
-                  bool frozen, const std::vector<double> &grid, bool &failed) {
+                  bool frozen, const std::vector<double> &grid, bool &failed,
+                  const Eigen::MatrixXd *shapes = nullptr) {
     const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
     try {
-        return inside(stability::zero_root_speeds(d, arrangement, frozen, top), grid.front(),
-                      grid.back());
+        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes),
+                      grid.front(), grid.back());
     } catch (const linalg::SolverError &) {
         failed = true;
         return {};
@@ -110,11 +111,11 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
 constexpr int sampled = 16;
 
 /// @param first   unstable bands of the first arrangement, known already
-/// @param shapes  that were good for it
+/// @param finder_of_first  with which they were found
 results::ArrangementFamily family_of(const stability::StabilityModel &model,
                                      const std::vector<balancers::Arrangement> &arrangements,
                                      const std::vector<stability::SpeedInterval> &first,
-                                     std::shared_ptr<const Eigen::MatrixXd> shapes,
+                                     const stability::BandFinder &finder_of_first,
                                      const std::vector<double> &grid) {
     results::ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
@@ -122,24 +123,25 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
     std::vector<std::vector<double>> additional;
     std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        stability::BandFinder finder(model, arrangements[k], shapes);
+        stability::BandFinder finder(model, arrangements[k], finder_of_first);
         const stability::MotionsAt at = [&finder](double speed) {
             return finder.solver().at(speed);
         };
         const auto bands =
             k == 0 ? first : bands_between_ends(finder, model, arrangements[k], at, grid).bands;
-        if (k > 0)
-            shapes = finder.shapes();
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
             const auto &d = finder.solver().discretization();
             const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
-            critical.push_back(speeds_of(
-                zero_root_or_none(undamped, arrangements[k], true, grid, out.incomplete)));
-            additional.push_back(
-                speeds_of(zero_root_or_none(d, arrangements[k], false, grid, out.incomplete)));
+            const auto shapes = k > 0 ? finder.good_shapes(grid) : nullptr; // first: in full
+            const auto speeds = [&](const assembly::Discretization &of, bool frozen) {
+                return speeds_of(zero_root_or_none(of, arrangements[k], frozen, grid,
+                                                   out.incomplete, shapes.get()));
+            };
+            critical.push_back(speeds(undamped, true));
+            additional.push_back(speeds(d, false));
         }
         process::report_progress(0.9 * static_cast<double>(k + 1) /
                                  static_cast<double>(arrangements.size()));
@@ -273,7 +275,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     const std::vector<balancers::Arrangement> arrangements =
         balancers::sampled_arrangements(model.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
-        result.family = family_of(model, arrangements, result.unstable, finder.shapes(), grid);
+        result.family = family_of(model, arrangements, result.unstable, finder, grid);
 }
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
@@ -311,11 +313,16 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
 } // namespace
 
 UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vector<double> &grid,
-                                const balancers::Arrangement &arrangement, bool with_errors) {
+                                const balancers::Arrangement &arrangement, bool with_errors,
+                                const stability::BandFinder *like) {
     UnstableBands out;
     if (model.conservative)
         return out;
-    stability::BandFinder finder(model, arrangement);
+    const auto found_by = like != nullptr
+                              ? std::make_shared<stability::BandFinder>(model, arrangement, *like)
+                              : std::make_shared<stability::BandFinder>(model, arrangement);
+    out.finder = found_by;
+    stability::BandFinder &finder = *found_by;
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };

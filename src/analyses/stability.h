@@ -5,9 +5,11 @@
 #include "model/case.h"
 #include "results/stability.h"
 #include "stability/rotor_at_speeds.h"
+#include "stability/band_finder.h"
 #include "stability/unstable_bands.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,16 +28,19 @@ struct UnstableBands {
     std::vector<stability::SpeedInterval> bands;
     std::vector<stability::SpeedInterval>
         errors; ///< of both ends of each, rad/s; none where not asked for
-    std::vector<stability::SpeedInterval> doubtful; ///< motions could not be followed through
+    std::vector<stability::SpeedInterval> doubtful;      ///< motions could not be followed through
+    std::shared_ptr<const stability::BandFinder> finder; ///< by which they were found
 };
 /// By the same rules as stability(). Speeds that a Hill series does not describe count as unstable.
 [[nodiscard]] UnstableBands unstable_bands_of(const model::Case &scene,
                                               const balancers::Arrangement &arrangement,
                                               bool with_errors);
 /// The same with form and order chosen before, at speeds that search_speeds() gives.
+/// @param like  of another arrangement in the same model at the same speeds, to begin with
 [[nodiscard]] UnstableBands unstable_bands_of(stability::StabilityModel model,
                                               const std::vector<double> &grid,
                                               const balancers::Arrangement &arrangement,
-                                              bool with_errors);
+                                              bool with_errors,
+                                              const stability::BandFinder *like = nullptr);
 
 } // namespace whirl::analyses

@@ -1,9 +1,9 @@
 #include "ends/spectrum.h"
 
 #include "linalg/check.h"
+#include "linalg/general_eigen.h"
 #include "linalg/unit_scales.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -21,57 +21,14 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double of_entries = 30;
 constexpr double of_solver = 3;
 
-/// The companion matrix in mu = 1/(s (l - shift)), its eigenvectors and their inverse.
+/// The companion matrix in mu = 1/(s (l - shift)), its eigenvalues and vectors.
 struct Companion {
     double s = 1;
     double norm = 0;
-    Eigen::VectorXcd mu;
-    Eigen::MatrixXcd right;   ///< states (mu x, x), a column each
-    Eigen::MatrixXcd inverse; ///< of right: left states, a row each
-    Eigen::MatrixXcd left;    ///< y^H of the problem itself, a row each
+    linalg::GeneralEigen of; ///< states (mu x, x)
+    Eigen::MatrixXd right;   ///< mu x, in two columns where complex
+    Eigen::MatrixXd left;    ///< y of the problem itself, in the same way
 };
-
-/// Inverse; where vectors of a repeated root coincide to the last digit (balls near rest), that of
-/// a matrix a rounding error away: the rows of these vectors are then large, those of others as
-/// they would be.
-Eigen::MatrixXd inverse_of(const Eigen::MatrixXd &A) {
-    Eigen::MatrixXd out = Eigen::PartialPivLU<Eigen::MatrixXd>(A).inverse();
-    if (out.allFinite())
-        return out;
-    const auto uneven = [&A](Eigen::Index i, Eigen::Index j) {
-        return std::sin(static_cast<double>(1 + i + j * A.rows()));
-    };
-    const auto n = A.rows();
-    const Eigen::MatrixXd near = A + epsilon * Eigen::MatrixXd::NullaryExpr(n, n, uneven);
-    return Eigen::PartialPivLU<Eigen::MatrixXd>(near).inverse();
-}
-
-/// Inverse of the matrix of eigenvectors, in real arithmetic: with u, v in the place of a pair
-/// u +- i v, whose rows in the inverse are then half of (row of u) -+ i (row of v).
-Eigen::MatrixXcd inverse_of_vectors(const Eigen::EigenSolver<Eigen::MatrixXd> &solver) {
-    const Eigen::VectorXcd &values = solver.eigenvalues();
-    const Eigen::Index n = values.size();
-    const Eigen::MatrixXcd vectors = solver.eigenvectors();
-    Eigen::MatrixXd parts(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-        if (j + 1 < n && values(j).imag() != 0) {
-            parts.col(j) = vectors.col(j).real();
-            parts.col(j + 1) = vectors.col(j).imag();
-            ++j;
-        } else {
-            parts.col(j) = vectors.col(j).real();
-        }
-    const Eigen::MatrixXd rows = inverse_of(parts);
-    Eigen::MatrixXcd out = rows.cast<Complex>();
-    for (Eigen::Index j = 0; j + 1 < n; ++j)
-        if (values(j).imag() != 0) {
-            out.row(j).real() = rows.row(j) / 2;
-            out.row(j).imag() = -rows.row(j + 1) / 2;
-            out.row(j + 1) = out.row(j).conjugate();
-            ++j;
-        }
-    return out;
-}
 
 Companion decomposed(const DenseProblem &p, double shift) {
     const Eigen::Index n = p.M.rows();
@@ -87,37 +44,51 @@ Companion decomposed(const DenseProblem &p, double shift) {
     if (!C.allFinite())
         throw linalg::SolverError("the matrix at the shift is singular");
     out.norm = C.norm();
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(C);
-    if (solver.info() != Eigen::Success)
-        throw linalg::SolverError("the dense eigensolver did not converge");
-    out.mu = solver.eigenvalues();
-    out.right = solver.eigenvectors();
-    out.inverse = inverse_of_vectors(solver);
-    const Eigen::MatrixXcd W = out.inverse.leftCols(n).transpose();
-    Eigen::MatrixXcd Y(n, 2 * n);
-    Y.real() = lu.transpose().solve(Eigen::MatrixXd(W.real()));
-    Y.imag() = lu.transpose().solve(Eigen::MatrixXd(W.imag()));
-    out.left = Y.transpose();
+    out.of = linalg::general_eigen(std::move(C), linalg::Vectors::both);
+    out.right = out.of.right.topRows(n);
+    out.left = lu.transpose().solve(Eigen::MatrixXd(out.of.left.topRows(n)));
     return out;
 }
 
-Eigen::MatrixXcd times(const Eigen::MatrixXd &A, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(A.rows(), X.cols());
-    out.real() = A * X.real();
-    out.imag() = A * X.imag();
+/// Moduli of vectors in two columns each where complex, in the first of them.
+Eigen::MatrixXd moduli(const linalg::GeneralEigen &of, const Eigen::MatrixXd &packed) {
+    Eigen::MatrixXd out = packed.cwiseAbs();
+    for (Eigen::Index j = 0; j + 1 < out.cols(); ++j)
+        if (of.is_pair(j))
+            out.col(j) = (packed.col(j).array().square() + packed.col(j + 1).array().square())
+                             .sqrt()
+                             .matrix();
     return out;
 }
 
-/// Scalars y^H A x, one for each root.
-Eigen::VectorXcd products(const Eigen::MatrixXcd &left, const Eigen::MatrixXd &A,
-                          const Eigen::MatrixXcd &X) {
-    return left.cwiseProduct(times(A, X).transpose()).rowwise().sum();
+/// |y|^T |A| |x| of each root, in the first of its columns.
+Eigen::VectorXd sizes(const Eigen::MatrixXd &y, const Eigen::MatrixXd &A,
+                      const Eigen::MatrixXd &x) {
+    return y.cwiseProduct(A.cwiseAbs() * x).colwise().sum();
 }
 
-Eigen::VectorXd sizes(const Eigen::MatrixXcd &left, const Eigen::MatrixXd &A,
-                      const Eigen::MatrixXcd &X) {
-    const Eigen::MatrixXd AX = A.cwiseAbs() * X.cwiseAbs();
-    return left.cwiseAbs().cwiseProduct(AX.transpose()).rowwise().sum();
+Eigen::VectorXcd vector_of(const Eigen::VectorXd &d, const Eigen::MatrixXd &packed, Eigen::Index j,
+                           bool pair) {
+    Eigen::VectorXcd out(d.size());
+    out.real() = d.cwiseProduct(packed.col(j));
+    if (pair)
+        out.imag() = d.cwiseProduct(packed.col(j + 1));
+    else
+        out.imag().setZero();
+    return out;
+}
+
+double packed_norm(const Eigen::MatrixXd &packed, Eigen::Index j, bool pair) {
+    return packed.middleCols(j, pair ? 2 : 1).norm();
+}
+
+Root conjugate(Root root) {
+    root.value = std::conj(root.value);
+    root.rate = std::conj(root.rate);
+    root.slope = std::conj(root.slope);
+    root.right = root.right.conjugate().eval();
+    root.left = root.left.conjugate().eval();
+    return root;
 }
 
 void drop_zeros(std::vector<Root> &roots, int zeros) {
@@ -152,34 +123,44 @@ Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int
     const Eigen::VectorXd d =
         linalg::scales_at(shift, unscaled.M.diagonal(), unscaled.K.diagonal());
     const DenseProblem p = scaled(unscaled, d);
-    const Eigen::Index n = p.M.rows();
     const Companion c = decomposed(p, shift);
-    const Eigen::MatrixXcd X = c.right.topRows(n);
-    const Eigen::VectorXcd m = products(c.left, p.M, X);
-    const Eigen::VectorXcd g = products(c.left, p.D, X);
-    const Eigen::VectorXcd g_rate = products(c.left, p.D_rate, X);
-    const Eigen::VectorXcd k_rate = products(c.left, p.K_rate, X);
-    const Eigen::VectorXd m_size = sizes(c.left, p.M, X);
-    const Eigen::VectorXd g_size = sizes(c.left, p.D, X);
-    const Eigen::VectorXd k_size = sizes(c.left, p.K, X);
-    const double smallest = 1e-14 * c.mu.cwiseAbs().maxCoeff(); // below: infinite eigenvalues
-    Spectrum out{speed, {}};
-    for (Eigen::Index i = 0; i < 2 * n; ++i) {
-        if (std::abs(c.mu(i)) <= smallest)
+    const Eigen::MatrixXd turned_D = p.D_rate * c.right;
+    const Eigen::MatrixXd turned_K = p.K_rate * c.right;
+    const Eigen::MatrixXd right_size = moduli(c.of, c.right);
+    const Eigen::MatrixXd left_size = moduli(c.of, c.left);
+    const Eigen::VectorXd m_size = sizes(left_size, p.M, right_size);
+    const Eigen::VectorXd g_size = sizes(left_size, p.D, right_size);
+    const Eigen::VectorXd k_size = sizes(left_size, p.K, right_size);
+    const double smallest = 1e-14 * c.of.values.cwiseAbs().maxCoeff(); // below: infinite roots
+    Spectrum out{speed, {}, unscaled};
+    for (Eigen::Index j = 0; j < c.of.values.size(); ++j) {
+        const Complex mu = c.of.values(j);
+        if (std::abs(mu) <= smallest || mu.imag() < 0)
             continue;
+        const bool pair = c.of.is_pair(j);
+        const double lengths = packed_norm(c.of.right, j, pair) * packed_norm(c.of.left, j, pair);
+        // Vectors of a repeated root can coincide to the last digit (balls near rest).
+        const Complex product = std::abs(c.of.products(j)) > epsilon * lengths
+                                    ? c.of.products(j)
+                                    : Complex(epsilon * lengths);
         Root root;
-        const Complex l = shift + 1.0 / (c.s * c.mu(i));
-        const Complex slope = 2.0 * l * m(i) + g(i);
+        const Complex l = shift + 1.0 / (c.s * mu);
+        const Complex slope = -c.s * mu * product; // y^H Q'(l) mu x
         root.value = l;
-        root.rate = -(l * g_rate(i) + k_rate(i)) / slope;
+        root.slope = slope;
+        root.rate = -(l * linalg::packed_product(c.left, turned_D, j, pair) +
+                      linalg::packed_product(c.left, turned_K, j, pair)) /
+                    slope;
         const double size = std::abs(l);
-        const double entries = size * size * m_size(i) + size * g_size(i) + k_size(i);
-        const double condition = c.right.col(i).norm() * c.inverse.row(i).norm();
+        const double entries = size * size * m_size(j) + size * g_size(j) + k_size(j);
+        const double condition = lengths / std::abs(product);
         root.noise = epsilon * (of_entries * entries / std::abs(slope) +
                                 of_solver * c.norm * condition * c.s * std::norm(l - shift) +
                                 of_entries * size);
-        root.right = d.asDiagonal() * X.col(i);
-        root.left = d.asDiagonal() * c.left.row(i).adjoint();
+        root.right = vector_of(d, c.right, j, pair);
+        root.left = vector_of(d, c.left, j, pair);
+        if (pair)
+            out.roots.push_back(conjugate(root));
         out.roots.push_back(std::move(root));
     }
     drop_zeros(out.roots, zeros);

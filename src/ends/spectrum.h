@@ -15,6 +15,7 @@ struct Root {
     std::complex<double> rate;    ///< dl/dspeed
     double noise = 0;             ///< how far rounding can move Re l, 1/s
     Eigen::VectorXcd right, left; ///< Q(l) right = 0, left^H Q(l) = 0
+    std::complex<double> slope;   ///< left^H Q'(l) right
 
     /// 1 grows, -1 dies out, 0: not to be told from neither.
     [[nodiscard]] int sign() const {
@@ -27,6 +28,7 @@ struct Root {
 struct Spectrum {
     double speed = 0; ///< rad/s
     std::vector<Root> roots;
+    DenseProblem problem; ///< whose roots they are
 
     [[nodiscard]] int growing() const;
     /// The root next to a value.

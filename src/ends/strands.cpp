@@ -1,5 +1,6 @@
 #include "ends/strands.h"
 
+#include "ends/coupling.h"
 #include "ends/groups.h"
 
 #include <algorithm>
@@ -132,6 +133,37 @@ bool harmless(const Cluster &a, const Cluster &b, double step) {
     return least > allowance * std::max(a.radius(), b.radius()) + std::abs(off);
 }
 
+/// How much of motion b is in motion a, as the left vector of a tells: 1 of a itself.
+double share(const DenseProblem &of_a, const Root &a, const Root &b) {
+    const Eigen::VectorXcd states = of_a.D * b.right + (a.value + b.value) * (of_a.M * b.right);
+    return std::abs(a.left.dot(states) / a.slope);
+}
+
+/// The partners of the roots of a group by their vectors: where motions pass close by each other,
+/// values and rates do not tell which is which, but each is all but orthogonal to the others.
+/// @returns nothing where one has no partner
+std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, const Spectrum &to,
+                                                         const Group &group) {
+    constexpr double the_same = 0.8;
+    if (group.first.size() != group.second.size())
+        return std::nullopt;
+    std::vector<std::pair<int, int>> out;
+    std::vector<bool> taken(to.roots.size(), false);
+    for (const int i : group.first) {
+        const Root &a = from.roots[static_cast<std::size_t>(i)];
+        const auto found = std::find_if(group.second.begin(), group.second.end(), [&](int j) {
+            const Root &b = to.roots[static_cast<std::size_t>(j)];
+            const double both = share(from.problem, a, b) * share(to.problem, b, a);
+            return !taken[static_cast<std::size_t>(j)] && both > the_same && both < 1 / the_same;
+        });
+        if (found == group.second.end())
+            return std::nullopt;
+        taken[static_cast<std::size_t>(*found)] = true;
+        out.emplace_back(i, *found);
+    }
+    return out;
+}
+
 /// The least angle between the value and the imaginary axis along a strand.
 double turn_to_axis(const Strand &strand) {
     double least = HUGE_VAL;
@@ -241,17 +273,24 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
     for (Eigen::Index i = 0; i < rows; ++i)
         for (Eigen::Index j = 0; j < columns; ++j)
             off(i, j) = between(static_cast<int>(i), static_cast<int>(j)).misfit;
-    for (const auto &[of_from, of_to] : groups_of(std::move(off))) {
+    for (const Group &group : groups_of(std::move(off))) {
+        const auto &[of_from, of_to] = group;
         if (of_from.size() == 1 && of_to.size() == 1) {
             out.strands.push_back(between(of_from.front(), of_to.front()).strand);
             continue;
         }
-        out.clear = out.clear && harmless(cluster(from, of_from), cluster(to, of_to), step);
+        if (harmless(cluster(from, of_from), cluster(to, of_to), step))
+            continue;
+        const auto pairs = partners(from, to, group);
+        out.clear = out.clear && pairs;
+        for (const auto &[i, j] : pairs.value_or(std::vector<std::pair<int, int>>{}))
+            out.strands.push_back(between(i, j).strand);
     }
     return out;
 }
 
-std::optional<double> look_at(const Strands &all, double scale) {
+std::optional<double> look_at(const Strands &all, const Spectrum &from, const Spectrum &to,
+                              double scale) {
     if (!all.clear)
         return all.middle;
     for (const Strand &strand : all.strands)
@@ -259,7 +298,8 @@ std::optional<double> look_at(const Strands &all, double scale) {
             return all.middle;
     for (std::size_t i = 0; i < all.strands.size(); ++i)
         for (std::size_t k = i + 1; k < all.strands.size(); ++k)
-            if (const auto t = passing(all.strands[i], all.strands[k], scale))
+            if (const auto t = passing(all.strands[i], all.strands[k], scale);
+                t && !weakly_coupled(all.strands[i], all.strands[k], *t, from, to))
                 return t;
     return std::nullopt;
 }

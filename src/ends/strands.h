@@ -39,8 +39,11 @@ struct Strands {
 /// known throughout; nothing: they are.
 ///  - a motion could not be followed,
 ///  - a real part may pass zero twice, or its cubic is not to be trusted,
-///  - two motions pass each other in frequency: coupling, however weak, shows right there.
+///  - two motions pass each other in frequency: coupling, however weak, shows right there, unless
+///    it is known to be too weak (coupling.h).
+/// @param from,to  at the ends of the step
 /// @param scale  speed below whose rounding frequencies are equal, rad/s
-[[nodiscard]] std::optional<double> look_at(const Strands &strands, double scale);
+[[nodiscard]] std::optional<double> look_at(const Strands &strands, const Spectrum &from,
+                                            const Spectrum &to, double scale);
 
 } // namespace whirl::ends

@@ -55,7 +55,7 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
     const double step = b.speed - a.speed;
     const double size = std::max(std::abs(a.speed), std::abs(b.speed));
     const Strands strands = followed(a, b);
-    std::optional<double> cut = look_at(strands, _scale);
+    std::optional<double> cut = look_at(strands, a, b, _scale);
     if (!cut) {
         if (take(a, b, strands))
             return;

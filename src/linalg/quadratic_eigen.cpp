@@ -157,26 +157,39 @@ bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &opti
     return static_cast<int>(pairs.size()) >= options.wanted;
 }
 
-/// All eigenvalues that double precision resolves.
-QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
+/// All eigenvalues that double precision resolves, with where they are complete up to: nowhere
+/// (negative) where they are too few.
+QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options,
+                            bool otherwise) {
     QuadraticResult result;
     result.method = QuadraticMethod::dense;
-    result.pairs = problem.dense();
+    result.pairs = problem.dense(otherwise);
     sort_by_distance(result.pairs, options.shift);
     const std::vector<double> nearest = nearest_places(result.pairs, options.shift);
     const std::size_t all = result.pairs.size();
     const int fewest = options.fewest > 0 ? options.fewest : options.wanted;
     (void)keep_resolved(result.pairs, options, acceptable_residual);
-    const bool enough = static_cast<int>(result.pairs.size()) >= fewest;
-    if (result.pairs.size() == all) {
+    if (result.pairs.size() == all)
         result.complete_radius = std::numeric_limits<double>::infinity();
-    } else {
-        if (!enough)
-            throw SolverError("the eigenvalues differ by too many orders of magnitude");
+    else if (static_cast<int>(result.pairs.size()) < fewest)
+        result.complete_radius = -1;
+    else
         result.complete_radius =
             std::max(std::abs(result.pairs.back().value - options.shift),
                      *std::min_element(nearest.begin() + std::ssize(result.pairs), nearest.end()));
-    }
+    return result;
+}
+
+/// Where not all are resolved, by another decomposition too, and the better of both.
+QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
+    QuadraticResult result = solve_dense(problem, options, false);
+    if (std::isinf(result.complete_radius))
+        return result;
+    QuadraticResult other = solve_dense(problem, options, true);
+    if (other.complete_radius > result.complete_radius)
+        result = std::move(other);
+    if (result.complete_radius < 0)
+        throw SolverError("the eigenvalues differ by too many orders of magnitude");
     return result;
 }
 

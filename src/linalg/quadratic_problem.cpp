@@ -1,8 +1,7 @@
 #include "linalg/quadratic_problem.h"
 
 #include "linalg/check.h"
-
-#include <Eigen/Eigenvalues>
+#include "linalg/general_eigen.h"
 
 #include <cmath>
 #include <limits>
@@ -123,7 +122,7 @@ double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
     return noise / (std::abs(y_slope) * size);
 }
 
-std::vector<ComplexPair> QuadraticProblem::dense() const {
+std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
     const Eigen::Index n = _M.rows();
     // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
     const Eigen::MatrixXd A = _lu.solve(Eigen::MatrixXd(2 * _shift * _M + _D));
@@ -133,22 +132,21 @@ std::vector<ComplexPair> QuadraticProblem::dense() const {
     companion.topLeftCorner(n, n) = -A / s;
     companion.topRightCorner(n, n) = -B / (s * s);
     companion.bottomLeftCorner(n, n).setIdentity();
-    // Eigen's QR keeps small eigenvalues beside large ones (creeping motions between strong
-    // dampers) where LAPACK's dgeev, faster from a hundred unknowns on, loses them.
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(companion);
-    if (solver.info() != Eigen::Success)
-        throw SolverError("the dense eigensolver did not converge");
-    const Eigen::VectorXcd &mu = solver.eigenvalues();
-    const Eigen::MatrixXcd vectors = solver.eigenvectors();
-    const double smallest = 1e-14 * mu.cwiseAbs().maxCoeff(); // below: infinite eigenvalues
+    const GeneralEigen found = otherwise ? general_eigen_otherwise(companion)
+                                         : general_eigen(std::move(companion), Vectors::right);
+    const double smallest = 1e-14 * found.values.cwiseAbs().maxCoeff(); // below: infinite roots
     std::vector<ComplexPair> pairs;
     for (Eigen::Index i = 0; i < 2 * n; ++i) {
-        if (std::abs(mu(i)) <= smallest)
+        const std::complex<double> mu = found.values(i);
+        if (std::abs(mu) <= smallest || mu.imag() < 0)
             continue;
-        const std::complex<double> l = _shift + 1.0 / (s * mu(i));
-        if (l.imag() < 0)
-            continue;
-        pairs.push_back({l, vectors.col(i).head(n), 0, 0});
+        std::complex<double> l = _shift + 1.0 / (s * mu);
+        Eigen::VectorXcd vector = found.right.col(i).head(n);
+        if (found.is_pair(i)) { // the one with Im l > 0
+            l = std::conj(l);
+            vector.imag() = -found.right.col(i + 1).head(n);
+        }
+        pairs.push_back({l, std::move(vector), 0, 0});
     }
     assess(pairs);
     return pairs;

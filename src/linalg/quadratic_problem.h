@@ -23,7 +23,8 @@ class QuadraticProblem {
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
-    [[nodiscard]] std::vector<ComplexPair> dense() const;
+    /// @param otherwise  by the other QR algorithm (general_eigen.h)
+    [[nodiscard]] std::vector<ComplexPair> dense(bool otherwise) const;
 
   private:
     using Sparse = Eigen::SparseMatrix<double>;

@@ -4,6 +4,7 @@
 #include "model/errors.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
+#include "stability/compact_shapes.h"
 #include "stability/hill_motions.h"
 #include "stability/periodic_motions.h"
 
@@ -21,26 +22,9 @@ using Pairs = std::vector<linalg::ComplexPair>;
 /// With so few planar unknowns nothing is gained, nor with so large a part of them.
 constexpr int small = 16;
 constexpr double large_part = 0.7;
-/// Eigenvalues of the reduced rotor as far as the search needs them, over the spin speed.
-constexpr double agreeing = 1e-7;
 /// Part of a shape that the others must lack for it to be taken in: at first, and where more is
 /// needed. The errors of eigenvalues are the squares of it.
 constexpr std::array newness{1e-3, 1e-5};
-
-/// Those of `some` that none of the others is.
-std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,
-                                                 double speed, double repeats) {
-    std::vector<const linalg::ComplexPair *> out;
-    for (const linalg::ComplexPair &pair : some) {
-        const double allowed = agreeing * std::max(std::abs(pair.value), std::abs(speed)) +
-                               100 * (pair.rounding + pair.residual) * std::abs(pair.value);
-        if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
-                return apart(pair.value, other.value, repeats) <= allowed;
-            }))
-            out.push_back(&pair);
-    }
-    return out;
-}
 
 double growth(const MotionsAt &at, double speed) { return growth_of(at(speed)); }
 
@@ -129,8 +113,8 @@ class Confirmation {
     [[nodiscard]] std::vector<SpeedInterval> of_narrow(const SpeedInterval &band, double last,
                                                        double next) const {
         const double middle = (band.first + band.second) / 2;
-        const double around =
-            std::max(4 * (band.second - band.first), 10 * agreeing * std::abs(middle));
+        constexpr double close_by = 1e-6; // ten times what eigenvalues agree to
+        const double around = std::max(4 * (band.second - band.first), close_by * std::abs(middle));
         const double low = std::max({_front, middle - around, (band.first + last) / 2});
         const double high = std::min({_back, middle + around, (band.second + next) / 2});
         return unstable_bands(_at, {low, band.first, middle, band.second, high});
@@ -144,14 +128,49 @@ BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement
     : _model(model), _arrangement(arrangement), _whole(model, arrangement),
       _shapes(std::move(shapes)) {}
 
+BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
+                       const BandFinder &like)
+    : BandFinder(model, arrangement, like._shapes) {
+    if (like._good && _whole.by_monodromy() == nullptr)
+        _few = like._few;
+}
+
 std::unique_ptr<MotionSolver> BandFinder::reduced() const {
     return std::make_unique<MotionSolver>(_model, _arrangement, _shapes);
+}
+
+/// With the fewer shapes of a rotor like this one, where they do for this one too: at three speeds
+/// they give all motions that all the shapes do, which are more than one rotor needs, and at the
+/// largest speed those of the whole rotor.
+std::unique_ptr<MotionSolver> BandFinder::reduced_alike(const std::vector<double> &speeds) const {
+    if (!_few)
+        return nullptr;
+    auto few = std::make_unique<MotionSolver>(_model, _arrangement, _few);
+    const std::size_t last = speeds.size() - 1;
+    const double fastest =
+        std::abs(speeds.front()) > std::abs(speeds.back()) ? speeds.front() : speeds.back();
+    const auto same = [&few](const MotionSolver &solver, double speed) {
+        return speed == 0 || missing(solver.pairs(speed), few->pairs(speed), speed, 0).empty();
+    };
+    if (!same(_whole, fastest))
+        return nullptr;
+    if (_few != _shapes) {
+        const std::unique_ptr<MotionSolver> all = reduced();
+        for (const std::size_t place : {last / 4, last / 2, 3 * last / 4})
+            if (!same(*all, speeds[place]))
+                return nullptr;
+    }
+    return few;
 }
 
 /// With shapes enough, or none where there is no such rotor.
 std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> &speeds) {
     const assembly::Discretization &d = _whole.discretization();
     _good = false;
+    if (auto few = reduced_alike(speeds)) {
+        _good = true;
+        return few;
+    }
     if (!_model.reduction || d.rigid() || d.planar_size() <= small)
         return nullptr;
     const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
@@ -186,7 +205,11 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
             return nullptr;
     }
     _good = true;
-    return out;
+    _few = _model.form == results::Form::hill
+               ? _shapes
+               : compact_shapes(_model, _arrangement, _shapes, *out, speeds);
+    return _few == _shapes ? std::move(out)
+                           : std::make_unique<MotionSolver>(_model, _arrangement, _few);
 }
 
 std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector<double> &speeds) {
@@ -198,7 +221,7 @@ std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector
     } catch (const linalg::SolverError &) {
     } catch (const model::AnalysisFailure &) {
     }
-    return _good ? _shapes : nullptr;
+    return _good ? _few : nullptr;
 }
 
 BandsFound BandFinder::find(const std::vector<double> &speeds) {

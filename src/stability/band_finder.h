@@ -22,6 +22,10 @@ class BandFinder {
     ///                anisotropy alone, to begin with; none: they are found when they are needed
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
+    /// @param like  of a rotor that differs in the arrangement of its balls alone, asked for the
+    ///              same speeds before: with the same shapes, where they are as good for this one
+    BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
+               const BandFinder &like);
 
     /// The whole rotor.
     [[nodiscard]] const MotionSolver &solver() const { return _whole; }
@@ -43,11 +47,14 @@ class BandFinder {
     balancers::Arrangement _arrangement;
     MotionSolver _whole;
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
-    bool _good = false; ///< the shapes are good for the speeds asked for
+    std::shared_ptr<const Eigen::MatrixXd> _few; ///< fewer that do as well, or the same
+    bool _good = false;                          ///< the shapes are good for the speeds asked for
 
     [[nodiscard]] static std::optional<BandsFound>
     confirmed(const MotionsAt &reduced, const MotionsAt &at, const std::vector<double> &speeds);
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
+    [[nodiscard]] std::unique_ptr<MotionSolver>
+    reduced_alike(const std::vector<double> &speeds) const;
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);
 };
 

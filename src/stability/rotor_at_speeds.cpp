@@ -9,6 +9,7 @@
 #include "modes/formulation.h"
 #include "modes/stiffness_sign.h"
 #include "modes/zero_modes.h"
+#include "reduction/projection.h"
 #include "results/formulation.h"
 #include "stability/hill_harmonics.h"
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace whirl::stability {
 
@@ -104,6 +106,101 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
     return out;
 }
 
+/// All W next to the range, of the whole system.
+/// @throws linalg::SolverError where they are not resolved beside the others
+std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, double top) {
+    linalg::QuadraticOptions options;
+    options.fewest = 1;
+    options.negligible = at_rest * top;
+    constexpr int small = 150;
+    const auto all = static_cast<int>(system.K.rows());
+    const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
+    options.method = linalg::QuadraticMethod::toar;
+    options.shift = 0.41 * top;
+    for (options.wanted = 8; options.wanted <= most; options.wanted *= 2)
+        try {
+            auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+            if (found.complete_radius >= top)
+                return std::move(found.pairs);
+        } catch (const linalg::SolverError &) {
+            break;
+        }
+    options.method = linalg::QuadraticMethod::dense;
+    options.wanted = 1;
+    for (int tries = 1;; ++tries)
+        try {
+            auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
+            if (found.complete_radius < top - options.shift)
+                throw linalg::SolverError("roots in the range are not resolved beside the others");
+            return std::move(found.pairs);
+        } catch (const linalg::SolverError &) {
+            if (tries == 4)
+                throw;
+            options.shift *= 0.63; // an unlucky neighbour of a root, or not resolved from there
+        }
+}
+
+/// Newton's method for a root with its vector.
+/// @returns whether it converged to one next to the guess
+bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
+    using Complex = std::complex<double>;
+    using Sparse = Eigen::SparseMatrix<Complex>;
+    const Complex guess = pair.value;
+    constexpr int most_steps = 12;
+    double before = HUGE_VAL;
+    for (int step = 0; step < most_steps; ++step) {
+        const Complex W = pair.value;
+        const Sparse slope = system.Ks.cast<Complex>() + 2.0 * W * system.Kss.cast<Complex>();
+        Sparse Q = system.K.cast<Complex>() + W * system.Ks.cast<Complex>() +
+                   W * W * system.Kss.cast<Complex>();
+        Q.makeCompressed();
+        const Eigen::SparseLU<Sparse> lu(Q);
+        if (lu.info() != Eigen::Success)
+            return false;
+        const Eigen::VectorXcd next = lu.solve(Eigen::VectorXcd(slope * pair.vector));
+        const Complex change = pair.vector.squaredNorm() / pair.vector.dot(next);
+        pair.value -= change;
+        pair.vector = next.normalized();
+        const double part = std::abs(change) / std::abs(guess);
+        if (!std::isfinite(part))
+            return false;
+        if (part <= 1e-13 || (part <= 1e-10 && part >= 0.3 * before)) {
+            constexpr double same_root = 1e-3;
+            return std::abs(pair.value - guess) <= same_root * std::abs(guess);
+        }
+        before = part;
+    }
+    return false;
+}
+
+/// By those of the system on few shapes, each made a root of the whole one; nothing where one of
+/// them is none.
+std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &system,
+                                                        const Eigen::MatrixXd &shapes, double top) {
+    const reduction::Projection few(shapes);
+    const auto reduced = [&few](const Eigen::SparseMatrix<double> &A) {
+        return Eigen::SparseMatrix<double>(few.of(A).sparseView());
+    };
+    constexpr double beyond = 1.01; // the top of the range
+    std::vector<linalg::ComplexPair> out;
+    try {
+        for (linalg::ComplexPair &pair : pairs_up_to(
+                 {reduced(system.K), reduced(system.Ks), reduced(system.Kss)}, beyond * top)) {
+            const double speed = pair.value.real();
+            if (speed <= at_rest * top || speed > beyond * top ||
+                std::abs(pair.value.imag()) >= speed)
+                continue;
+            pair.vector = few.lifted(pair.vector);
+            if (!refine(system, pair))
+                return std::nullopt;
+            out.push_back(std::move(pair));
+        }
+    } catch (const linalg::SolverError &) {
+        return std::nullopt;
+    }
+    return out;
+}
+
 } // namespace
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
@@ -144,39 +241,14 @@ std::vector<double> search_speeds(const model::SpeedRange &range) {
 
 std::vector<ZeroRootSpeed> zero_root_speeds(const assembly::Discretization &discretization,
                                             const balancers::Arrangement &arrangement, bool frozen,
-                                            double top) {
+                                            double top, const Eigen::MatrixXd *shapes) {
     if (top <= 0)
         return {};
     const ZeroRootSystem system = zero_root_system(discretization, arrangement, frozen);
-    linalg::QuadraticOptions options;
-    options.fewest = 1;
-    options.negligible = at_rest * top;
-    constexpr int small = 150;
-    const auto all = static_cast<int>(system.K.rows());
-    const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
-    options.method = linalg::QuadraticMethod::toar;
-    options.shift = 0.41 * top;
-    for (options.wanted = 8; options.wanted <= most; options.wanted *= 2)
-        try {
-            const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
-            if (found.complete_radius >= top)
-                return zero_roots(system, found.pairs, top);
-        } catch (const linalg::SolverError &) {
-            break;
-        }
-    options.method = linalg::QuadraticMethod::dense;
-    options.wanted = 1;
-    for (int tries = 1;; ++tries)
-        try {
-            const auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
-            if (found.complete_radius < top - options.shift)
-                throw linalg::SolverError("roots in the range are not resolved beside the others");
-            return zero_roots(system, found.pairs, top);
-        } catch (const linalg::SolverError &) {
-            if (tries == 4)
-                throw;
-            options.shift *= 0.63; // an unlucky neighbour of a root, or not resolved from there
-        }
+    if (shapes != nullptr)
+        if (const auto pairs = refined(system, *shapes, top))
+            return zero_roots(system, *pairs, top);
+    return zero_roots(system, pairs_up_to(system, top), top);
 }
 
 } // namespace whirl::stability

@@ -41,8 +41,12 @@ struct ZeroRootSpeed {
 /// |Im W| < Re W, ascending by Re W, equal ones once. With the balls frozen the forward critical
 /// speeds, with the balls free the additional speeds: critical speeds of the rotor pinned at the
 /// balancers. Bearings as at zero speed.
+/// @param shapes  planar shapes with which the rotor's motions are known to be those of the whole
+///                one (BandFinder): the roots are looked for with these and refined with the whole
+///                rotor; none: all roots of the whole rotor
 [[nodiscard]] std::vector<ZeroRootSpeed>
 zero_root_speeds(const assembly::Discretization &discretization,
-                 const balancers::Arrangement &arrangement, bool frozen, double top);
+                 const balancers::Arrangement &arrangement, bool frozen, double top,
+                 const Eigen::MatrixXd *shapes = nullptr);
 
 } // namespace whirl::stability

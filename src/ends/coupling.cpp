@@ -1,0 +1,57 @@
+#include "ends/coupling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+using Scalar = std::complex<double>;
+
+/// What one unit of speed makes of the motions of a spectrum: w_a^H A' v_b, with A the matrix of
+/// the equations of first order and w_a^H v_a = 1.
+class Couplings {
+  public:
+    /// @param K_rate  of either end of a step, inside of which it is linear
+    Couplings(const Spectrum &at, const Eigen::MatrixXd &K_rate) : _at(at), _K_rate(K_rate) {}
+
+    /// Of a change of the speed, to second order: more than its modulus.
+    [[nodiscard]] double most(const Root &a, const Root &b, double change) const {
+        const Eigen::RowVectorXcd from_K = a.left.adjoint() * _K_rate;
+        const Eigen::RowVectorXcd from_D = a.left.adjoint() * _at.problem.D_rate;
+        const Eigen::VectorXcd to_b = _K_rate * b.right + b.value * (_at.problem.D_rate * b.right);
+        Scalar by_others = 0;
+        for (const Root &c : _at.roots)
+            if (&c != &a && &c != &b)
+                by_others += (from_K * c.right + c.value * (from_D * c.right)).value() / a.slope *
+                             c.left.dot(to_b) / c.slope / (b.value - c.value);
+        return std::abs(change) * std::abs(a.left.dot(to_b) / a.slope) +
+               change * change * std::abs(by_others);
+    }
+
+  private:
+    const Spectrum &_at;
+    const Eigen::MatrixXd &_K_rate;
+};
+
+} // namespace
+
+bool weakly_coupled(const Strand &a, const Strand &b, double t, const Spectrum &from,
+                    const Spectrum &to) {
+    constexpr double far_below = 0.05;
+    const double allowed = far_below * std::abs(a.at(t).real() * b.at(t).real());
+    for (const Eigen::MatrixXd *K_rate : {&from.problem.K_rate, &to.problem.K_rate}) {
+        const Couplings before(from, *K_rate);
+        const Couplings after(to, *K_rate);
+        const double passed = t * a.step;
+        const double left = (1 - t) * a.step;
+        if (!(before.most(*a.from, *b.from, passed) * before.most(*b.from, *a.from, passed) <=
+              allowed) ||
+            !(after.most(*a.to, *b.to, left) * after.most(*b.to, *a.to, left) <= allowed))
+            return false;
+    }
+    return true;
+}
+
+} // namespace whirl::ends
