@@ -41,7 +41,9 @@ std::complex<double> largest_component(const Eigen::VectorXcd &x, const Eigen::V
 }
 
 /// Shares of all parts; they add up to 1.
-std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPower> &parts) {
+/// @param real  of the eigenvalue; 0: no damping that could be told from rounding
+std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPower> &parts,
+                                                 double real) {
     constexpr double cancelled = 1e-9;
     double sum = 0;
     double size = 0;
@@ -49,11 +51,11 @@ std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPo
         sum += part.power;
         size += std::abs(part.power);
     }
+    const bool known = real != 0 && std::abs(sum) > cancelled * size;
     std::vector<results::Dissipation> out;
     for (const modes::PartPower &part : parts)
         out.push_back(
-            {part.of, part.z, part.name,
-             std::abs(sum) > cancelled * size ? std::optional(part.power / sum) : std::nullopt});
+            {part.of, part.z, part.name, known ? std::optional(part.power / sum) : std::nullopt});
     return out;
 }
 
@@ -85,7 +87,8 @@ class Shapes {
                 mode.forward_fraction,
                 scaled(x, largest),
                 scaled(y, largest),
-                dissipation_of(modes::part_powers(_solver, mode, spectrum.speed))};
+                dissipation_of(modes::part_powers(_solver, mode, spectrum.speed),
+                               mode.eigenvalue.real())};
     }
 
     /// The mode that is critical at a speed: of the whirl given the one whose frequency is next.

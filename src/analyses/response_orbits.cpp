@@ -181,7 +181,7 @@ results::ClearanceUse largest_use(const assembly::Discretization &d, int index,
 
 void note_use(results::ModelSummary &model, const results::ClearanceUse &use) {
     const std::string of =
-        use.name.empty() ? fmt::format("{} at z = {:.5g} m", use.of, use.z) : use.name;
+        use.of + (use.name.empty() ? fmt::format(" at z = {:.5g} m", use.z) : " " + use.name);
     if (std::isinf(use.share))
         model.notes.push_back(fmt::format("clearance: the orbit in {} has no limit at {:.6g} "
                                           "rad/s, a resonance without damping",

@@ -91,7 +91,7 @@ Texts dissipation_texts(const std::vector<ModeShape> &modes, const std::string &
     Texts table{{"Share of the dissipated power (%)"}};
     std::vector<std::string> parts;
     for (const ModeShape &mode : modes) {
-        table.front().push_back(mode.label);
+        table.front().push_back(mode.label + (real_part(mode) > 0 ? " (grows)" : ""));
         for (const Dissipation &part : mode.dissipation)
             if (std::find(parts.begin(), parts.end(), words_of(part)) == parts.end())
                 parts.push_back(words_of(part));

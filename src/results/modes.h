@@ -15,7 +15,8 @@ struct Dissipation {
     std::string of;          ///< "bearing", "seal", "pedestal", "internal damping", ...
     std::optional<double> z; ///< m; none: along the shaft
     std::string name;
-    /// Negative: it feeds a motion that others damp. None: what is taken and what is fed cancel.
+    /// Negative: it feeds a motion that others damp. None: what is taken and what is fed cancel, or
+    /// both are too little to be told from rounding.
     std::optional<double> share;
 };
 

@@ -3,6 +3,7 @@
 
 #include "modes/dissipation/dissipation.h"
 
+#include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "balancers/arrangement.h"
 #include "modes/formulation.h"
@@ -134,24 +135,27 @@ TEST(Dissipation, jeffcott_rotor_with_internal_damping) {
     scene.rotor.discs = {tests::disc_at(0.5, mass, 1e-9, 1e-9)};
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e15), tests::isotropic_bearing(1, 1e15),
                             tests::isotropic_bearing(0.5, 0, c)};
-    const SpectrumSolver solver(scene.rotor, modes::choose_formulation(scene).form, 4);
+    const SpectrumSolver solver(scene.rotor, modes::choose_formulation(scene).form, 1);
     for (const double speed : {100.0, 500.0}) {
-        const std::vector<WhirlMode> found = solver.at(speed, 2).modes;
-        ASSERT_EQ(found.size(), 2U);
-        for (const WhirlMode &mode : found) {
+        int compared = 0;
+        for (const WhirlMode &mode : solver.at(speed, 12).modes) {
+            if (-mode.eigenvalue.real() > mode.eigenvalue.imag())
+                continue; // the massless shaft itself creeps back at 1/eta
             const std::vector<PartPower> parts = modes::part_powers(solver, mode, speed);
             const Complex l = mode.eigenvalue;
             const double turn = mode.whirl == results::Whirl::forward ? speed : -speed;
             // k from the real and imaginary parts of the equation: |l|^2 m + ... = 0 on (Re, Im).
             const Complex k = -(l * l * mass + l * c) / (1.0 + eta * (l - Complex(0, turn)));
-            ASSERT_NEAR(k.imag() / k.real(), 0, 1e-6);
+            ASSERT_NEAR(k.imag() / k.real(), 0, 1e-6) << l;
             const double inner = eta * k.real() * (std::norm(l) - turn * l.imag());
             const double outer = c * std::norm(l);
-            // The shaft's own stiffness is not exactly k: its cubic shape of 1 m is.
+            // 1e-6: bearings of 1e15 N/m give way by 1e-9 of the shaft, the disc tilts.
             EXPECT_NEAR(power_of(parts, "internal damping") / power_of(parts, "bearing"),
                         inner / outer, 1e-6 * std::abs(inner / outer))
                 << speed << " " << results::whirl_name(mode.whirl);
+            ++compared;
         }
+        EXPECT_EQ(compared, 2);
     }
 }
 
@@ -313,10 +317,16 @@ TEST(Dissipation, balls_in_several_races) {
 
 TEST(Dissipation, nothing_without_damping) {
     model::Case scene;
-    scene.rotor = tests::two_disc_rotor(1e6, 1e6);
-    const SpectrumSolver solver(scene.rotor, modes::choose_formulation(scene).form, 4);
-    for (const WhirlMode &mode : solver.at(300, 4).modes)
-        EXPECT_TRUE(modes::part_powers(solver, mode, 300).empty());
+    for (const double kyy : {1e6, 2e6}) { // planar and hyperbolic form
+        scene.rotor = tests::two_disc_rotor(1e6, kyy);
+        scene.rotor.bearings[0].pedestal = model::Pedestal(5, 4e6, 0);
+        for (const results::Form form :
+             {modes::choose_formulation(scene).form, results::Form::general}) {
+            const SpectrumSolver solver(scene.rotor, form, 4);
+            for (const WhirlMode &mode : solver.at(300, 4).modes)
+                EXPECT_TRUE(modes::part_powers(solver, mode, 300).empty());
+        }
+    }
 }
 
 } // namespace

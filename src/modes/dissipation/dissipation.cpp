@@ -30,15 +30,16 @@ class Power {
         const Eigen::Vector2cd left(_x(row), _y(row));
         const Eigen::Vector2cd right(_x(column), _y(column));
         const Eigen::Matrix2d seen = _turning == 0 ? block : round_part(block);
-        const Complex product = left.dot(seen * right);
         if (term == Term::stiffness)
-            add_stiffness(product);
+            add_stiffness(left.dot(skew_part(seen) * right));
         else if (term == Term::mass)
-            _sum -= std::norm(_l) * _l.imag() * product.imag() / 2;
+            _sum -= std::norm(_l) * _l.imag() * left.dot(skew_part(seen) * right).imag() / 2;
         else if (term == Term::damping) {
-            add_damping(product);
+            add_damping(left.dot(seen * right));
             // c (u' + i speed u) in axes that turn
-            add_stiffness(_turning * left.dot(seen * Eigen::Vector2cd(-right(1), right(0))));
+            Eigen::Matrix2d quarter_turn;
+            quarter_turn << 0, -1, 1, 0;
+            add_stiffness(_turning * left.dot(skew_part(seen * quarter_turn) * right));
         }
     }
     /// Internal damping, in both planes.
@@ -70,6 +71,10 @@ class Power {
     double _sum = 0;
 
     void add_stiffness(Complex product) { _sum += _l.imag() * product.imag() / 2; }
+    /// What a symmetric block leaves is rounding.
+    static Eigen::Matrix2d skew_part(const Eigen::Matrix2d &block) {
+        return (block - block.transpose()) / 2;
+    }
     /// The part that is the same from every direction: all there is in axes that turn.
     static Eigen::Matrix2d round_part(const Eigen::Matrix2d &block) {
         Eigen::Matrix2d out;

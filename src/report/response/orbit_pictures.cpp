@@ -107,7 +107,7 @@ std::string orbit_words(const Orbit &orbit) {
 
 /// Half of the side of a panel: the clearance circle where the orbit can be seen in it.
 double reach_of(const Orbit &orbit) {
-    constexpr double seen = 0.1;
+    constexpr double seen = 0.25;
     const double share = orbit.share().value_or(0);
     const double size = share >= seen     ? std::max(orbit.major, *orbit.clearance)
                         : orbit.major > 0 ? 1.15 * orbit.major
@@ -216,7 +216,7 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
                     "at the instant of the largest deflection, with the envelope of the orbits; "
                     "the outline of the rotor is not to that scale",
                     figure.height) +
-        panel_margins(0.08, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
+        panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
         "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
         fmt::format("set xrange [{}:{}]\nset ylabel 'Deflection (µm)'\n", -0.03 * length,
                     1.03 * length);
@@ -226,7 +226,7 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
         const double top = 120 + panel * static_cast<double>(row);
         figure.script +=
             outline_data(scene.rotor, largest) + shape_data(shape) +
-            panel_margins(0.08, 0.975, 1 - (top + 185) / high, 1 - top / high) +
+            panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
             fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
                         -1.25 * largest, 1.25 * largest,
                         plot_text(fmt::format(

@@ -37,11 +37,14 @@ function drawSpace() {
   const ring = (z, r) => circle.map(([c, s]) => seen(along(z), r * s, r * c));
   const movers = [], still = [];
   function panel(mode, parent) {
-    const words = `${mode.label}, ${short(mode.frequency * hertz, 6)} Hz, ${mode.whirl}` +
-      (mode.at !== undefined && mode.at !== result.speed ? `, critical speed ${short(mode.at * rpm, 6)} rpm` : "");
-    const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": "Mode " + words, "font-family": "DejaVu Sans, Arial, sans-serif"});
+    const ratio = -mode.real / (Math.hypot(mode.real, mode.frequency) || 1);
+    const words = `${mode.label}, ${short(mode.frequency * hertz, 6)} Hz, ${mode.whirl}`, more = [];
+    if (mode.at !== result.speed) more.push(`critical speed ${short(mode.at * rpm, 6)} rpm`);
+    if (Math.abs(ratio) > 1e-9) more.push(ratio > 0 ? `damping ratio ${short(ratio, 3)}` : `grows, damping ratio ${short(ratio, 3)}`);
+    const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": ["Mode " + words, ...more].join(", "), "font-family": "DejaVu Sans, Arial, sans-serif"});
     make(svg, "rect", {width: wide, height: high, fill: "#fff"});
     make(svg, "text", {x: 12, y: 22, "font-size": 14, fill: "#222"}).textContent = words;
+    make(svg, "text", {x: 12, y: 40, "font-size": 12, fill: "#555"}).textContent = more.join(", ");
     const colour = look[mode.whirl].color;
     const fixed = (attributes, points) => { const line = make(svg, "polyline", {fill: "none", ...attributes}); still.push(() => line.setAttribute("points", path(points()))); };
     fixed({stroke: "#DDD"}, () => [[-1.1, 0.5], [1.1, 0.5], [1.1, -0.5], [-1.1, -0.5], [-1.1, 0.5]].map(([a, x]) => seen(a, floor, x)));
