@@ -1,7 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/critical.h"
-#include "analyses/response_orbits.h"
+#include "analyses/orbits/response_orbits.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"

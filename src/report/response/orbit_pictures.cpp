@@ -55,6 +55,12 @@ double round_below(double value) {
     return value >= 5 * power ? 5 * power : value >= 2 * power ? 2 * power : power;
 }
 
+/// Deflections here are never from peak to peak: a clearance stands beside them.
+std::string deflection_unit() { return unit_name("deflection", "µm"); }
+std::string axis_name(const char *what) {
+    return plot_text(fmt::format("{} ({})", what, deflection_unit()));
+}
+
 /// Cut where it is too long, with dots.
 std::string fitting(std::string text, double size, double width) {
     if (text_width(text, size) <= width)
@@ -181,9 +187,10 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
                       "center font ',9' textcolor '#555555'") +
                 panel_margins(left / wide, (left + square) / wide, 1 - (top + 64 + square) / high,
                               1 - (top + 64) / high) +
-                fmt::format("set xlabel 'x (µm)' font ',9' offset 0,0.5\n{}\n",
-                            column == 0 ? "set ylabel 'y (µm)' font ',9' offset 1,0"
-                                        : "unset ylabel") +
+                fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n", axis_name("x"),
+                            column == 0
+                                ? fmt::format("set ylabel {} font ',9' offset 1,0", axis_name("y"))
+                                : "unset ylabel") +
                 orbit_panel(orbit, orbits[row].speed < 0 ? -1 : 1);
         }
     figure.script += "unset multiplot\n";
@@ -196,8 +203,8 @@ std::string shape_data(const DeflectedShape &shape) {
     std::string data = "$shape << EOD\n";
     for (std::size_t i = 0; i < shape.z.size(); ++i)
         data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", shape.z[i] * metres,
-                            shape.x[i] * micrometres, shape.y[i] * micrometres,
-                            shape.envelope[i] * micrometres);
+                            shape.x[i] * still_micrometres, shape.y[i] * still_micrometres,
+                            shape.envelope[i] * still_micrometres);
     return data + "EOD\n";
 }
 
@@ -218,21 +225,21 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
                     figure.height) +
         panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
         "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
-        fmt::format("set xrange [{}:{}]\nset ylabel 'Deflection (µm)'\n", -0.03 * length,
-                    1.03 * length);
+        fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length, 1.03 * length,
+                    axis_name("Deflection"));
     for (std::size_t row = 0; row < rows; ++row) {
         const DeflectedShape &shape = shapes[row];
-        const double largest = shape.largest > 0 ? shape.largest * micrometres : 1;
+        const double largest = shape.largest > 0 ? shape.largest * still_micrometres : 1;
         const double top = 120 + panel * static_cast<double>(row);
         figure.script +=
             outline_data(scene.rotor, largest) + shape_data(shape) +
             panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
             fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
                         -1.25 * largest, 1.25 * largest,
-                        plot_text(fmt::format(
-                            "at {} rpm · largest {} {} at z = {} m", readable(shape.speed * rpm, 6),
-                            readable(shape.largest * micrometres, 4), unit_name("amplitude", "µm"),
-                            readable(shape.largest_z, 4))),
+                        plot_text(fmt::format("at {} rpm · largest {} {} at z = {} m",
+                                              readable(shape.speed * rpm, 6),
+                                              readable(shape.largest * still_micrometres, 4),
+                                              deflection_unit(), readable(shape.largest_z, 4))),
                         row + 1 == rows ? "set xlabel 'z (m)'" : "unset xlabel") +
             curves_over_outline("shape");
     }

@@ -153,8 +153,8 @@ auto at_point(std::vector<double> DeflectedShape::*list) {
 const Columns<ShapePoint> point_columns{
     {"", "speed [rad/s]", {}, {}, [](const auto &point) { return point.shape.speed; }},
     {"", "z [m]", {}, {}, at_point(&DeflectedShape::z)},
-    {"", "x [m]", {}, {}, at_point(&DeflectedShape::x)},
-    {"", "y [m]", {}, {}, at_point(&DeflectedShape::y)},
+    {"", "x_instant [m]", {}, {}, at_point(&DeflectedShape::x)},
+    {"", "y_instant [m]", {}, {}, at_point(&DeflectedShape::y)},
     {"", "major [m]", {}, {}, at_point(&DeflectedShape::envelope)}};
 
 std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {

@@ -1,4 +1,4 @@
-#include "analyses/response_orbits.h"
+#include "analyses/orbits/response_orbits.h"
 
 #include "modes/orbits.h"
 
