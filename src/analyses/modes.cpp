@@ -94,7 +94,8 @@ class Shapes {
     /// The mode that is critical at a speed: of the whirl given the one whose frequency is next.
     [[nodiscard]] std::optional<results::ModeShape> critical(double speed, results::Whirl whirl,
                                                              int modes) const {
-        constexpr double near = 0.05; // critical speeds of damped rotors differ from crossings
+        constexpr double near = 0.05;  // critical speeds of damped rotors differ from crossings
+        constexpr double equal = 1e-3; // of another whirl
         modes::Spectrum spectrum;
         for (int found = -1; found < static_cast<int>(spectrum.modes.size()); modes *= 2) {
             found = static_cast<int>(spectrum.modes.size());
@@ -103,12 +104,15 @@ class Shapes {
                 spectrum.modes.back().eigenvalue.imag() > (1 + near) * std::abs(speed))
                 break;
         }
+        // Of equal eigenvalues, as of a disc that does not tilt, neither list tells the whirl.
         std::optional<std::size_t> best;
         const auto away = [&](std::size_t i) {
-            return std::abs(spectrum.modes[i].eigenvalue.imag() - std::abs(speed));
+            const double off =
+                std::abs(spectrum.modes[i].eigenvalue.imag() - std::abs(speed)) / std::abs(speed);
+            return spectrum.modes[i].whirl == whirl ? off : near + off;
         };
         for (std::size_t i = 0; i < spectrum.modes.size(); ++i)
-            if (spectrum.modes[i].whirl == whirl && away(i) < near * std::abs(speed) &&
+            if (away(i) < (spectrum.modes[i].whirl == whirl ? near : near + equal) &&
                 (!best || away(i) < away(*best)))
                 best = i;
         return best ? std::optional(of(spectrum, *best)) : std::nullopt;
@@ -119,14 +123,25 @@ class Shapes {
     modes::Stations _stations;
 };
 
-/// Critical speeds without those that are the same motion in two directions.
+/// Critical speeds without those that are the same motion in two directions: as many as modes, and
+/// all in the range.
 std::vector<results::CriticalSpeed> critical_speeds_of(const model::Case &scene) {
     std::vector<results::CriticalSpeed> speeds = unjudged_critical_speeds(scene).critical_speeds;
     const auto same = [](const results::CriticalSpeed &a, const results::CriticalSpeed &b) {
         return a.whirl == b.whirl && std::abs(a.speed - b.speed) < 1e-9 * a.speed;
     };
     speeds.erase(std::unique(speeds.begin(), speeds.end(), same), speeds.end());
+    const double top = std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to));
+    while (static_cast<int>(speeds.size()) > scene.campbell.modes && speeds.back().speed > top)
+        speeds.pop_back();
     return speeds;
+}
+
+/// The same mode at the same speed.
+bool has(const std::vector<results::ModeShape> &shapes, const results::ModeShape &other) {
+    return std::any_of(shapes.begin(), shapes.end(), [&other](const results::ModeShape &shape) {
+        return shape.label == other.label && std::abs(shape.at - other.at) < 1e-9 * other.at;
+    });
 }
 
 void add_critical(results::ModesResult &result, const model::Case &scene, const Shapes &shapes) {
@@ -141,9 +156,9 @@ void add_critical(results::ModesResult &result, const model::Case &scene, const 
             if (critical.speed == 0)
                 continue;
             auto shape = shapes.critical(critical.speed, critical.whirl, scene.campbell.modes);
-            if (shape)
+            if (shape && !has(result.critical, *shape))
                 result.critical.push_back(std::move(*shape));
-            else
+            else if (!shape)
                 notes.push_back(fmt::format("no shape at the critical speed {:.6g} rad/s: at this "
                                             "speed no mode of its whirl has that frequency, as "
                                             "one that is heavily damped need not",
