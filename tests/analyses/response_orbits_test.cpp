@@ -191,6 +191,15 @@ TEST(ResponseOrbits, no_limit_at_a_resonance_without_damping) {
     for (const std::string &note : result.model.notes)
         told = told || note.find("has no limit") != std::string::npos;
     EXPECT_TRUE(told);
+    model::Case scene = rotor.scene(50, 900);
+    scene.response.orbits_at = {result.clearances[0].speed, 100};
+    const ResponseResult asked = unbalance_response(scene);
+    ASSERT_EQ(asked.orbits.size(), 1U);
+    EXPECT_EQ(asked.orbits[0].speed, 100);
+    told = false;
+    for (const std::string &note : asked.model.notes)
+        told = told || note.find("orbits_at: ") == 0;
+    EXPECT_TRUE(told);
 }
 
 TEST(ResponseOrbits, without_being_told_at_the_peaks_of_the_operating_range) {

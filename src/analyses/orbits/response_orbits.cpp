@@ -228,21 +228,23 @@ void add_orbits(results::ResponseResult &result, const assembly::Discretization 
         speeds = speeds_of_peaks(scene, result.peaks);
     if (speeds.empty())
         speeds = {range.count > 1 ? range.to : range.from};
-    const auto at_each = [&](const std::vector<double> &all, const char *what, const auto &add) {
+    // At a resonance without damping there is a note already, unless the case asks for that speed.
+    const auto at_each = [&](const std::vector<double> &all, const char *asked, const auto &add) {
         for (const double speed : all) {
             if (const auto at = motion_at(speed))
                 add(speed, *at);
-            else
-                result.model.notes.push_back(
-                    fmt::format("no {} at {:.6g} rad/s, a resonance without damping: "
-                                "deflections have no limit there",
-                                what, speed));
+            else if (asked != nullptr)
+                result.model.notes.push_back(fmt::format(
+                    "{}: {:.6g} rad/s is a resonance without damping: deflections have no limit",
+                    asked, speed));
         }
     };
-    at_each(speeds, "orbits", [&](double speed, const SolvedMotion &at) {
+    const bool own_orbits = !scene.response.orbits_at.empty();
+    const bool own_shapes = !scene.response.shape_at.empty();
+    at_each(speeds, own_orbits ? "orbits_at" : nullptr, [&](double speed, const SolvedMotion &at) {
         result.orbits.push_back(orbits_at(d, nodes, speed, at));
     });
-    at_each(scene.response.shape_at.empty() ? speeds : scene.response.shape_at, "deflected shape",
+    at_each(own_shapes ? scene.response.shape_at : speeds, own_shapes ? "shape_at" : nullptr,
             [&](double speed, const SolvedMotion &at) {
                 result.shapes.push_back(shape_at(d, speed, at.motion));
             });
