@@ -38,7 +38,7 @@ look() { # name of the folder, arguments of whirl
     fi
     # Shapes in space: as many as there are modes, each with all its lines.
     if grep -q '<div id="space"' "$out/report.html"; then
-        drawn=$(grep -o 'aria-label="Mode ' "$out/dom.html" | wc -l)
+        drawn=$(grep -o 'aria-label="Mode [0-9]' "$out/dom.html" | wc -l)
         wanted=$(grep -c '"x_real"' "$out/modes.json")
         [ "$drawn" = "$wanted" ] || { echo "$out: $drawn of $wanted shapes drawn in space"; failed=1; }
         if grep -qE 'points="[^"]*(NaN|Infinity)' "$out/dom.html"; then

@@ -47,16 +47,30 @@ inline results::CampbellResult sample_campbell() {
     result.model = {{results::Form::planar, "isotropic & undamped"}, 4, 6, 50, 0.01, {"a note"}};
     result.speeds = {0, 100, 200};
     result.modes.resize(2);
-    result.modes[0] = {
-        "1B", 100, {0, 80}, results::Whirl::backward, 0, {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}, {}};
+    result.modes[0] = {"1B",
+                       {85.389371234123, 80., 75.},
+                       {"", "", ""},
+                       {0., 0., 0.},
+                       {0., 0., 0.},
+                       {0., 0., 0.},
+                       {Whirl::mixed, Whirl::backward, Whirl::backward},
+                       {0.5, 0., 0.},
+                       {1e-12, 1e-12, 1e-12},
+                       {1e-15, 1e-15, 1e-15},
+                       {}};
     result.modes[1] = {"1F",
-                       100,
-                       {-2, 90},
-                       results::Whirl::forward,
-                       1,
-                       {0.3, 1., 0.3},
-                       {-0.3 * i, -i, -0.3 * i},
-                       {{"bearing", 0, "left", 0.75}, {"internal damping", {}, "", 0.25}}};
+                       {90., std::nullopt, 110.},
+                       {"", "overdamped", ""},
+                       {-1., std::numeric_limits<double>::quiet_NaN(), 2.},
+                       {0.1, std::nullopt, -0.02},
+                       {0.6, std::nullopt, -0.1},
+                       {Whirl::forward, Whirl::forward, Whirl::forward},
+                       {1., 1., 1.},
+                       {1e-12, std::nullopt, std::numeric_limits<double>::infinity()},
+                       {1e-15, 1e-15, 1e-15},
+                       {}};
+    result.crossings = {{1, 82.5, 82.5, 0, results::damping_of({-33, 82.5})}};
+    result.locked = {{1, 1, 90, 110}};
     return result;
 }
 
@@ -67,9 +81,15 @@ inline results::ModesResult sample_modes() {
     result.z = {0, 0.75, 1.5};
     result.modes.resize(2);
     result.modes[0] = {
-        "1B", 0, {0, 80}, results::Whirl::backward, 0, {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}};
-    result.modes[1] = {
-        "1F", 0, {-2, 90}, results::Whirl::forward, 1, {0.3, 1., 0.3}, {-0.3 * i, -i, -0.3 * i}};
+        "1B", 100, {0, 80}, results::Whirl::backward, 0, {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}, {}};
+    result.modes[1] = {"1F",
+                       100,
+                       {-2, 90},
+                       results::Whirl::forward,
+                       1,
+                       {0.3, 1., 0.3},
+                       {-0.3 * i, -i, -0.3 * i},
+                       {{"bearing", 0, "left", 0.75}, {"internal damping", {}, "", 0.25}}};
     return result;
 }
 
