@@ -1,6 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/critical.h"
+#include "analyses/orbits/response_orbits.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_gravity.h"
@@ -76,11 +77,12 @@ class Response {
 
     [[nodiscard]] int unknowns() const { return _forced.unknowns(); }
 
-    std::vector<double> row(double speed) {
+    /// False at a resonance without damping.
+    bool solve(double speed) {
         try {
             _forced.solve(speed);
         } catch (const linalg::SolverError &) {
-            return no_limit();
+            return false;
         }
         _error_known = true;
         try {
@@ -88,7 +90,16 @@ class Response {
         } catch (const linalg::SolverError &) { // the finer model is at its resonance
             _error_known = false;
         }
-        if (_forced.rounding() > forced::resonance_rounding && !confirmed() && !unexcited(speed))
+        return _forced.rounding() <= forced::resonance_rounding || confirmed() || unexcited(speed);
+    }
+
+    /// The motion solved last.
+    [[nodiscard]] SolvedMotion solved() const {
+        return {_forced, _error_known ? &_finer : nullptr, rounding()};
+    }
+
+    std::vector<double> row(double speed) {
+        if (!solve(speed))
             return no_limit();
         std::vector<double> row;
         add_nodes(row);
@@ -104,12 +115,15 @@ class Response {
     forced::ResponseError _finer;
     bool _error_known = true;
 
-    /// By the elements and by rounding; where the finer model has confirmed what
-    /// rounding could have decided, the difference to it is both.
+    /// Where the finer model has confirmed what rounding could have decided, the difference to it
+    /// is both.
+    [[nodiscard]] double rounding() const {
+        return _forced.rounding() > forced::resonance_rounding ? 0 : _forced.rounding();
+    }
+
+    /// By the elements and by rounding.
     [[nodiscard]] double error(double by_elements) const {
-        const double rounding =
-            _forced.rounding() > forced::resonance_rounding ? 0 : _forced.rounding();
-        return _error_known ? by_elements + rounding : unlimited;
+        return _error_known ? by_elements + rounding() : unlimited;
     }
 
     /// The finer model has the same motion: its rounding is another, and no
@@ -243,14 +257,19 @@ void choose_model(const model::Case &scene, results::ModelSummary &model) {
 }
 
 /// Of stations, bearings and probes.
-void add_imbalance_peaks(results::ResponseResult &result, const assembly::Discretization &d,
-                         const model::Case &scene, bool with_errors) {
+/// @returns those of the orbits in clearances
+std::vector<results::ResponsePeak> add_imbalance_peaks(results::ResponseResult &result,
+                                                       const assembly::Discretization &d,
+                                                       const model::Case &scene, bool with_errors) {
     forced::Watched all = forced::watched(d, forced::attached_nodes(d));
     for (const model::Probe &probe : d.rotor().probes)
         all.add({d.deflection_at(probe.z), forced::Quantity::deflection, probe.angle}, "probe",
                 probe.z, probe.name);
+    const std::size_t others = all.quantities.size();
+    watch_clearances(all, d);
     forced::add_peaks(result.peaks, result.curves, d, result.model.formulation.form, all,
                       model::required_speeds(scene), {{}, with_errors, scene.reduction});
+    return clearance_peaks(result, others);
 }
 
 /// Lists over the speeds, peaks and curves.
@@ -276,7 +295,10 @@ void add_imbalance_response(results::ResponseResult &result, const assembly::Dis
             lists[i]->push_back(row.at(i));
     note_resonances(result);
     stage.emplace("peaks", 0.6, 1.0);
-    add_imbalance_peaks(result, d, scene, true);
+    const std::vector<results::ResponsePeak> peaks = add_imbalance_peaks(result, d, scene, true);
+    add_orbits(result, d, scene, nodes, peaks, [&response](double speed) {
+        return response.solve(speed) ? std::optional(response.solved()) : std::nullopt;
+    });
 }
 
 void add_margins(results::ResponseResult &result, const model::Case &scene) {
@@ -300,7 +322,7 @@ results::ResponseResult response_peaks(const model::Case &asked, bool with_error
     const assembly::Discretization d(scene.rotor, result.model.order);
     result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
     result.model.unknowns = forced::ForcedMotion(d, result.model.formulation.form).unknowns();
-    add_imbalance_peaks(result, d, scene, with_errors);
+    static_cast<void>(add_imbalance_peaks(result, d, scene, with_errors));
     return result;
 }
 

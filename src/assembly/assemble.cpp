@@ -123,50 +123,10 @@ Eigen::Matrix2d turned(double b) {
     return block;
 }
 
-/// What the ends add to the part of the torque that has a potential; a rigid shaft is not bent.
-void assemble_torque(const Discretization &d, const AddCoupling &add) {
-    const model::Shaft &shaft = d.rotor().shaft;
-    if (shaft.axial_torque == 0 || d.rigid())
-        return;
-    const auto last = static_cast<int>(d.shaft_mesh().spans.size());
-    for (int span = 0; span < last; ++span)
-        add_element(Term::stiffness, d.beam_unknowns(span), d.beam(span).torque, turned(1), add);
-    const double follows = shaft.torque_kind == model::TorqueKind::axial        ? -1
-                           : shaft.torque_kind == model::TorqueKind::tangential ? 1
-                                                                                : 0;
-    for (const auto &[node, side] : {std::pair(0, -1.0), std::pair(last, 1.0)}) {
-        const Combination phi = d.slope_at_node(node);
-        add_product(Term::stiffness, phi, phi, turned(side * follows * shaft.axial_torque / 2),
-                    add);
-    }
-}
-
 void assemble_disc(const Discretization &d, const model::Disc &disc, const AddPlanar &add) {
     add_square(Term::mass, d.deflection_at(disc.z), disc.mass, add);
     add_square(Term::mass, d.slope_at(disc.z), disc.Id, add);
     add_square(Term::gyroscopic, d.slope_at(disc.z), disc.Ip, add);
-}
-
-void assemble_bearing(const Discretization &d, int index, double speed, const AddCoupling &add) {
-    const model::Bearing &bearing = d.rotor().bearings[static_cast<std::size_t>(index)];
-    model::BearingCoefficients at = bearing.at(speed);
-    for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
-        *block = model::without_rounding(*block);
-    const Combination phi = d.slope_at(bearing.z);
-    add_product(Term::stiffness, phi, phi, at.kt, add);
-    add_product(Term::damping, phi, phi, at.ct, add);
-    Combination stretch = d.deflection_at(bearing.z); // of the film: shaft minus pedestal
-    if (bearing.pedestal) {
-        const Combination below{{d.pedestal_unknown(index), 1.0}};
-        const model::Pedestal &pedestal = *bearing.pedestal;
-        add_product(Term::mass, below, below, pedestal.mass.asDiagonal(), add);
-        add_product(Term::damping, below, below, pedestal.c.asDiagonal(), add);
-        add_product(Term::stiffness, below, below, pedestal.k.asDiagonal(), add);
-        stretch.emplace_back(d.pedestal_unknown(index), -1.0);
-    }
-    add_product(Term::stiffness, stretch, stretch, at.k, add);
-    add_product(Term::damping, stretch, stretch, at.c, add);
-    add_product(Term::mass, stretch, stretch, at.m, add);
 }
 
 } // namespace
@@ -201,10 +161,60 @@ void assemble_outside_damping(const Discretization &discretization, const AddCou
                     Eigen::Vector2d(x(i, j), (round ? x : y)(i, j)).asDiagonal());
 }
 
+void assemble_film(const Discretization &discretization, int index, double speed,
+                   const AddCoupling &add) {
+    const model::Bearing &bearing =
+        discretization.rotor().bearings[static_cast<std::size_t>(index)];
+    model::BearingCoefficients at = bearing.at(speed);
+    for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
+        *block = model::without_rounding(*block);
+    const Combination phi = discretization.slope_at(bearing.z);
+    add_product(Term::stiffness, phi, phi, at.kt, add);
+    add_product(Term::damping, phi, phi, at.ct, add);
+    Combination stretch = discretization.deflection_at(bearing.z); // shaft minus pedestal
+    if (bearing.pedestal)
+        stretch.emplace_back(discretization.pedestal_unknown(index), -1.0);
+    add_product(Term::stiffness, stretch, stretch, at.k, add);
+    add_product(Term::damping, stretch, stretch, at.c, add);
+    add_product(Term::mass, stretch, stretch, at.m, add);
+}
+
+void assemble_pedestal(const Discretization &discretization, int index, const AddCoupling &add) {
+    const model::Bearing &bearing =
+        discretization.rotor().bearings[static_cast<std::size_t>(index)];
+    if (!bearing.pedestal)
+        return;
+    const Combination below{{discretization.pedestal_unknown(index), 1.0}};
+    const model::Pedestal &pedestal = *bearing.pedestal;
+    add_product(Term::mass, below, below, pedestal.mass.asDiagonal(), add);
+    add_product(Term::damping, below, below, pedestal.c.asDiagonal(), add);
+    add_product(Term::stiffness, below, below, pedestal.k.asDiagonal(), add);
+}
+
 void assemble_bearings(const Discretization &discretization, double speed, const AddCoupling &add) {
     const auto count = static_cast<int>(discretization.rotor().bearings.size());
-    for (int i = 0; i < count; ++i)
-        assemble_bearing(discretization, i, speed, add);
+    for (int i = 0; i < count; ++i) {
+        assemble_pedestal(discretization, i, add);
+        assemble_film(discretization, i, speed, add);
+    }
+}
+
+/// What the ends add to the part of the torque that has a potential; a rigid shaft is not bent.
+void assemble_torque(const Discretization &d, const AddCoupling &add) {
+    const model::Shaft &shaft = d.rotor().shaft;
+    if (shaft.axial_torque == 0 || d.rigid())
+        return;
+    const auto last = static_cast<int>(d.shaft_mesh().spans.size());
+    for (int span = 0; span < last; ++span)
+        add_element(Term::stiffness, d.beam_unknowns(span), d.beam(span).torque, turned(1), add);
+    const double follows = shaft.torque_kind == model::TorqueKind::axial        ? -1
+                           : shaft.torque_kind == model::TorqueKind::tangential ? 1
+                                                                                : 0;
+    for (const auto &[node, side] : {std::pair(0, -1.0), std::pair(last, 1.0)}) {
+        const Combination phi = d.slope_at_node(node);
+        add_product(Term::stiffness, phi, phi, turned(side * follows * shaft.axial_torque / 2),
+                    add);
+    }
 }
 
 void assemble_supports(const Discretization &discretization, double speed, const AddCoupling &add) {

@@ -33,8 +33,17 @@ using AddConjugate = std::function<void(Term, std::span<const int> unknowns,
 /// Inertial anisotropies and segments with two bending stiffnesses (theory.md, "Rotating frame").
 void assemble_asymmetry(const Discretization &discretization, const AddConjugate &add);
 
-/// Bearings and seals with the coefficients they have at a spin speed (rad/s), and pedestals.
+/// One of the bearings and seals with the coefficients it has at a spin speed (rad/s): between the
+/// shaft and its pedestal or the ground.
+void assemble_film(const Discretization &discretization, int bearing, double speed,
+                   const AddCoupling &add);
+/// The pedestal below it, where there is one.
+void assemble_pedestal(const Discretization &discretization, int bearing, const AddCoupling &add);
+/// All of them.
 void assemble_bearings(const Discretization &discretization, double speed, const AddCoupling &add);
+
+/// Axial torque.
+void assemble_torque(const Discretization &discretization, const AddCoupling &add);
 
 /// Damping of the shaft that does not turn with it: the same at every speed.
 void assemble_outside_damping(const Discretization &discretization, const AddCoupling &add);

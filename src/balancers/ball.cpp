@@ -193,6 +193,7 @@ SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
     out.inertia = T.transpose() * mass.asDiagonal() * T;
     out.damping = T.transpose() * damping.asDiagonal() * T;
     out.restoring = Eigen::VectorXd::Zero(n);
+    out.groups = T;
     // Differences that leave the sum as it is are other balanced positions.
     out.drift = Eigen::VectorXd::Constant(n, SmallMotions::far_away * rates);
     out.drift(0) = 0;

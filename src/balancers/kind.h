@@ -54,6 +54,8 @@ struct SmallMotions {
     Eigen::VectorXd restoring;  ///< kg
     Eigen::VectorXd drift;      ///< 1/s
     int zero_roots = 0;         ///< that are left all the same
+    /// Mean motions of groups of parts that move alike as combinations of y; empty: y themselves.
+    Eigen::MatrixXd groups;
 
     /// A drift over the rates of the motions themselves: no motion is as fast, and rounding is far.
     static constexpr double far_away = 1e3;

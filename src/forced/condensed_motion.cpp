@@ -350,20 +350,32 @@ Phasor CondensedMotion::at_node(int node) const {
     return {a + d, -imaginary_unit * (a - d)};
 }
 
-Phasor CondensedMotion::bearing_force(int index) const {
+Eigen::Matrix2cd CondensedMotion::film(const model::Bearing &bearing) const {
+    const model::BearingCoefficients at = bearing.at(_speed);
+    return at.k - _speed * _speed * at.m + imaginary_unit * _speed * at.c;
+}
+
+Phasor CondensedMotion::stretch(int index) const {
     const model::Bearing &bearing =
         _discretization.rotor().bearings[static_cast<std::size_t>(index)];
-    const model::BearingCoefficients at = bearing.at(_speed);
     const Phasor u = at_node(_discretization.shaft_mesh().node_at(bearing.z));
-    const double square = _speed * _speed;
-    const Eigen::Matrix2cd film = at.k - square * at.m + imaginary_unit * _speed * at.c;
-    Eigen::Vector2cd force = film * Eigen::Vector2cd(u.x, u.y);
-    if (bearing.pedestal) {
-        const model::Pedestal &pedestal = *bearing.pedestal;
-        const Eigen::Vector2cd below =
-            pedestal.k - square * pedestal.mass + imaginary_unit * _speed * pedestal.c;
-        force -= film * (film + Eigen::Matrix2cd(below.asDiagonal())).inverse() * force.eval();
-    }
+    if (!bearing.pedestal)
+        return u;
+    const model::Pedestal &pedestal = *bearing.pedestal;
+    const Eigen::Vector2cd below =
+        pedestal.k - _speed * _speed * pedestal.mass + imaginary_unit * _speed * pedestal.c;
+    const Eigen::Matrix2cd above = film(bearing);
+    const Eigen::Vector2cd shaft(u.x, u.y); // what the film takes of it, in series with the ground
+    const Eigen::Vector2cd moved =
+        (above + Eigen::Matrix2cd(below.asDiagonal())).inverse() * (above * shaft);
+    return {u.x - moved(0), u.y - moved(1)};
+}
+
+Phasor CondensedMotion::bearing_force(int index) const {
+    const Phasor u = stretch(index);
+    const Eigen::Vector2cd force =
+        film(_discretization.rotor().bearings[static_cast<std::size_t>(index)]) *
+        Eigen::Vector2cd(u.x, u.y);
     return {force(0), force(1)};
 }
 

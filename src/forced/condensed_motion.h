@@ -39,6 +39,8 @@ class CondensedMotion {
 
     /// Deflection of a node that stays, in the last solution, m.
     [[nodiscard]] Phasor at_node(int node) const;
+    /// What a bearing is stretched by in the last solution, shaft against pedestal, m.
+    [[nodiscard]] Phasor stretch(int bearing) const;
     /// Force of a bearing in the last solution, N.
     [[nodiscard]] Phasor bearing_force(int bearing) const;
     /// Relative error of the last solution by rounding of the entries of the elements, and of what
@@ -82,6 +84,8 @@ class CondensedMotion {
     void add_discs();
     void add_anisotropies();
     void add_bearings();
+    /// Coefficients of a bearing's film at the speed of the last solution, on (x, y).
+    [[nodiscard]] Eigen::Matrix2cd film(const model::Bearing &bearing) const;
     /// Coefficients from (x, y) to the parts.
     [[nodiscard]] Eigen::Matrix2cd on_parts(const Eigen::Matrix2d &k,
                                             const Eigen::Matrix2d &c) const;

@@ -80,6 +80,8 @@ PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
 
 Phasor PeakError::finer(int quantity) const {
     const auto i = static_cast<std::size_t>(quantity);
+    if (_quantities[i].film)
+        return _finer.finer_stretch(*_quantities[i].film);
     return _quantities[i].bearing == Quantity::deflection
                ? _quantities[i].seen(_finer.finer_at(_places[i]))
                : _finer.finer_force(_quantities[i].bearing);

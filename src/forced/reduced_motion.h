@@ -24,6 +24,9 @@ struct Quantity {
     int bearing = deflection;
     /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
     std::optional<double> angle{};
+    /// The deflection is the stretch of this bearing, shaft against pedestal; none: it is a
+    /// place's.
+    std::optional<int> film{};
 
     /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
     [[nodiscard]] Phasor seen(const Phasor &motion) const {

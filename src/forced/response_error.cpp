@@ -59,6 +59,10 @@ Phasor ResponseError::finer_force(int bearing) const {
     return _whole ? _whole->bearing_force(bearing) : _motion->bearing_force(bearing);
 }
 
+Phasor ResponseError::finer_stretch(int bearing) const {
+    return _whole ? _whole->motion(stretch_of_bearing(*_fine, bearing)) : _motion->stretch(bearing);
+}
+
 double ResponseError::at_rest(double z, std::complex<double> coarse) const {
     if (!_whole)
         return 0;
@@ -77,6 +81,10 @@ double ResponseError::at(double z, const Phasor &coarse) const {
 
 double ResponseError::of_force(int bearing, const Phasor &coarse) const {
     return _fine ? orbit_error(coarse, finer_force(bearing)) : 0;
+}
+
+double ResponseError::of_stretch(int bearing, const Phasor &coarse) const {
+    return _fine ? orbit_error(coarse, finer_stretch(bearing)) : 0;
 }
 
 double ResponseError::of_probe(double z, double angle, const Phasor &coarse) const {

@@ -25,6 +25,8 @@ class ResponseError {
     [[nodiscard]] double at(double z, const Phasor &coarse) const;
     /// The same of the force in a bearing.
     [[nodiscard]] double of_force(int bearing, const Phasor &coarse) const;
+    /// The same of what a bearing is stretched by.
+    [[nodiscard]] double of_stretch(int bearing, const Phasor &coarse) const;
     /// The same of the reading x cos(angle) + y sin(angle) alone, relative to that.
     [[nodiscard]] double of_probe(double z, double angle, const Phasor &coarse) const;
 
@@ -33,6 +35,7 @@ class ResponseError {
     /// The finer rotor's own motion.
     [[nodiscard]] Phasor finer_at(double z) const;
     [[nodiscard]] Phasor finer_force(int bearing) const;
+    [[nodiscard]] Phasor finer_stretch(int bearing) const;
     /// Under the weight, what stands still in the fixed frame: estimated relative error.
     [[nodiscard]] double at_rest(double z, std::complex<double> coarse) const;
     [[nodiscard]] double force_at_rest(int bearing, std::complex<double> coarse) const;

@@ -24,6 +24,7 @@ constexpr Usual of_modulus{1e8, no_limit, "Pa", "steel has 2.1e11 Pa, \"210 GPa\
 constexpr Usual of_density{200, 25000, "kg/m3", "steel has 7850 kg/m3, \"7.85 g/cm3\""};
 constexpr double massless = 1e-3; // kg/m3: a shaft made so
 constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a unit: \"1200 mm\""};
+constexpr Usual of_clearance{1e-6, 0.02, "m", "it is in m unless it has a unit: \"0.1 mm\""};
 constexpr Usual of_diameter{1e-4, 10, "m", "diameters are in m unless they have a unit: \"50 mm\""};
 
 /// Collects remarks, each once.
@@ -55,6 +56,12 @@ void check_shaft(const model::Shaft &shaft, Remarks &remarks) {
         remarks.check("a shaft diameter", std::max(segment.outer_start, segment.outer_end),
                       of_diameter);
     }
+}
+
+void check_clearances(const model::Rotor &rotor, Remarks &remarks) {
+    for (const model::Bearing &bearing : rotor.bearings)
+        if (bearing.clearance)
+            remarks.check("a radial clearance", *bearing.clearance, of_clearance);
 }
 
 /// Speed of the surface of the thickest segment and of discs, as wide as their inertia says, m/s.
@@ -138,6 +145,7 @@ void add_remarks(model::Case &scene, const Node &tree) {
     Remarks remarks(scene);
     const model::Rotor &rotor = scene.rotor;
     check_shaft(rotor.shaft, remarks);
+    check_clearances(rotor, remarks);
     check_speeds(scene, tree, remarks);
     check_angles(rotor, tree, remarks);
     check_tables(scene, remarks);

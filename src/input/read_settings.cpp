@@ -159,6 +159,8 @@ void read_response(CheckedTable &root, model::Case &scene) {
     if (!table)
         return;
     scene.response.gravity = table->number_or("gravity", 0, Quantity::acceleration);
+    scene.response.orbits_at = table->numbers("orbits_at", Quantity::angular_speed);
+    scene.response.shape_at = table->numbers("shape_at", Quantity::angular_speed);
     table->refuse_unknown();
 }
 

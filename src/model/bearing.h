@@ -48,6 +48,7 @@ struct Bearing {
     std::vector<double> speeds;            ///< rad/s, ascending; empty for constant coefficients
     std::vector<BearingCoefficients> rows; ///< one, or one for each of `speeds`
     std::optional<Pedestal> pedestal;
+    std::optional<double> clearance; ///< radial, between the shaft and what holds it, m
     bool seal = false;
 
     [[nodiscard]] bool depends_on_speed() const { return rows.size() > 1; }

@@ -51,6 +51,8 @@ struct CriticalMapSettings {
 /// Entries of [response].
 struct ResponseSettings {
     double gravity = 0; ///< m/s2 towards -y; 0: the motion under the weight is not asked for
+    std::vector<double> orbits_at; ///< spin speeds, rad/s; empty: those of the peaks
+    std::vector<double> shape_at;  ///< the same of deflected shapes; empty: as the orbits
 };
 
 /// Entries of [simulate].

@@ -55,6 +55,12 @@ Stations::Stations(const assembly::Discretization &d, int per_span) {
     _rows.push_back(d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
 }
 
+Stations Stations::for_drawing(const assembly::Discretization &d) {
+    constexpr int wanted = 120;
+    const auto spans = static_cast<int>(d.shaft_mesh().spans.size());
+    return {d, std::max(0, (wanted + spans - 1) / spans - 1)};
+}
+
 void Stations::add(double z, assembly::Combination row, double mass, std::vector<double> &masses) {
     _z.push_back(z);
     _rows.push_back(std::move(row));

@@ -15,6 +15,9 @@ class Stations {
     /// The nodes and `per_span` points inside each span, without masses: to draw shapes.
     Stations(const assembly::Discretization &discretization, int per_span);
 
+    /// Some 120 of those, and each span at least its ends.
+    [[nodiscard]] static Stations for_drawing(const assembly::Discretization &discretization);
+
     /// Points of a quadrature over the length of the shaft with the mass per length, and the discs
     /// and balancers. They follow from the rotor alone, not from its mesh: sums over them are
     /// kinetic energies of deflection, the same on every mesh that resolves the mode.

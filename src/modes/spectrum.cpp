@@ -273,33 +273,37 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
 
 QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices().at(speed); }
 
-Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
+Eigen::VectorXcd SpectrumSolver::planar_x(const WhirlMode &mode) const {
     if (_data->form == results::Form::planar)
-        return stations.deflections(mode.shape);
-    if (_data->form == results::Form::planar_damped) {
-        // w exp(l t) with Im l < 0 is as seen by x = Re(conj(w) exp(conj(l) t)).
-        const Eigen::VectorXcd w = stations.deflections(mode.shape);
-        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(w.conjugate()) : w;
-    }
-    return stations.deflections(assembly::Planes(mode.shape).x);
+        return mode.shape;
+    if (_data->form == results::Form::planar_damped) // w exp(l t) with Im l < 0 is as seen by
+        return mode.rotating_value.imag() < 0        // x = Re(conj(w) exp(conj(l) t))
+                   ? Eigen::VectorXcd(mode.shape.conjugate())
+                   : mode.shape;
+    return assembly::Planes(mode.shape).x;
 }
 
-Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &stations) const {
+Eigen::VectorXcd SpectrumSolver::planar_y(const WhirlMode &mode) const {
     const std::complex<double> i(0, 1);
     if (_data->form == results::Form::planar) {
         // w exp(i s t): y(t) = Re(-i w exp(i s t)) for s > 0, Re(+i w exp(i |s| t)) for s < 0.
         // A forward mode turns with the spin; the planar form is used with both signs of it.
-        const Eigen::VectorXcd w = stations.deflections(mode.shape);
-        return mode.whirl == results::Whirl::forward ? Eigen::VectorXcd(-i * w)
-                                                     : Eigen::VectorXcd(i * w);
+        return mode.whirl == results::Whirl::forward ? Eigen::VectorXcd(-i * mode.shape)
+                                                     : Eigen::VectorXcd(i * mode.shape);
     }
-    if (_data->form == results::Form::planar_damped) {
-        const Eigen::VectorXcd w = stations.deflections(mode.shape);
-        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(i * w.conjugate())
-                                              : Eigen::VectorXcd(-i * w);
-    }
-    const Eigen::VectorXcd y = stations.deflections(assembly::Planes(mode.shape).y);
+    if (_data->form == results::Form::planar_damped)
+        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(i * mode.shape.conjugate())
+                                              : Eigen::VectorXcd(-i * mode.shape);
+    const Eigen::VectorXcd y = assembly::Planes(mode.shape).y;
     return _data->form == results::Form::hyperbolic ? Eigen::VectorXcd(i * y) : y;
+}
+
+Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
+    return stations.deflections(planar_x(mode));
+}
+
+Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &stations) const {
+    return stations.deflections(planar_y(mode));
 }
 
 } // namespace whirl::modes

@@ -66,7 +66,10 @@ class SpectrumSolver {
     /// that turns. In no form with complex matrices.
     [[nodiscard]] QuadraticAt problem_at(double speed) const;
 
-    /// Complex deflections of a mode at the stations: x(t) = Re(x exp(l t)).
+    /// Planar unknowns of a mode in the fixed frame: x(t) = Re(x exp(l t)).
+    [[nodiscard]] Eigen::VectorXcd planar_x(const WhirlMode &mode) const;
+    [[nodiscard]] Eigen::VectorXcd planar_y(const WhirlMode &mode) const;
+    /// Complex deflections of a mode at the stations from these.
     [[nodiscard]] Eigen::VectorXcd x_at(const WhirlMode &mode, const Stations &stations) const;
     [[nodiscard]] Eigen::VectorXcd y_at(const WhirlMode &mode, const Stations &stations) const;
 

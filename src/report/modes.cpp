@@ -2,21 +2,25 @@
 
 #include "results/modes.h"
 
+#include "balancers/kind.h"
 #include "report/common/csv.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/pictures/mode_curves.h"
+#include "report/pictures/scene_parts.h"
 #include "report/reports.h"
 #include "report/vtk.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace whirl::report {
 
+using results::Dissipation;
 using results::ModeShape;
 using results::ModesResult;
 
@@ -39,8 +43,13 @@ auto part(std::vector<std::complex<double>> ModeShape::*of, bool real) {
     };
 }
 
+Json json_of(const Dissipation &part) {
+    return {{"of", part.of}, {"z", part.z}, {"name", part.name}, {"share", part.share}};
+}
+
 const Columns<ModeShape> shape_columns{
     {"label", "", {"Mode"}, {"mode"}, &ModeShape::label},
+    {"at", "", {}, {}, &ModeShape::at},
     {"frequency", "", {"Frequency (rad/s)", "{:.10g}"}, {"rad/s", precise}, frequency},
     {"",
      "",
@@ -55,7 +64,50 @@ const Columns<ModeShape> shape_columns{
     {"x_real", "", {}, {}, part(&ModeShape::x, true)},
     {"x_imag", "", {}, {}, part(&ModeShape::x, false)},
     {"y_real", "", {}, {}, part(&ModeShape::y, true)},
-    {"y_imag", "", {}, {}, part(&ModeShape::y, false)}};
+    {"y_imag", "", {}, {}, part(&ModeShape::y, false)},
+    {"dissipation", "", {}, {}, [](const ModeShape &mode) {
+         return json_list(mode.dissipation, json_of);
+     }}};
+
+/// The same with the speed of each: those at critical speeds.
+Columns<ModeShape> critical_columns() {
+    Columns<ModeShape> columns = shape_columns;
+    columns.insert(columns.begin() + 1,
+                   {"", "", {"at (rpm)", "{:.8g}"}, {"at rpm", "{:.8g}"}, [](const auto &mode) {
+                        return mode.at * rpm;
+                    }});
+    return columns;
+}
+
+/// "bearing, drive end"
+std::string words_of(const Dissipation &part) {
+    if (!part.z)
+        return part.of;
+    return part.of + ", " + place(part.name, *part.z);
+}
+
+/// Shares in percent, a row a part, a column a mode; nothing where no mode has any.
+Texts dissipation_texts(const std::vector<ModeShape> &modes, const std::string &missing) {
+    Texts table{{"Share of the dissipated power (%)"}};
+    std::vector<std::string> parts;
+    for (const ModeShape &mode : modes) {
+        table.front().push_back(mode.label + (real_part(mode) > 0 ? " (grows)" : ""));
+        for (const Dissipation &part : mode.dissipation)
+            if (std::find(parts.begin(), parts.end(), words_of(part)) == parts.end())
+                parts.push_back(words_of(part));
+    }
+    for (const std::string &part : parts) {
+        table.push_back({part});
+        for (const ModeShape &mode : modes) {
+            const auto found =
+                std::find_if(mode.dissipation.begin(), mode.dissipation.end(),
+                             [&part](const Dissipation &other) { return words_of(other) == part; });
+            const bool known = found != mode.dissipation.end() && found->share;
+            table.back().push_back(known ? fmt::format("{:.1f}", *found->share * 100) : missing);
+        }
+    }
+    return parts.empty() ? Texts{} : table;
+}
 
 /// A mode at a station.
 struct Deflection {
@@ -79,15 +131,27 @@ const Columns<Deflection> deflection_columns{
 
 std::string csv_of(const ModesResult &result) {
     std::vector<Deflection> rows;
-    for (const ModeShape &mode : result.modes)
-        for (std::size_t i = 0; i < result.z.size() && i < mode.x.size() && i < mode.y.size(); ++i)
-            rows.push_back({result.speed, mode, result.z[i], mode.x[i], mode.y[i]});
+    for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
+        for (const ModeShape &mode : *list)
+            for (std::size_t i = 0; i < std::min({result.z.size(), mode.x.size(), mode.y.size()});
+                 ++i)
+                rows.push_back({mode.at, mode, result.z[i], mode.x[i], mode.y[i]});
     return csv_table(deflection_columns, rows);
+}
+
+std::string after_a_line(const Texts &table) {
+    return table.empty() ? "" : "\n" + text_table(table);
 }
 
 std::string text_of(const model::Case &scene, const ModesResult &result) {
     return heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm)) +
-           text_table(shape_columns, result.modes) + model_text(result.model);
+           text_table(shape_columns, result.modes) +
+           after_a_line(dissipation_texts(result.modes, "-")) +
+           (result.critical.empty()
+                ? ""
+                : "\nAt the critical speeds:\n" + text_table(critical_columns(), result.critical) +
+                      after_a_line(dissipation_texts(result.critical, "-"))) +
+           model_text(result.model);
 }
 
 /// A JavaScript array; five digits are more than a screen shows.
@@ -97,6 +161,35 @@ std::string script_array(const std::vector<double> &values) {
         text += (text.size() > 1 ? "," : "") +
                 (std::isfinite(value) ? fmt::format("{:.5g}", value) : "null");
     return text + "]";
+}
+
+/// What of the rotor is drawn in space, for the script of the page; m.
+std::string drawn_rotor(const model::Rotor &rotor) {
+    Json segments = Json::array();
+    double z = 0;
+    double thickest = 0;
+    for (const model::Segment &segment : rotor.shaft.segments) {
+        segments.push_back({z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2});
+        z += segment.length;
+        thickest = std::max({thickest, segment.outer_start / 2, segment.outer_end / 2});
+    }
+    Json discs = Json::array();
+    for (const model::Disc &disc : rotor.discs)
+        discs.push_back({{"z", disc.z},
+                         {"radius", std::max(disc_radius(disc), 1.3 * thickest)},
+                         {"half", std::max(disc.width / 2, 0.004 * z)},
+                         {"balancer", false}});
+    for (const model::Balancer &balancer : rotor.balancers)
+        discs.push_back({{"z", balancer.z},
+                         {"radius", balancers::kind_of(balancer)->outline().radius()},
+                         {"half", 0.004 * z},
+                         {"balancer", true}});
+    const Json bearings = json_list(rotor.bearings, [](const model::Bearing &bearing) {
+        return Json{{"z", bearing.z}, {"seal", bearing.seal}};
+    });
+    const Json drawn{
+        {"length", z}, {"segments", segments}, {"discs", discs}, {"bearings", bearings}};
+    return "const rotor = " + drawn.dump() + ";\n";
 }
 
 /// The curves of the still picture for the script of the page.
@@ -110,6 +203,22 @@ std::string drawn_modes(const ModesResult &result) {
     return text + "];\n";
 }
 
+std::vector<Section> sections_of(const ModesResult &result) {
+    std::vector<Section> sections{{"Shapes in space", "<div id=\"space\"></div>\n"},
+                                  {fmt::format("Modes at {:.6g} rpm", result.speed * rpm),
+                                   page_table(shape_columns, result.modes)}};
+    const Texts dissipation = dissipation_texts(result.modes, "–");
+    if (!dissipation.empty())
+        sections.push_back({"Where the modes dissipate", page_table(dissipation)});
+    if (!result.critical.empty())
+        sections.push_back(
+            {"Modes at the critical speeds", page_table(critical_columns(), result.critical)});
+    const Texts critical = dissipation_texts(result.critical, "–");
+    if (!critical.empty())
+        sections.push_back({"Where they dissipate", page_table(critical)});
+    return sections;
+}
+
 } // namespace
 
 Report describe(const model::Case &scene, const ModesResult &result) {
@@ -121,18 +230,14 @@ Report describe(const model::Case &scene, const ModesResult &result) {
                 [&] {
                     return Json{{"speed", result.speed},
                                 {"z", result.z},
-                                {"modes", json_rows(shape_columns, result.modes)}};
+                                {"modes", json_rows(shape_columns, result.modes)},
+                                {"critical_modes", json_rows(shape_columns, result.critical)}};
                 },
             .csv = [&] { return csv_of(result); },
-            .sections =
-                [&] {
-                    return std::vector{
-                        Section{fmt::format("Modes at {:.6g} rpm", result.speed * rpm),
-                                page_table(shape_columns, result.modes)}};
-                },
+            .sections = [&] { return sections_of(result); },
             .text = [&] { return text_of(scene, result); },
             .figure = [&] { return modes_figure(scene, result); },
-            .script_data = [&] { return drawn_modes(result); },
+            .script_data = [&] { return drawn_rotor(scene.rotor) + drawn_modes(result); },
             .vtp = [&] { return to_vtp(scene, result); }};
 }
 

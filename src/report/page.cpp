@@ -113,12 +113,15 @@ std::string to_html(const Report &report, const std::string &still, const std::s
         plot +=
             element("p", "This build has no Plotly, so the diagram is a still picture.", "note");
     std::string scripts;
-    if (moves) // in a function of its own: names such as `top` belong to the window outside
-        scripts =
-            script_element(plotly_bundle()) +
+    const std::string of_space = embedded(report.command + "_space.js"); // which needs no library
+    if (moves)
+        scripts = script_element(plotly_bundle());
+    if (moves || !of_space.empty()) // in a function of its own: names such as `top` belong to the
+        scripts +=                  // window outside
             script_element("(function () {\n" +
                            page_script_in_written_units(embedded("common.js") + script_units() +
-                                                        script_data(report) + script) +
+                                                        script_data(report) + of_space +
+                                                        (moves ? script : "")) +
                            "})();\n");
     const bool is_drawing = static_cast<bool>(report.drawing); // the rotor itself
     return with_contents(

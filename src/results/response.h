@@ -2,6 +2,7 @@
 
 #include "results/margins.h"
 #include "results/model_summary.h"
+#include "results/orbits.h"
 
 #include <optional>
 #include <string>
@@ -106,6 +107,10 @@ struct ResponseResult {
     /// Every local maximum strictly inside the range, by place, then by speed.
     std::vector<ResponsePeak> peaks;
     ResponseCurves curves; ///< empty where the range is one speed
+    /// At the speeds of the case, or at peaks; resonances without damping have none.
+    std::vector<Orbits> orbits;
+    std::vector<DeflectedShape> shapes;
+    std::vector<ClearanceUse> clearances; ///< of every bearing and seal with one
     /// Where the case has operating speeds, as in CriticalResult.
     std::optional<std::vector<SeparationMargin>> margins;
     /// Where the case asks for it; the lists above are empty without an imbalance.

@@ -1,5 +1,7 @@
+#include "analyses/critical.h"
 #include "analyses/modes.h"
 #include "model/errors.h"
+#include "results/critical.h"
 #include "results/formulation.h"
 #include "results/modes.h"
 #include "results/whirl.h"
@@ -8,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <string>
 
 namespace {
 
@@ -70,6 +74,56 @@ TEST(ModeShapes, damped_shapes_are_scaled_to_one) {
             largest = std::max({largest, std::abs(shape.x[i]), std::abs(shape.y[i])});
         EXPECT_NEAR(largest, 1, 1e-12);
         EXPECT_LT(shape.eigenvalue.real(), 0);
+    }
+}
+
+/// Over a range of speeds every critical speed has its shape: of a pinned uniform shaft a sine with
+/// one more half wave each, forward and backward. The mode there turns as fast as the shaft.
+TEST(ModeShapes, at_each_critical_speed) {
+    model::Case scene = pinned_shaft(0);
+    scene.speeds = model::SpeedRange{0, 5000, 3};
+    const results::ModesResult result = analyses::mode_shapes(scene);
+    const std::vector<results::CriticalSpeed> critical =
+        analyses::critical_speeds(scene).critical_speeds;
+    ASSERT_EQ(result.critical.size(), critical.size());
+    ASSERT_EQ(critical.size(), 6U);
+    std::map<results::Whirl, int> half_waves;
+    for (std::size_t i = 0; i < critical.size(); ++i) {
+        const results::ModeShape &shape = result.critical[i];
+        EXPECT_EQ(shape.at, critical[i].speed);
+        EXPECT_EQ(shape.whirl, critical[i].whirl);
+        EXPECT_NEAR(shape.eigenvalue.imag() / shape.at, 1, 1e-9); // without damping
+        const int n = ++half_waves[shape.whirl];
+        EXPECT_EQ(shape.label.substr(0, 1), std::to_string(n));
+        for (std::size_t k = 0; k < result.z.size(); ++k)
+            EXPECT_NEAR(std::abs(shape.x[k]),
+                        std::abs(std::sin(n * std::numbers::pi * result.z[k])), 1e-6);
+    }
+    EXPECT_TRUE(analyses::mode_shapes(pinned_shaft(500)).critical.empty()) << "one speed asked for";
+}
+
+/// Two dampers alone: the shares are those of c |w|^2 at their places, w as it is drawn.
+TEST(ModeShapes, dissipate_where_they_move_against_dampers) {
+    model::Case scene = pinned_shaft(300);
+    scene.rotor.bearings.push_back(tests::isotropic_bearing(0.25, 0, 30));
+    scene.rotor.bearings.push_back(tests::isotropic_bearing(0.5, 0, 50));
+    const auto at = [](const results::ModesResult &result, const results::ModeShape &shape,
+                       double z) {
+        std::size_t best = 0;
+        for (std::size_t i = 0; i < result.z.size(); ++i)
+            if (std::abs(result.z[i] - z) < std::abs(result.z[best] - z))
+                best = i;
+        EXPECT_NEAR(result.z[best], z, 1e-12);
+        return std::norm(shape.x[best]) + std::norm(shape.y[best]);
+    };
+    const results::ModesResult result = analyses::mode_shapes(scene);
+    for (const results::ModeShape &shape : result.modes) {
+        ASSERT_EQ(shape.dissipation.size(), 2U) << shape.label;
+        const double first = 30 * at(result, shape, 0.25);
+        const double second = 50 * at(result, shape, 0.5);
+        EXPECT_EQ(shape.dissipation[0].of, "bearing");
+        EXPECT_NEAR(*shape.dissipation[0].share, first / (first + second), 1e-9);
+        EXPECT_NEAR(*shape.dissipation[0].share + *shape.dissipation[1].share, 1, 1e-12);
     }
 }
 

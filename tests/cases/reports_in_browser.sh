@@ -36,6 +36,16 @@ look() { # name of the folder, arguments of whirl
         echo "$out: the diagram was not drawn"
         failed=1
     fi
+    # Shapes in space: as many as there are modes, each with all its lines.
+    if grep -q '<div id="space"' "$out/report.html"; then
+        drawn=$(grep -o 'aria-label="Mode [0-9]' "$out/dom.html" | wc -l)
+        wanted=$(grep -c '"x_real"' "$out/modes.json")
+        [ "$drawn" = "$wanted" ] || { echo "$out: $drawn of $wanted shapes drawn in space"; failed=1; }
+        if grep -qE 'points="[^"]*(NaN|Infinity)' "$out/dom.html"; then
+            echo "$out: a shape in space without places"
+            failed=1
+        fi
+    fi
 }
 jeffcott=$cases/runup_jeffcott
 look show show "$cases/nelson_mcvaugh"
@@ -49,5 +59,6 @@ look rigid-limit rigid-limit "$cases/rigid_limit"
 look simulate simulate "$jeffcott" --set speeds.count=1 --set simulate.time=13
 look samples samples "$cases/uncertain_jeffcott" --set samples.count=12
 look modes modes "$cases/friswell_5_9_2"
+look modes_of_balls modes "$cases/extractor_two_plane"
 look compare compare critical "$jeffcott" "$jeffcott@bearing[*].k=1e5"
 exit $failed

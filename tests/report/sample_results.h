@@ -80,10 +80,16 @@ inline results::ModesResult sample_modes() {
     result.speed = 100;
     result.z = {0, 0.75, 1.5};
     result.modes.resize(2);
-    result.modes[0] = {"1B", {0, 80},        results::Whirl::backward,
-                       0,    {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}};
-    result.modes[1] = {"1F", {-2, 90},       results::Whirl::forward,
-                       1,    {0.3, 1., 0.3}, {-0.3 * i, -i, -0.3 * i}};
+    result.modes[0] = {
+        "1B", 100, {0, 80}, results::Whirl::backward, 0, {0.3, 1., 0.3}, {0.3 * i, i, 0.3 * i}, {}};
+    result.modes[1] = {"1F",
+                       100,
+                       {-2, 90},
+                       results::Whirl::forward,
+                       1,
+                       {0.3, 1., 0.3},
+                       {-0.3 * i, -i, -0.3 * i},
+                       {{"bearing", 0, "left", 0.75}, {"internal damping", {}, "", 0.25}}};
     return result;
 }
 

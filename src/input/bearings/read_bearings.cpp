@@ -113,6 +113,7 @@ void read_bearings(CheckedTable &root, model::Rotor &rotor) {
             row.ct.diagonal().setConstant(ct);
         }
         read_pedestal(table, bearing);
+        bearing.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
         table.refuse_unknown();
         add_acting(table, bearing,
                    "expected stiffness, damping or mass (k, c, kxx, ..., m, mxx, ..., kt, ct or "
@@ -128,6 +129,7 @@ void read_seals(CheckedTable &root, model::Rotor &rotor) {
         seal.name = table.text("name").value_or("");
         seal.z = table.number("z", Quantity::length);
         read_rows(table, seal);
+        seal.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
         table.refuse_unknown();
         add_acting(table, seal,
                    "expected stiffness, damping or mass (k, c, kxx, ..., m or table), got a seal "

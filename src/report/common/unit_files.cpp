@@ -61,6 +61,7 @@ const std::map<std::string, std::string> &key_quantities() {
                                                          {"amplitude_without_balls", "amplitude"},
                                                          {"major", "amplitude"},
                                                          {"minor", "amplitude"},
+                                                         {"clearance", "deflection"},
                                                          {"force", "force"},
                                                          {"stiffness", "stiffness"},
                                                          {"kxx", "stiffness"},

@@ -81,7 +81,7 @@ std::string quantity_of(const UnitWord &word, const std::string &heading,
         return says(heading + context, {"requenc"}) ? "frequency" : quantity;
     if (quantity != "length" && quantity != "amplitude")
         return quantity;
-    if (says(heading, {"tatic", "sag", "x_", "y_"}))
+    if (says(heading, {"tatic", "sag", "learance", "x_", "y_"}))
         return "deflection";
     if (says(heading, {"mplitude", "peak", "major", "minor", "reading", "twice", "ircle"}) ||
         heading.starts_with("x [") || heading.starts_with("y ["))

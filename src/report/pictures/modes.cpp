@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 #include "report/pictures/mode_curves.h"
 
+#include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
 #include "results/modes.h"
 
@@ -16,35 +17,6 @@ using results::ModesResult;
 
 namespace {
 
-/// Outline of shaft and discs as boxes (z, radius), the radii scaled so that the largest is 1/2.
-std::string outline(const model::Rotor &rotor) {
-    double largest = 1e-12;
-    for (const auto &segment : rotor.shaft.segments)
-        largest = std::max({largest, segment.outer_start / 2, segment.outer_end / 2});
-    for (const auto &disc : rotor.discs)
-        largest = std::max(largest, disc.outer / 2);
-    const double scale = 0.5 / largest;
-    std::string data = "$outline << EOD\n";
-    const auto box = [&](double a, double b, double ra, double rb) {
-        data += fmt::format("{0} {2}\n{1} {3}\n{1} {5}\n{0} {4}\n{0} {2}\n\n", a * metres,
-                            b * metres, scale * ra, scale * rb, -scale * ra, -scale * rb);
-    };
-    double z = 0;
-    for (const auto &segment : rotor.shaft.segments) {
-        box(z, z + segment.length, segment.outer_start / 2, segment.outer_end / 2);
-        z += segment.length;
-    }
-    for (const auto &disc : rotor.discs) {
-        const double half = std::max(disc.width / 2, 0.004 * z);
-        const double radius = disc.outer > 0 ? disc.outer / 2 : 0.7 * largest;
-        box(disc.z - half, disc.z + half, radius, radius);
-    }
-    data += "EOD\n$bearings << EOD\n";
-    for (const auto &bearing : rotor.supports())
-        data += fmt::format("{} -1.12\n", bearing.z * metres);
-    return data + "NaN NaN\nEOD\n";
-}
-
 std::string mode_data(const std::string &name, const ModesResult &result,
                       const ModeCurves &curves) {
     std::string data = "$" + name + " << EOD\n";
@@ -53,19 +25,6 @@ std::string mode_data(const std::string &name, const ModesResult &result,
         data += fmt::format("{:.7g} {} {} {}\n", result.z[i] * metres, plot_number(curves.x[i]),
                             plot_number(curves.y[i]), plot_number(curves.envelope[i]));
     return data + (count == 0 ? "NaN NaN NaN NaN\n" : "") + "EOD\n";
-}
-
-/// The legend of all panels: an empty plot across the whole figure.
-std::string legend(double height) {
-    return panel_margins(0.05, 0.975, 0.01, 0.02) +
-           fmt::format("unset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n"
-                       "set key at screen 0.5,{} center center horizontal samplen 4\n"
-                       "plot NaN notitle, keyentry with lines lw 2.2 lc rgb '#0072B2' title 'x', "
-                       "keyentry with lines lw 2.2 dt (10,6) lc rgb '#D55E00' title 'y', "
-                       "keyentry with lines lw 1 lc rgb '#888888' title 'envelope', "
-                       "keyentry with points pt 9 ps 1.4 lc rgb '#555555' title 'bearing'\n"
-                       "unset label\nunset key\nset border\nset tics\n",
-                       height);
 }
 
 } // namespace
@@ -132,8 +91,8 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
                     readable(result.speed * rpm)),
         figure.height);
     const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
-    figure.script += legend(1 - 80 * pixel);
-    figure.script += outline(scene.rotor) +
+    figure.script += panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80 * pixel);
+    figure.script += outline_data(scene.rotor, 1) +
                      "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"
                      "set ytics -1,1,1\n" +
                      fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
@@ -153,15 +112,7 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
                         plot_text(mode_heading(mode) +
                                   (curves.at_one_instant ? " · y at the same instant" : "")),
                         last ? "set xlabel 'z (m)'" : "unset xlabel");
-        figure.script += fmt::format(
-            "plot $outline with filledcurves closed fs solid 1 noborder fc rgb '#F0F1F3', "
-            "$outline with lines lw 0.7 lc rgb '#C8CDD2', "
-            "$bearings with points pt 9 ps 1.4 lc rgb '#555555', "
-            "${0} using 1:4 with lines lw 1 lc rgb '#888888', "
-            "${0} using 1:(-$4) with lines lw 1 lc rgb '#888888', "
-            "${0} using 1:2 with lines lw 2.2 lc rgb '#0072B2', "
-            "${0} using 1:3 with lines lw 2.2 dt (10,6) lc rgb '#D55E00'\n",
-            name);
+        figure.script += curves_over_outline(name);
     }
     figure.script += result.modes.empty() ? "plot NaN notitle\n" : "";
     figure.script += "unset multiplot\n";

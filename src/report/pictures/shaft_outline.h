@@ -1,10 +1,23 @@
 #pragma once
 
-#include "model/shaft.h"
+#include "model/rotor.h"
+
+#include <string>
 
 namespace whirl::report {
 
 /// Outer radius at z, m; where two segments meet, the larger one.
 [[nodiscard]] double shaft_radius(const model::Shaft &shaft, double z);
+
+// Shapes over the outline of the rotor, for gnuplot.
+
+/// Data blocks $outline, boxes (z, radius) of shaft and discs, and $bearings, below them.
+/// @param largest  largest deflection of the shape that goes with it: the thickest part of the
+///                 outline has half that radius
+[[nodiscard]] std::string outline_data(const model::Rotor &rotor, double largest);
+/// An empty plot with the legend of such panels at a height of the screen.
+[[nodiscard]] std::string curve_legend(double height);
+/// The plot command of a panel: z, x, y, envelope in the data block of this name.
+[[nodiscard]] std::string curves_over_outline(const std::string &name);
 
 } // namespace whirl::report

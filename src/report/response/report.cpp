@@ -8,11 +8,13 @@
 #include "report/reports.h"
 #include "report/response/gravity.h"
 #include "report/response/marks.h"
+#include "report/response/orbits.h"
 #include "report/response/tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace whirl::report {
@@ -189,6 +191,7 @@ Json json_of(const ResponseResult &result) {
                                         place_columns<ResponseBearing>("bearing"), bearing_series)},
               {"probes", json_of_kind(result.speeds, result.probes, probe_places(), probe_series)},
               {"curves", curves_json(result)}};
+    add_orbits(json, result);
     add_margins(json, result.margins);
     if (result.gravity)
         json["gravity"] = gravity_json(*result.gravity, result.speeds);
@@ -232,6 +235,8 @@ std::vector<Section> sections_of(const ResponseResult &result) {
             {"Largest readings of the probes",
              page_table(probe_peak_columns(), peaks_of(result.speeds, result.peaks, result.probes,
                                                        &ResponseProbe::amplitude, "probe"))});
+    const std::vector<Section> of_orbits = orbit_sections(result);
+    sections.insert(sections.end(), of_orbits.begin(), of_orbits.end());
     sections.insert(sections.end(), of_weight.begin(), of_weight.end());
     return sections;
 }
@@ -251,7 +256,7 @@ std::string imbalance_text(const ResponseResult &result) {
         text += "\n" + text_table(peak_columns("", "bearing", "largest force N"),
                                   peaks_of(result.speeds, result.peaks, result.bearings,
                                            &ResponseBearing::force, "bearing"));
-    return text;
+    return text + orbit_text(result);
 }
 
 std::string text_of(const model::Case &scene, const ResponseResult &result) {
@@ -265,15 +270,33 @@ std::string text_of(const model::Case &scene, const ResponseResult &result) {
     return text + model_text(result.model);
 }
 
-/// The polar plot, and the picture of the weight beside that of the imbalances.
+/// The polar plot, orbits and shapes, and the picture of the weight beside that of the imbalances.
 std::vector<Picture> pictures_of(const model::Case &scene, const ResponseResult &result) {
     std::vector<Picture> pictures;
     if (has_polar(result))
         pictures.push_back({"response_polar", polar_figure(scene, result), ""});
+    for (Picture &picture : orbit_pictures(scene, result))
+        pictures.push_back(std::move(picture));
     if (result.gravity && !weight_alone(result))
         pictures.push_back({"response_gravity", gravity_figure(scene, result),
                             gravity_csv(*result.gravity, result.speeds)});
     return pictures;
+}
+
+/// "Polar plot, orbits, deflected shapes"
+std::string pictures_heading(const ResponseResult &result) {
+    std::vector<std::string> words;
+    if (has_polar(result))
+        words.emplace_back("polar plot");
+    if (!result.orbits.empty())
+        words.emplace_back("orbits");
+    if (!result.shapes.empty())
+        words.emplace_back("deflected shapes");
+    if (result.gravity && !weight_alone(result))
+        words.emplace_back("motion under the weight");
+    std::string heading = words.empty() ? "pictures" : joined(words, ", ");
+    heading.front() = static_cast<char>(std::toupper(heading.front()));
+    return heading;
 }
 
 Figure main_figure(const model::Case &scene, const ResponseResult &result) {
@@ -287,9 +310,7 @@ Report describe(const model::Case &scene, const ResponseResult &result) {
         "response", weight_alone(result) ? "Response to the weight" : "Unbalance response", scene,
         result, {json_of, csv_of, sections_of, text_of, main_figure});
     report.pictures = [&scene, &result] { return pictures_of(scene, result); };
-    report.pictures_heading = !result.gravity || weight_alone(result) ? "Polar plot"
-                              : has_polar(result) ? "Polar plot and motion under the weight"
-                                                  : "Motion under the weight";
+    report.pictures_heading = pictures_heading(result);
     report.pictures_after = weight_alone(result) ? 0 : 2;
     return report;
 }

@@ -1,0 +1,250 @@
+#include "report/response/orbits.h"
+
+#include "report/common/text_width.h"
+#include "report/common/words.h"
+#include "report/pictures/shaft_outline.h"
+#include "report/pictures/style.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::report {
+
+using results::DeflectedShape;
+using results::Orbit;
+using results::Orbits;
+
+namespace {
+
+constexpr std::size_t most_rows = 6; ///< speeds that are drawn
+constexpr std::size_t most_supports = 4;
+constexpr double cell_width = 250, cell_height = 300; ///< pixels
+constexpr double square = 165;
+constexpr const char *clearance_colour = "#8A4B00";
+
+/// Places whose orbits are drawn, in the order of the shaft: bearings and seals, those with a
+/// clearance first, and the station that moves most at any of the speeds.
+std::vector<std::size_t> drawn_places(const std::vector<Orbits> &orbits) {
+    const std::vector<Orbit> &places = orbits.front().stations;
+    std::vector<std::size_t> drawn;
+    for (const bool with_clearance : {true, false})
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (places[i].of != "station" && places[i].clearance.has_value() == with_clearance &&
+                drawn.size() < most_supports)
+                drawn.push_back(i);
+    std::size_t largest = 0;
+    double most = 0;
+    for (const Orbits &at : orbits)
+        for (std::size_t i = 0; i < at.stations.size(); ++i)
+            if (at.stations[i].major > most * (1 + 1e-9)) {
+                most = at.stations[i].major;
+                largest = i;
+            }
+    if (std::find(drawn.begin(), drawn.end(), largest) == drawn.end())
+        drawn.push_back(largest);
+    std::stable_sort(drawn.begin(), drawn.end(),
+                     [&](std::size_t a, std::size_t b) { return places[a].z < places[b].z; });
+    return drawn;
+}
+
+/// The largest of 1, 2, 5 times a power of ten that is not above a value.
+double round_below(double value) {
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    return value >= 5 * power ? 5 * power : value >= 2 * power ? 2 * power : power;
+}
+
+/// Deflections here are never from peak to peak: a clearance stands beside them.
+std::string deflection_unit() { return unit_name("deflection", "µm"); }
+std::string axis_name(const char *what) {
+    return plot_text(fmt::format("{} ({})", what, deflection_unit()));
+}
+
+/// Cut where it is too long, with dots.
+std::string fitting(std::string text, double size, double width) {
+    if (text_width(text, size) <= width)
+        return text;
+    while (!text.empty() && text_width(text + "…", size) > width) {
+        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
+            text.pop_back();
+        text.pop_back();
+    }
+    return text + "…";
+}
+
+PlotPoint at_angle(const Orbit &orbit, double angle) {
+    return {orbit.x * std::cos(angle + orbit.x_phase) * still_micrometres,
+            orbit.y * std::cos(angle + orbit.y_phase) * still_micrometres};
+}
+
+std::vector<PlotPoint> round_about(double radius) {
+    std::vector<PlotPoint> points;
+    for (int k = 0; k <= 120; ++k)
+        points.push_back({radius * std::cos(k * pi / 60), radius * std::sin(k * pi / 60)});
+    return points;
+}
+
+/// A quarter of a turn after the phase mark, the way the orbit is run through.
+std::vector<PlotPoint> arrow_head(const Orbit &orbit, double sign, double size) {
+    constexpr double step = 1e-3; // of a turn
+    const PlotPoint before = at_angle(orbit, sign * (pi / 2 - step));
+    const PlotPoint there = at_angle(orbit, sign * (pi / 2 + step));
+    const double dx = there.x - before.x;
+    const double dy = *there.y - *before.y;
+    const double length = std::hypot(dx, dy);
+    if (length == 0)
+        return {{there.x, std::nullopt}};
+    const double ex = size * dx / length;
+    const double ey = size * dy / length;
+    const PlotPoint tip{there.x + ex, *there.y + ey};
+    return {tip,
+            {there.x - ex - 0.8 * ey, *there.y - ey + 0.8 * ex},
+            {there.x - ex + 0.8 * ey, *there.y - ey - 0.8 * ex},
+            tip};
+}
+
+/// What is said above an orbit.
+std::string orbit_words(const Orbit &orbit) {
+    if (const auto share = orbit.share())
+        return fmt::format("{:.3g} % of the clearance", *share * 100);
+    return orbit.of == "station" ? "" : "no clearance given";
+}
+
+/// Half of the side of a panel: the clearance circle where the orbit can be seen in it.
+double reach_of(const Orbit &orbit) {
+    constexpr double seen = 0.25;
+    const double share = orbit.share().value_or(0);
+    const double size = share >= seen     ? std::max(orbit.major, *orbit.clearance)
+                        : orbit.major > 0 ? 1.15 * orbit.major
+                                          : orbit.clearance.value_or(1e-6);
+    return 1.12 * size * still_micrometres;
+}
+
+/// @param sign  of the spin speed
+std::string orbit_panel(const Orbit &orbit, double sign) {
+    const double reach = reach_of(orbit);
+    const double tic = round_below(0.9 * reach);
+    std::string data;
+    std::string plots;
+    if (orbit.clearance && *orbit.clearance * still_micrometres <= reach) {
+        data += data_block("c", {round_about(*orbit.clearance * still_micrometres)});
+        plots += fmt::format("$c with filledcurves closed fs solid 1 noborder fc rgb '#F4F6F8', "
+                             "$c with lines lc rgb '{}' lw 1.6 dt (9,5) notitle, ",
+                             clearance_colour);
+    }
+    std::vector<PlotPoint> path;
+    for (int k = 0; k <= 120; ++k)
+        path.push_back(at_angle(orbit, sign * k * pi / 60));
+    data += data_block("o", {path}) + data_block("k", {{path.front()}}) +
+            data_block("a", {arrow_head(orbit, sign, 0.085 * reach)});
+    return data +
+           fmt::format(
+               "set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xtics ({2}, 0, {3}) font ',9'\n"
+               "set ytics ({2}, 0, {3}) font ',9'\n",
+               -reach, reach, -tic, tic) +
+           "plot " + plots +
+           "$o with lines lc rgb '#0072B2' lw 2 notitle, $a with filledcurves closed fs solid 1 "
+           "noborder "
+           "fc rgb '#0072B2', $k with points pt 7 ps 0.9 lc rgb '#000000' notitle\nunset label\n";
+}
+
+} // namespace
+
+Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits) {
+    const std::vector<std::size_t> drawn = drawn_places(orbits);
+    const std::size_t rows = std::min(orbits.size(), most_rows);
+    Figure figure;
+    figure.width =
+        std::max(860, static_cast<int>(70 + cell_width * static_cast<double>(drawn.size())));
+    figure.height = static_cast<int>(90 + cell_height * static_cast<double>(rows));
+    const double high = figure.height;
+    const double wide = figure.width;
+    figure.script = figure_head(
+        "Orbits: " + title_of(scene),
+        "disc: Ωt = 0; arrow: the way it is run through; broken circle: radial clearance; in a "
+        "bearing against its pedestal",
+        figure.height);
+    figure.script += "unset key\nset tics scale 0.5\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
+    for (std::size_t row = 0; row < rows; ++row)
+        for (std::size_t column = 0; column < drawn.size(); ++column) {
+            const Orbit &orbit = orbits[row].stations[drawn[column]];
+            const double left = 75 + cell_width * static_cast<double>(column);
+            const double top = 75 + cell_height * static_cast<double>(row);
+            const auto label = [&](int number, const std::string &text, double x, double y,
+                                   const char *look) {
+                return fmt::format("set label {} {} at screen {},{} {}\n", number, plot_text(text),
+                                   x / wide, 1 - y / high, look);
+            };
+            if (column == 0)
+                figure.script +=
+                    label(1, fmt::format("at {} rpm", readable(orbits[row].speed * rpm, 6)), 20,
+                          top + 8, "left font ',12'");
+            figure.script +=
+                label(2, fitting(place_text(orbit.name, orbit.z), 12.5, cell_width - 20),
+                      left + square / 2, top + 32, "center font ',10'") +
+                label(3, orbit_words(orbit), left + square / 2, top + 51,
+                      "center font ',9' textcolor '#555555'") +
+                panel_margins(left / wide, (left + square) / wide, 1 - (top + 64 + square) / high,
+                              1 - (top + 64) / high) +
+                fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n", axis_name("x"),
+                            column == 0
+                                ? fmt::format("set ylabel {} font ',9' offset 1,0", axis_name("y"))
+                                : "unset ylabel") +
+                orbit_panel(orbit, orbits[row].speed < 0 ? -1 : 1);
+        }
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+namespace {
+
+std::string shape_data(const DeflectedShape &shape) {
+    std::string data = "$shape << EOD\n";
+    for (std::size_t i = 0; i < shape.z.size(); ++i)
+        data += fmt::format("{:.7g} {:.7g} {:.7g} {:.7g}\n", shape.z[i] * metres,
+                            shape.x[i] * still_micrometres, shape.y[i] * still_micrometres,
+                            shape.envelope[i] * still_micrometres);
+    return data + "EOD\n";
+}
+
+} // namespace
+
+Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes) {
+    const std::size_t rows = std::min(shapes.size(), most_rows);
+    constexpr double panel = 250;
+    Figure figure;
+    figure.width = 1080;
+    figure.height = static_cast<int>(125 + panel * static_cast<double>(rows));
+    const double high = figure.height;
+    const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
+    figure.script =
+        figure_head("Deflected shapes: " + title_of(scene),
+                    "at the instant of the largest deflection, with the envelope of the orbits; "
+                    "the outline of the rotor is not to that scale",
+                    figure.height) +
+        panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
+        "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
+        fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length, 1.03 * length,
+                    axis_name("Deflection"));
+    for (std::size_t row = 0; row < rows; ++row) {
+        const DeflectedShape &shape = shapes[row];
+        const double largest = shape.largest > 0 ? shape.largest * still_micrometres : 1;
+        const double top = 120 + panel * static_cast<double>(row);
+        figure.script +=
+            outline_data(scene.rotor, largest) + shape_data(shape) +
+            panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
+            fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
+                        -1.25 * largest, 1.25 * largest,
+                        plot_text(fmt::format("at {} rpm · largest {} {} at z = {} m",
+                                              readable(shape.speed * rpm, 6),
+                                              readable(shape.largest * still_micrometres, 4),
+                                              deflection_unit(), readable(shape.largest_z, 4))),
+                        row + 1 == rows ? "set xlabel 'z (m)'" : "unset xlabel") +
+            curves_over_outline("shape");
+    }
+    figure.script += "unset multiplot\n";
+    return figure;
+}
+
+} // namespace whirl::report
