@@ -152,4 +152,55 @@ TEST(BandErrors, AreAboveTheTrueOnes) {
     EXPECT_LT(20 * unknown, ends);
 }
 
+/// The bearings as they are at one speed.
+model::Case frozen(model::Case scene, double speed) {
+    for (model::Bearing &bearing : scene.rotor.bearings) {
+        bearing.rows = {bearing.at(speed)};
+        bearing.speeds.clear();
+    }
+    return scene;
+}
+
+// Rows so near that many are followed at once. A motion is below the speed from its critical speed
+// on, so of the rotor with its bearings as they are at any speed as many synchronous motions are
+// below that speed as the list has critical speeds below it.
+TEST(CriticalSpeeds, OfFineTablesAreThoseThatCountsAtConstantBearingsShow) {
+    Random random(11);
+    for (int rotor = 0; rotor < 3; ++rotor) {
+        model::Case scene = random_scene(random, 2);
+        const double phase = random(0, 6);
+        for (model::Bearing &bearing : scene.rotor.bearings) {
+            const model::BearingCoefficients mean = bearing.rows.front();
+            bearing.rows.clear();
+            for (double speed = 20; speed < 4000; speed *= 1.01) {
+                model::BearingCoefficients row = mean;
+                row.k *= 1 + 0.4 * std::sin(1.5 * std::log(speed) + phase);
+                row.c *= 1 + 0.4 * std::cos(1.5 * std::log(speed) + phase);
+                bearing.speeds.push_back(speed);
+                bearing.rows.push_back(row);
+            }
+        }
+        scene.speeds = model::SpeedRange{0, 3500, 2};
+        const std::vector<CriticalSpeed> found = analyses::critical_speeds(scene).critical_speeds;
+        for (double speed = 25; speed < 3500; speed *= 1.15) {
+            const auto below = [speed](const std::vector<CriticalSpeed> &list) {
+                return std::count_if(list.begin(), list.end(),
+                                     [speed](const CriticalSpeed &c) { return c.speed < speed; });
+            };
+            const auto expected =
+                below(analyses::unjudged_critical_speeds(frozen(scene, speed)).critical_speeds);
+            EXPECT_EQ(below(found), expected) << "rotor " << rotor << " at " << speed;
+        }
+        for (const CriticalSpeed &critical : found) { // each stands where its bearings are
+            const auto there =
+                analyses::unjudged_critical_speeds(frozen(scene, critical.speed)).critical_speeds;
+            double nearest = 1;
+            for (const CriticalSpeed &c : there)
+                nearest = std::min(nearest, std::abs(c.speed / critical.speed - 1));
+            if (critical.speed < 3500)
+                EXPECT_LT(nearest, 1e-9) << "rotor " << rotor << ", " << critical.speed;
+        }
+    }
+}
+
 } // namespace
