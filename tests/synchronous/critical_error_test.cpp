@@ -203,4 +203,41 @@ TEST(CriticalSpeeds, OfFineTablesAreThoseThatCountsAtConstantBearingsShow) {
     }
 }
 
+// A disc in the middle of a symmetric rotor does not tilt in the first mode: forward and backward
+// critical speeds are one, and no mixture of the two shapes is named twice alike.
+TEST(CriticalSpeeds, OfOneEigenvalueAreOneForwardAndOneBackward) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.0, 0.03, tests::steel());
+    scene.rotor.discs = {tests::disc_at(0.5, 20, 0.1, 0.2)};
+    scene.campbell.modes = 2;
+    for (const double damping : {0.0, 1e-6, 50.0}) {
+        scene.rotor.bearings = {tests::isotropic_bearing(0, 1e6, damping),
+                                tests::isotropic_bearing(1, 1e6, damping)};
+        for (const auto form : {model::FormChoice::automatic, model::FormChoice::general}) {
+            scene.formulation = form;
+            const auto list = analyses::critical_speeds(scene).critical_speeds;
+            ASSERT_GE(list.size(), 2U);
+            // The shaft's own sections tilt: 1e-4.
+            EXPECT_NEAR(list[1].speed / list[0].speed, 1, 1e-3);
+            const auto forward = [](const CriticalSpeed &c) {
+                return c.whirl == results::Whirl::forward;
+            };
+            const auto backward = [](const CriticalSpeed &c) {
+                return c.whirl == results::Whirl::backward;
+            };
+            EXPECT_EQ(std::count_if(list.begin(), list.begin() + 2, forward), 1) << damping;
+            EXPECT_EQ(std::count_if(list.begin(), list.begin() + 2, backward), 1) << damping;
+        }
+    }
+    // Without rotary inertia of the shaft they are one to rounding.
+    scene.rotor.shaft.rotary_inertia = false;
+    scene.formulation = model::FormChoice::general;
+    const auto list = analyses::critical_speeds(scene).critical_speeds;
+    ASSERT_GE(list.size(), 2U);
+    EXPECT_NEAR(list[1].speed / list[0].speed, 1, 1e-8);
+    EXPECT_NE(list[0].whirl, list[1].whirl);
+    EXPECT_NE(list[0].whirl, results::Whirl::mixed);
+    EXPECT_NE(list[1].whirl, results::Whirl::mixed);
+}
+
 } // namespace
