@@ -145,6 +145,51 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
                                           gap.from, gap.to, what, gap.frequency));
 }
 
+/// Lines on which motion grows.
+void note_growing(results::CampbellResult &result) {
+    for (const results::CampbellMode &mode : result.modes) {
+        std::vector<double> at;
+        for (std::size_t k = 0; k < mode.real.size(); ++k) {
+            constexpr double always = 1e-9; // of the frequency: rounding
+            if (!mode.real[k] || !mode.frequency[k])
+                continue;
+            const double noise = (always + 10 * mode.residual[k].value_or(0)) *
+                                 std::max(*mode.frequency[k], std::abs(result.speeds[k]));
+            if (*mode.real[k] > noise)
+                at.push_back(result.speeds[k]);
+        }
+        if (!at.empty())
+            result.model.notes.push_back(
+                fmt::format("unstable: mode {} grows (negative damping) at {} of {} speeds, from "
+                            "{:.6g} to {:.6g} rad/s; `stability` finds where it begins",
+                            mode.label, at.size(), result.speeds.size(), at.front(), at.back()));
+    }
+}
+
+/// Speeds so far apart that lines exchange their places between them.
+void note_far_apart(results::CampbellResult &result) {
+    constexpr int most = 4; // of two pairs of modes
+    int largest = 0;
+    std::size_t at = 0;
+    for (std::size_t k = 1; k < result.speeds.size(); ++k) {
+        const auto inside = static_cast<int>(std::count_if(
+            result.crossings.begin(), result.crossings.end(), [&](const results::Crossing &c) {
+                return c.multiple == result.crossings.front().multiple &&
+                       c.speed > result.speeds[k - 1] && c.speed <= result.speeds[k];
+            }));
+        if (inside > largest) {
+            largest = inside;
+            at = k;
+        }
+    }
+    if (largest > most)
+        result.model.notes.push_back(fmt::format(
+            "{} crossings lie between {:.6g} and {:.6g} rad/s, two neighbours of the speeds: modes "
+            "that exchange their places in between can cross unseen; take more speeds, or "
+            "`critical`, which needs none",
+            largest, result.speeds[at - 1], result.speeds[at]));
+}
+
 /// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
 void note_real(results::CampbellResult &result, const std::vector<modes::Spectrum> &spectra) {
     std::size_t overdamped = 0;
@@ -248,6 +293,8 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     note_absent(result, tracking.lines);
+    note_growing(result);
+    note_far_apart(result);
     note_real(result, spectra);
     note_few(result.model, spectra, scene.campbell.modes);
     note_gaps(result.model, tracking.gaps, "a mode could not be followed");

@@ -13,6 +13,7 @@
 #include "results/damping.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
+#include "rigid/shaft.h"
 #include "synchronous/critical_error.h"
 #include "synchronous/critical_speeds.h"
 
@@ -99,6 +100,24 @@ void drop_second_directions(std::vector<results::CriticalSpeed> &speeds, int wan
         speeds.pop_back();
 }
 
+/// A shaft that does not bend: what its bearings let it do is lost in the rounding of its
+/// stiffness.
+void note_rounding(const model::Rotor &rotor, results::CriticalResult &result) {
+    const double shaft = rotor.shaft.rigid ? 0 : rigid::bending_stiffness(rotor);
+    double bearings = 0;
+    for (const model::Bearing &bearing : rotor.bearings)
+        bearings += bearing.rows.front().k.trace() / 2;
+    constexpr double far = 1e9; // of the 1e16 that double precision holds
+    const bool lost = std::any_of(result.critical_speeds.begin(), result.critical_speeds.end(),
+                                  [](const auto &c) { return !(c.error < 1e-6); });
+    if (lost && bearings > 0 && shaft > far * bearings)
+        result.model.notes.push_back(fmt::format(
+            "the shaft (48 EI/L^3 = {:.3g} N/m) is {:.1g} times as stiff as its bearings: rounding "
+            "hides the slow motions, critical speeds can be wrong by their errors or missing; "
+            "shaft.rigid = true gives those of the rigid rotor",
+            shaft, shaft / bearings));
+}
+
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
                                  int order, bool judged) {
@@ -135,6 +154,7 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
         drop_second_directions(result.critical_speeds, wanted, top);
     const bool more_wanted = static_cast<int>(result.critical_speeds.size()) < wanted;
     note_completeness(list, more_wanted, scene.rotor.shaft.rigid, result);
+    note_rounding(scene.rotor, result);
     return result;
 }
 

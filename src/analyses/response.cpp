@@ -1,6 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/critical.h"
+#include "analyses/notes/growth.h"
 #include "analyses/orbits/response_orbits.h"
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
@@ -347,6 +348,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
         return {};
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);
+    note_growing_motions(scene, result.model);
     if (!scene.rotor.balancers.empty())
         result.model.notes.emplace_back(
             "the rotor is driven by its imbalances and by those that its balancers are to balance; "

@@ -1,5 +1,6 @@
 #include "analyses/stability.h"
 
+#include "analyses/notes/drive.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
@@ -385,6 +386,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     if (result.map && !result.map->why.empty())
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
+    note_drives(scene, result);
     return result;
 }
 

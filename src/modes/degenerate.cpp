@@ -16,13 +16,15 @@ namespace {
 constexpr double same = 1e-9;
 
 /// Orthonormalises the deflections of the group, then diagonalises its mean orbit area.
-void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode *group, int size) {
+void separate(const DeflectionsOf &deflections, const Stations &stations, bool real,
+              WhirlMode *group, int size) {
     const auto points = static_cast<Eigen::Index>(stations.z().size());
     Eigen::MatrixXcd X(points, size);
     Eigen::MatrixXcd Y(points, size);
     for (int i = 0; i < size; ++i) {
-        X.col(i) = solver.x_at(group[i], stations);
-        Y.col(i) = solver.y_at(group[i], stations);
+        const auto [x, y] = deflections(group[i]);
+        X.col(i) = x;
+        Y.col(i) = y;
     }
     const std::complex<double> j(0, 1);
     const Eigen::VectorXd weights = stations.masses().cwiseSqrt();
@@ -30,13 +32,12 @@ void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode 
     const Eigen::MatrixXcd against = weights.asDiagonal() * (X - j * Y) / 2.0;
     const Eigen::MatrixXcd area = with.adjoint() * with - against.adjoint() * against;
     Eigen::MatrixXcd size2 = with.adjoint() * with + against.adjoint() * against;
-    if (solver.form() == results::Form::hyperbolic) {
+    if (real) {
         // Real shapes must stay real; both forms are real there.
         size2 = size2.real().cast<std::complex<double>>().eval();
     }
-    const Eigen::MatrixXcd form = solver.form() == results::Form::hyperbolic
-                                      ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>())
-                                      : area;
+    const Eigen::MatrixXcd form =
+        real ? Eigen::MatrixXcd(area.real().cast<std::complex<double>>()) : area;
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> eigen(form, size2);
     if (eigen.info() != Eigen::Success)
         return; // deflections that vanish at all stations: left as they are
@@ -52,6 +53,14 @@ void separate(const SpectrumSolver &solver, const Stations &stations, WhirlMode 
 
 void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
                          std::vector<WhirlMode> &modes) {
+    const auto deflections = [&](const WhirlMode &mode) {
+        return std::pair(solver.x_at(mode, stations), solver.y_at(mode, stations));
+    };
+    separate_degenerate(deflections, stations, solver.form() == results::Form::hyperbolic, modes);
+}
+
+void separate_degenerate(const DeflectionsOf &deflections, const Stations &stations, bool real,
+                         std::vector<WhirlMode> &modes) {
     std::size_t first = 0;
     for (std::size_t i = 1; i <= modes.size(); ++i) {
         const bool joined =
@@ -61,7 +70,7 @@ void separate_degenerate(const SpectrumSolver &solver, const Stations &stations,
             continue;
         // Zero modes of free rotors come separated.
         if (i - first > 1 && modes[first].eigenvalue != 0.0)
-            separate(solver, stations, &modes[first], static_cast<int>(i - first));
+            separate(deflections, stations, real, &modes[first], static_cast<int>(i - first));
         first = i;
     }
 }

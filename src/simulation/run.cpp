@@ -164,7 +164,8 @@ void Run::pass_jump(double time) {
         _stations->begin(time, state.data());
     if (_dry)
         _dry->begin(time, state);
-    _solver.start(time, state.data());
+    // The integrator's own guess would follow a torque that jumps from nothing: too short to start.
+    _solver.start(time, state.data(), 1e-3 / _scales.speed);
 }
 
 /// One step of the integrator, or as much of it as there is until an event.
@@ -177,10 +178,11 @@ void Run::step(double stop) {
         Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
     const double from = _t;
     _t = _solver.step(stop);
+    const double length = _t - from;
     if (auto event = _dry->within(from, before, _t, _solver.state())) {
         _t = event->time;
         _dry->pass(*event);
-        _solver.start(_t, event->state.data());
+        _solver.start(_t, event->state.data(), length);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "synchronous/critical_speeds.h"
 
 #include "assembly/planes.h"
+#include "modes/degenerate.h"
 #include "modes/orbits.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace whirl::synchronous {
 
@@ -33,13 +35,16 @@ modes::WhirlMode mode_of(const linalg::RealPair &pair, results::Form form) {
 
 void set_sense(const Discretization &d, bool hyperbolic, std::vector<modes::WhirlMode> &modes) {
     const modes::Stations stations = modes::Stations::for_orbits(d);
-    const std::complex<double> i(0, 1);
-    for (modes::WhirlMode &mode : modes) {
+    const std::complex<double> factor = hyperbolic ? std::complex<double>(0, 1) : 1;
+    const auto deflections = [&](const modes::WhirlMode &mode) {
         const assembly::Planes planes(mode.shape);
-        const Eigen::VectorXcd x = stations.deflections(planes.x);
-        const Eigen::VectorXcd y = stations.deflections(planes.y);
-        const modes::OrbitSense sense =
-            modes::orbit_sense(x, hyperbolic ? Eigen::VectorXcd(i * y) : y, stations, 1);
+        return std::pair(stations.deflections(planes.x),
+                         Eigen::VectorXcd(factor * stations.deflections(planes.y)));
+    };
+    modes::separate_degenerate(deflections, stations, hyperbolic, modes);
+    for (modes::WhirlMode &mode : modes) {
+        const auto [x, y] = deflections(mode);
+        const modes::OrbitSense sense = modes::orbit_sense(x, y, stations, 1);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }

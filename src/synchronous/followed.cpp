@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 namespace whirl::synchronous {
 
@@ -67,9 +68,10 @@ struct Cubic {
 };
 
 /// Zeros of the cubic as u; none where their number is doubtful.
-std::optional<std::vector<double>> zeros_of(const Cubic &cubic) {
+/// @param unseen  relative: what the ends do not know of the speeds between
+std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
     constexpr int parts = 32;
-    const double doubt = 2 * cubic.misfit() + 1e-11 * (cubic.from + cubic.h);
+    const double doubt = 2 * cubic.misfit() + (1e-11 + unseen) * (cubic.from + cubic.h);
     std::vector<double> values;
     for (int i = 0; i <= parts; ++i)
         values.push_back(cubic.above(i / static_cast<double>(parts)));
@@ -91,12 +93,55 @@ std::optional<std::vector<double>> zeros_of(const Cubic &cubic) {
     return zeros;
 }
 
-/// One piece of the tables, from row to row.
+/// Rows that are followed at once where the tables hardly bend: by how much of its largest
+/// coefficient of a kind a row may be off the straight line between its neighbours, how many, and
+/// the ratio of their speeds. What the ends cannot know of such a piece is less than `between`.
+constexpr double hardly = 1e-4;
+constexpr std::size_t most_rows = 16;
+constexpr double widest = 1.25;
+constexpr double between = 5e-3;
+
+/// Of the largest entries: how far the coefficients at a row are off the line between two others.
+double off_line(const model::Bearing &bearing, double before, double at, double after) {
+    const double share = (at - before) / (after - before);
+    const model::BearingCoefficients a = bearing.at(before);
+    const model::BearingCoefficients here = bearing.at(at);
+    const model::BearingCoefficients b = bearing.at(after);
+    double off = 0;
+    for (const auto part : {&model::BearingCoefficients::k, &model::BearingCoefficients::c}) {
+        const double size =
+            std::max((a.*part).cwiseAbs().maxCoeff(), (b.*part).cwiseAbs().maxCoeff());
+        const double gap =
+            (here.*part - (1 - share) * (a.*part) - share * (b.*part)).cwiseAbs().maxCoeff();
+        off = std::max(off, gap > 0 ? gap / size : 0);
+    }
+    return off;
+}
+
+/// Rows from `first` on that are followed at once: two, or more where the tables hardly bend.
+std::vector<double> rows_at_once(const model::Rotor &rotor, const std::vector<double> &rows,
+                                 std::size_t first) {
+    std::vector<double> out{rows[first], rows[first + 1]};
+    for (std::size_t next = first + 2; next < rows.size() && out.size() < most_rows; ++next) {
+        const double before = out[out.size() - 2];
+        const bool bends = std::any_of(
+            rotor.bearings.begin(), rotor.bearings.end(), [&](const model::Bearing &bearing) {
+                return bearing.depends_on_speed() &&
+                       off_line(bearing, before, out.back(), rows[next]) > hardly;
+            });
+        if (bends || !(rows[next] < widest * out.front()))
+            break;
+        out.push_back(rows[next]);
+    }
+    return out;
+}
+
+/// A piece of the tables, from row to row, or over several rows.
 class Follower {
   public:
-    Follower(const GeneralSynchronous &problem, double from, double to)
-        : _problem(problem), _piece(problem.problem(from), problem.problem(to), from, to),
-          _first(from), _last(to) {}
+    Follower(const GeneralSynchronous &problem, std::vector<double> rows)
+        : _problem(problem), _rows(std::move(rows)), _pieces(_rows.size() - 1),
+          _first(_rows.front()), _last(_rows.back()) {}
 
     std::vector<modes::WhirlMode> found;
     std::vector<std::pair<double, double>> doubtful;
@@ -109,7 +154,8 @@ class Follower {
             if (mode.eigenvalue.imag() < 0.4 * _first || mode.eigenvalue.imag() > 1.6 * _last)
                 continue; // too far to matter, or to be the partner of one that does
             std::optional<BranchPoint> point =
-                _piece.point(speed, mode.eigenvalue, mode.shape, 1e-7); // for the derivative
+                piece(place_of(speed))
+                    .point(speed, mode.eigenvalue, mode.shape, 1e-7); // derivative
             // Iteration that runs to another eigenvalue has nothing to say on this one.
             if (point &&
                 std::abs(point->eigenvalue - mode.eigenvalue) < 1e-5 * std::abs(mode.eigenvalue))
@@ -124,21 +170,58 @@ class Follower {
         if (resolved(a, b))
             return;
         constexpr int deepest = 12;
-        constexpr int most_samples = 100;
+        const int most_samples = 100 + 4 * static_cast<int>(_rows.size());
         if (depth == deepest || ++_samples > most_samples) {
             doubtful.emplace_back(a.speed, b.speed);
             return;
         }
-        const Sample middle = sample((a.speed + b.speed) / 2);
+        const Sample middle = sample(cut(a.speed, b.speed));
         follow(a, middle, depth + 1);
         follow(middle, b, depth + 1);
     }
 
   private:
     const GeneralSynchronous &_problem;
-    LinearSynchronous _piece;
+    std::vector<double> _rows;
+    mutable std::vector<std::optional<LinearSynchronous>> _pieces; ///< between rows, once needed
     double _first, _last;
     int _samples = 0;
+
+    [[nodiscard]] std::size_t place_of(double speed) const {
+        const auto above = std::upper_bound(_rows.begin() + 1, _rows.end() - 1, speed);
+        return static_cast<std::size_t>(above - _rows.begin()) - 1;
+    }
+    [[nodiscard]] const LinearSynchronous &piece(std::size_t i) const {
+        if (!_pieces[i])
+            _pieces[i].emplace(_problem.problem(_rows[i]), _problem.problem(_rows[i + 1]), _rows[i],
+                               _rows[i + 1]);
+        return *_pieces[i];
+    }
+    /// Rows strictly between two speeds.
+    [[nodiscard]] bool holds_rows(double from, double to) const {
+        const auto next = std::upper_bound(_rows.begin(), _rows.end(), from);
+        return next != _rows.end() && *next < to;
+    }
+    /// The middle of a step, or the row next to it.
+    [[nodiscard]] double cut(double from, double to) const {
+        const double middle = (from + to) / 2;
+        if (!holds_rows(from, to))
+            return middle;
+        const auto above = std::lower_bound(_rows.begin() + 1, _rows.end() - 1, middle);
+        return *above < to && (*above - middle < middle - *(above - 1) || *(above - 1) <= from)
+                   ? *above
+                   : *(above - 1);
+    }
+    /// The zero near a speed, in the piece that holds it or one of its neighbours.
+    [[nodiscard]] std::optional<BranchPoint> standing(double speed, Complex l,
+                                                      const Eigen::VectorXcd &shape) const {
+        const auto here = static_cast<int>(place_of(speed));
+        for (const int aside : {0, -1, 1, -2, 2})
+            if (const int i = here + aside; i >= 0 && i < static_cast<int>(_pieces.size()))
+                if (auto point = piece(static_cast<std::size_t>(i)).standing(speed, l, shape))
+                    return point;
+        return std::nullopt;
+    }
 
     /// It could pass Im l = s in a step of this length.
     static bool matters(const BranchPoint &point, double speed, double step) {
@@ -236,7 +319,7 @@ class Follower {
     bool add_zeros(const Sample &a, std::size_t i, const Sample &b, std::size_t j,
                    std::vector<modes::WhirlMode> &modes) const {
         const Cubic cubic(a, a.points[i], b, b.points[j]);
-        auto zeros = zeros_of(cubic);
+        auto zeros = zeros_of(cubic, holds_rows(a.speed, b.speed) ? between : 0);
         if (!zeros)
             return false;
         for (const double end : {0.0, 1.0})
@@ -245,7 +328,7 @@ class Follower {
         for (const double u : *zeros) {
             const Eigen::VectorXcd &shape = (u < 0.5 ? a.points[i] : b.points[j]).shape;
             const double speed = a.speed + u * cubic.h;
-            const auto point = _piece.standing(speed, cubic.eigenvalue(u), shape);
+            const auto point = standing(speed, cubic.eigenvalue(u), shape);
             const double slack = cubic.misfit() + 1e-9 * speed;
             if (!point || std::abs(point->eigenvalue.imag() - speed) > slack + 0.5 * cubic.h)
                 return false;
@@ -275,10 +358,14 @@ FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) c
         out.doubtful.emplace_back(first.complete_to, row);
     out.complete_to = row;
     const auto enough = [&] { return static_cast<int>(out.modes.size()) >= wanted && row > top; };
-    for (const double next : rows) {
-        if (next <= row || enough())
-            continue;
-        Follower follower(_problem, row, next);
+    std::vector<double> left{row};
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(left),
+                 [row](double other) { return other > row; });
+    for (std::size_t i = 0; i + 1 < left.size() && !enough();) {
+        const std::vector<double> at_once = rows_at_once(_d.rotor(), left, i);
+        i += at_once.size() - 1;
+        const double next = at_once.back();
+        Follower follower(_problem, at_once);
         const Sample from = follower.sample(row);
         const Sample to = follower.sample(next);
         follower.follow(from, to, 0);

@@ -19,6 +19,8 @@ inline std::vector<BrokenCase> broken_bearings() {
         {"m and mxx", 11, "bearing[0].m", "got both", bearing + "k = 1\nm = 1\nmxx = 1\n"},
         {"mass that drives", 11, "bearing[0].mxx", "got -1 kg in one",
          bearing + "k = 1\nmxx = -1\n"},
+        {"mass that drives along y", 12, "bearing[0].myy", "got -2 kg in one",
+         bearing + "k = 1\nmxx = 1\nmyy = -2\n"},
         {"mass that drives askew", 11, "bearing[0].mxx", "resist acceleration in every direction",
          bearing + "k = 1\nmxx = 1\nmxy = 2\nmyx = 2\nmyy = 1\n"},
         {"mass that varies",

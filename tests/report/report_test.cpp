@@ -1,4 +1,5 @@
 #include "model/errors.h"
+#include "report/pictures/figures.h"
 #include "results/accuracy.h"
 #include "results/campbell.h"
 #include "results/critical.h"
@@ -11,8 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <numbers>
 
 namespace whirl::report {
 
@@ -174,6 +177,25 @@ TEST_F(ReportTest, WithoutGnuplotTheRestIsWrittenAndANoteSaysSo) {
     EXPECT_NE(files.notes[0].find("gnuplot"), std::string::npos);
     EXPECT_FALSE(fs::exists(folder / "campbell.svg"));
     EXPECT_TRUE(fs::exists(folder / "campbell.json"));
+}
+
+// Each imbalance is in the drawing, on its side, with its size; one of zero is not.
+TEST(SceneDrawing, ShowsImbalances) {
+    model::Case scene;
+    model::Segment segment;
+    segment.length = 1;
+    segment.outer_start = segment.outer_end = 0.05;
+    scene.rotor.shaft.segments = {segment};
+    scene.rotor.imbalances = {
+        {"", 0.25, 12e-6, 0}, {"blade", 0.5, 2e-3, std::numbers::pi}, {"", 0.75, 0, 0}};
+    const Drawing drawing = scene_drawing(scene);
+    const auto text = [&](const std::string &wanted) {
+        return std::count_if(drawing.texts.begin(), drawing.texts.end(),
+                             [&](const auto &t) { return t.text == wanted; });
+    };
+    EXPECT_EQ(text("imbalance 1: 12 g mm"), 1);
+    EXPECT_EQ(text("blade: 2000 g mm"), 1);
+    EXPECT_EQ(text("imbalance 3: 0 g mm"), 0);
 }
 
 } // namespace whirl::report

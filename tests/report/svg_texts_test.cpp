@@ -1,5 +1,7 @@
 // The boxes by which tests/cases/pictures_test.cpp judges the pictures.
 
+#include "report/common/text_width.h"
+#include "report/common/words.h"
 #include "support/svg_texts.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +31,27 @@ TEST(SvgTexts, BoxesFollowAnchorLettersAndTurn) {
     EXPECT_NEAR(boxes[2].corners[1].y, 90 - 25.89, 1e-9) << "it reads upwards";
     EXPECT_NEAR(boxes[2].corners[2].x, 10, 1e-9) << "on its baseline";
     EXPECT_LT(boxes[2].corners[1].x, 10);
+}
+
+// Advance widths of DejaVu Sans in thousandths: u 634, e with any accent 615, an ideograph 1000
+// (there in fonts that stand in), Cyrillic Sha 1077 as the widest of its script.
+TEST(TextWidth, FollowsTheFontBeyondAscii) {
+    EXPECT_NEAR(report::text_width("ü", 10), 6.34, 1e-9);
+    EXPECT_NEAR(report::text_width("éèê", 10), 3 * 6.15, 1e-9);
+    EXPECT_NEAR(report::text_width("e\u0301", 10), 6.15, 1e-9) << "the accent apart";
+    EXPECT_NEAR(report::text_width("10 µm", 10), report::text_width("10 m", 10) + 6.36, 1e-9);
+    EXPECT_NEAR(report::text_width("轴承", 10), 20, 1e-9);
+    EXPECT_GT(report::text_width("Подшипник", 10), 50);
+}
+
+// Rings of polar plots at 500 and 1000 um, amplification factors of thousands.
+TEST(Words, NumbersForReadersHaveNoPowerOfTenBelowAMillion) {
+    EXPECT_EQ(report::readable(1000, 3), "1000");
+    EXPECT_EQ(report::readable(123456, 3), "123000");
+    EXPECT_EQ(report::readable(999999, 3), "1e+06");
+    EXPECT_EQ(report::readable(2.5e7, 3), "2.5e+07");
+    EXPECT_EQ(report::readable(0.012345, 3), "0.0123");
+    EXPECT_EQ(report::readable(-4321, 2), "-4300");
 }
 
 TEST(SvgTexts, FaultsAreTextsOutsideAndOnEachOther) {

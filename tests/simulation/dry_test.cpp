@@ -1,6 +1,7 @@
 // Balls that touch and balls that resist rolling, against closed forms of the same mechanics.
 
 #include "analyses/simulate.h"
+#include "input/case_file.h"
 #include "model/errors.h"
 #include "simulation/dry/dry_scene.h"
 #include "simulation/equations.h"
@@ -182,6 +183,68 @@ TEST(Contact, KeepsBallsApartByTheirDiameter) {
         EXPECT_GT(result.impacts.value(), 0);
         EXPECT_LT(result.audit.impact_gain, 1e-12);
         EXPECT_LT(std::abs(result.audit.energy_error), 1e-6 * result.audit.energy_scale);
+    }
+}
+
+// Two balls under gravity in a race at rest, both as high: each falls against the plane of
+// symmetry, so the k-th impact has restitution^k of the first one's speed, until parts stay
+// together: at 1e-5 of the fastest spin speed. A race that turns at last, without damping, does not
+// move them.
+TEST(Contact, BouncesAsOftenAsRestitutionSays) {
+    const double height = 0.3; // rad, above where they touch
+    const double g = 9.81;
+    for (const double restitution : {0.0, 0.3, 0.9}) {
+        RigidJeffcott heavy;
+        heavy.mass = 1e4;
+        heavy.kx = heavy.ky = 1e10;
+        heavy.c = 1e6;
+        model::Case scene = race(heavy, {0, 1}, 0);
+        balls_of(scene).contact = true;
+        balls_of(scene).restitution = restitution;
+        scene.simulate.tolerance = 1e-9;
+        const double touching = balls_of(scene).rows.front().touching_angle();
+        const double half = touching / 2;
+        scene.simulate.ball_angles = {{-pi / 2 - half - height, -pi / 2 + half + height}};
+        scene.simulate.gravity = g;
+        scene.simulate.run_up = {{0, 0}, {9.9, 0}, {10, 100}};
+        scene.simulate.time = 10;
+        const double first = 2 * std::sqrt(2 * g / radius * (cos(half) - cos(half + height)));
+        long expected = 0;
+        for (double speed = first; speed > 1e-5 * 100; speed *= restitution)
+            ++expected;
+        const results::SimulateResult result = analyses::simulate(scene);
+        EXPECT_EQ(result.impacts.value(), expected) << restitution;
+        EXPECT_GT(least_gap(result, touching), -1e-9) << restitution;
+        const auto &angles = result.series.angles;
+        EXPECT_NEAR(angles[1].back() - angles[0].back(), touching, 1e-9) << restitution;
+        EXPECT_LT(result.audit.impact_gain, 1e-12) << restitution;
+    }
+}
+
+// Four balls a race that lie against each other while they swing: once a step met parts that came
+// apart from a little too near and did not end.
+TEST(Contact, OfCrowdedBallsEnds) {
+    model::Case scene =
+        input::load_case(std::string(WHIRL_ROOT) + "/cases/extractor_two_plane", {});
+    for (std::size_t i = 0; i < 2; ++i)
+        balls_of(scene, i).contact = true;
+    scene.simulate.time = 4;
+    for (const double speed : {100.0, 140.0, 200.0}) {
+        scene.speeds = model::SpeedRange{speed, speed, 1};
+        const results::SimulateResult result = analyses::simulate(scene);
+        EXPECT_GT(result.impacts.value(), 20) << speed;
+        EXPECT_LT(result.impacts.value(), 2000) << speed;
+        EXPECT_LT(result.audit.impact_gain, 1e-12) << speed;
+        EXPECT_LT(std::abs(result.audit.energy_error), 1e-6 * result.audit.energy_scale) << speed;
+        const auto &angles = result.series.angles;
+        for (const std::size_t first : {0U, 4U}) // of its balancer
+            for (std::size_t i = first; i < first + 4; ++i)
+                for (std::size_t j = first; j < i; ++j) {
+                    const double apart =
+                        std::remainder(angles[i].back() - angles[j].back(), 2 * pi);
+                    EXPECT_GT(std::abs(apart), balls_of(scene).rows.front().touching_angle() - 1e-8)
+                        << speed;
+                }
     }
 }
 

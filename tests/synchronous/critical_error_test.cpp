@@ -152,4 +152,92 @@ TEST(BandErrors, AreAboveTheTrueOnes) {
     EXPECT_LT(20 * unknown, ends);
 }
 
+/// The bearings as they are at one speed.
+model::Case frozen(model::Case scene, double speed) {
+    for (model::Bearing &bearing : scene.rotor.bearings) {
+        bearing.rows = {bearing.at(speed)};
+        bearing.speeds.clear();
+    }
+    return scene;
+}
+
+// Rows so near that many are followed at once. A motion is below the speed from its critical speed
+// on, so of the rotor with its bearings as they are at any speed as many synchronous motions are
+// below that speed as the list has critical speeds below it.
+TEST(CriticalSpeeds, OfFineTablesAreThoseThatCountsAtConstantBearingsShow) {
+    Random random(11);
+    for (int rotor = 0; rotor < 3; ++rotor) {
+        model::Case scene = random_scene(random, 2);
+        const double phase = random(0, 6);
+        for (model::Bearing &bearing : scene.rotor.bearings) {
+            const model::BearingCoefficients mean = bearing.rows.front();
+            bearing.rows.clear();
+            for (double speed = 20; speed < 4000; speed *= 1.01) {
+                model::BearingCoefficients row = mean;
+                row.k *= 1 + 0.4 * std::sin(1.5 * std::log(speed) + phase);
+                row.c *= 1 + 0.4 * std::cos(1.5 * std::log(speed) + phase);
+                bearing.speeds.push_back(speed);
+                bearing.rows.push_back(row);
+            }
+        }
+        scene.speeds = model::SpeedRange{0, 3500, 2};
+        const std::vector<CriticalSpeed> found = analyses::critical_speeds(scene).critical_speeds;
+        for (double speed = 25; speed < 3500; speed *= 1.15) {
+            const auto below = [speed](const std::vector<CriticalSpeed> &list) {
+                return std::count_if(list.begin(), list.end(),
+                                     [speed](const CriticalSpeed &c) { return c.speed < speed; });
+            };
+            const auto expected =
+                below(analyses::unjudged_critical_speeds(frozen(scene, speed)).critical_speeds);
+            EXPECT_EQ(below(found), expected) << "rotor " << rotor << " at " << speed;
+        }
+        for (const CriticalSpeed &critical : found) { // each stands where its bearings are
+            const auto there =
+                analyses::unjudged_critical_speeds(frozen(scene, critical.speed)).critical_speeds;
+            double nearest = 1;
+            for (const CriticalSpeed &c : there)
+                nearest = std::min(nearest, std::abs(c.speed / critical.speed - 1));
+            if (critical.speed < 3500)
+                EXPECT_LT(nearest, 1e-9) << "rotor " << rotor << ", " << critical.speed;
+        }
+    }
+}
+
+// A disc in the middle of a symmetric rotor does not tilt in the first mode: forward and backward
+// critical speeds are one, and no mixture of the two shapes is named twice alike.
+TEST(CriticalSpeeds, OfOneEigenvalueAreOneForwardAndOneBackward) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.0, 0.03, tests::steel());
+    scene.rotor.discs = {tests::disc_at(0.5, 20, 0.1, 0.2)};
+    scene.campbell.modes = 2;
+    for (const double damping : {0.0, 1e-6, 50.0}) {
+        scene.rotor.bearings = {tests::isotropic_bearing(0, 1e6, damping),
+                                tests::isotropic_bearing(1, 1e6, damping)};
+        for (const auto form : {model::FormChoice::automatic, model::FormChoice::general}) {
+            scene.formulation = form;
+            const auto list = analyses::critical_speeds(scene).critical_speeds;
+            ASSERT_GE(list.size(), 2U);
+            // The shaft's own sections tilt: 1e-4.
+            EXPECT_NEAR(list[1].speed / list[0].speed, 1, 1e-3);
+            const auto forward = [](const CriticalSpeed &c) {
+                return c.whirl == results::Whirl::forward;
+            };
+            const auto backward = [](const CriticalSpeed &c) {
+                return c.whirl == results::Whirl::backward;
+            };
+            EXPECT_EQ(std::count_if(list.begin(), list.begin() + 2, forward), 1) << damping;
+            EXPECT_EQ(std::count_if(list.begin(), list.begin() + 2, backward), 1) << damping;
+        }
+    }
+    // Without rotary inertia of the shaft they are one to rounding.
+    scene.rotor.shaft.rotary_inertia = false;
+    scene.formulation = model::FormChoice::general;
+    const auto list = analyses::critical_speeds(scene).critical_speeds;
+    ASSERT_GE(list.size(), 2U);
+    EXPECT_NEAR(list[1].speed / list[0].speed, 1, 1e-8);
+    EXPECT_NE(list[0].whirl, list[1].whirl);
+    EXPECT_NE(list[0].whirl, results::Whirl::mixed);
+    EXPECT_NE(list[1].whirl, results::Whirl::mixed);
+}
+
 } // namespace

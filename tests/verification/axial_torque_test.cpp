@@ -1,6 +1,7 @@
 // Shafts under axial torque: critical torques in closed form (theory.md, "Axial torque").
 
 #include "analyses/response.h"
+#include "analyses/stability.h"
 #include "assembly/system.h"
 #include "modes/formulation.h"
 #include "support/scenes.h"
@@ -11,6 +12,9 @@
 #include <Eigen/Eigenvalues>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
 
 namespace {
 
@@ -169,6 +173,30 @@ TEST(AxialTorque, DoesNothingToARigidShaft) {
     ASSERT_EQ(with.size(), without.size());
     for (std::size_t i = 0; i < with.size(); ++i)
         EXPECT_EQ(with[i].eigenvalue, without[i].eigenvalue);
+}
+
+// Ends that tilt: the work of a torque that stays along z drives an undamped shaft, one with a
+// potential does not, and the note says so.
+TEST(AxialTorque, ThatDrivesMotionsIsNamed) {
+    model::Case scene;
+    scene.rotor = held(false);
+    scene.rotor.shaft.axial_torque = EI / length;
+    scene.rotor.shaft.order = 6;
+    scene.speeds = model::SpeedRange{1, 1, 1};
+    const auto noted = [](const results::StabilityResult &result) {
+        return std::any_of(result.model.notes.begin(), result.model.notes.end(),
+                           [](const std::string &note) {
+                               return note.find("has no potential") != std::string::npos &&
+                                      note.find("none grows there") != std::string::npos;
+                           });
+    };
+    const results::StabilityResult driven = analyses::stability(scene, {});
+    EXPECT_GT(driven.growth.front(), 0);
+    EXPECT_TRUE(noted(driven));
+    scene.rotor.shaft.torque_kind = TorqueKind::semitangential;
+    const results::StabilityResult still = analyses::stability(scene, {});
+    EXPECT_EQ(still.growth.front(), 0);
+    EXPECT_FALSE(noted(still));
 }
 
 } // namespace

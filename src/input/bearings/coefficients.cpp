@@ -58,31 +58,33 @@ BearingCoefficients read_coefficients(const NumberOf &number, bool seal) {
     return row;
 }
 
-std::optional<MixedKeys> mixed_keys(const std::function<bool(const char *)> &has, bool seal) {
+std::optional<WrongKey> mixed_keys(const std::function<bool(const char *)> &has, bool seal) {
     for (const Kind &kind : kinds)
         for (const Coefficient &entry : bearing_coefficients()) {
             const bool coupling = seal && entry.row < entry.column;
             if (entry.matrix != kind.matrix || entry.on_diagonal() || coupling)
                 continue;
             if (has(kind.letter) && has(entry.name))
-                return MixedKeys{kind.letter,
-                                 fmt::format("expected either {0}{1} or {0}xx, {0}xy, {0}yx, "
-                                             "{0}yy, got both",
-                                             kind.letter,
-                                             seal ? fmt::format(" (and {}xy)", kind.letter) : "")};
+                return WrongKey{kind.letter,
+                                fmt::format("expected either {0}{1} or {0}xx, {0}xy, {0}yx, "
+                                            "{0}yy, got both",
+                                            kind.letter,
+                                            seal ? fmt::format(" (and {}xy)", kind.letter) : "")};
         }
     return std::nullopt;
 }
 
-std::optional<std::string> against_mass(const Eigen::Matrix2d &m) {
+std::optional<WrongKey> against_mass(const Eigen::Matrix2d &m, bool isotropic) {
     const double coupling = (m(0, 1) + m(1, 0)) / 2;
     const double least = m.trace() / 2 - std::hypot((m(0, 0) - m(1, 1)) / 2, coupling);
     constexpr double rounding = 1e-12; // of products of numbers in the file's units
     if (!(least < -rounding * m.cwiseAbs().maxCoeff()))
         return std::nullopt;
-    return fmt::format("expected mass coefficients that resist acceleration in every direction "
-                       "(mxx, myy >= 0, ((mxy + myx)/2)^2 <= mxx myy), got {:.6g} kg in one",
-                       least);
+    const char *key = isotropic ? "m" : m(0, 0) >= 0 && m(1, 1) < 0 ? "myy" : "mxx";
+    return WrongKey{key, fmt::format("expected mass coefficients that resist acceleration in every "
+                                     "direction (mxx, myy >= 0, ((mxy + myx)/2)^2 <= mxx myy), got "
+                                     "{:.6g} kg in one",
+                                     least)};
 }
 
 } // namespace whirl::input

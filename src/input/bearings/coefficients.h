@@ -37,17 +37,18 @@ using NumberOf = std::function<std::optional<double>(const Coefficient &)>;
 /// @param seal  the same from every direction unless it says otherwise: kyx = -kxy, cyx = -cxy
 [[nodiscard]] model::BearingCoefficients read_coefficients(const NumberOf &number, bool seal);
 
-/// What is wrong with the keys that are given: k beside kxx and so on (that of a seal goes with the
-/// coupling).
-struct MixedKeys {
+/// A key and what is wrong with it.
+struct WrongKey {
     std::string key;
     std::string message;
 };
-[[nodiscard]] std::optional<MixedKeys> mixed_keys(const std::function<bool(const char *)> &has,
-                                                  bool seal);
+/// k beside kxx and so on (that of a seal goes with the coupling).
+[[nodiscard]] std::optional<WrongKey> mixed_keys(const std::function<bool(const char *)> &has,
+                                                 bool seal);
 
 /// What is wrong with mass coefficients: they would push as if there were less than no mass.
-[[nodiscard]] std::optional<std::string> against_mass(const Eigen::Matrix2d &m);
+/// @param isotropic  given as m
+[[nodiscard]] std::optional<WrongKey> against_mass(const Eigen::Matrix2d &m, bool isotropic);
 
 /// Reads a bearing table (CSV) into the rows of the bearing.
 void read_bearing_table(const std::string &path, bool spline, model::Bearing &bearing,

@@ -18,8 +18,8 @@ void read_rows(CheckedTable &table, model::Bearing &bearing) {
         bearing.seal);
     if (const auto mixed = mixed_keys(has, bearing.seal))
         table.fail(mixed->key, mixed->message);
-    if (const auto wrong = against_mass(constant.m))
-        table.fail(table.has("m") ? "m" : "mxx", *wrong);
+    if (const auto wrong = against_mass(constant.m, has("m")))
+        table.fail(wrong->key, wrong->message);
     constexpr std::size_t none = 2; // said, or none that there is
     const std::size_t between = table.choice("interpolation", {"linear", "spline"}, none);
     const bool spline = between == 1;

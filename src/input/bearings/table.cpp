@@ -29,8 +29,8 @@ void read_table_row(CsvTable &table, std::size_t i, model::Bearing &bearing, Pro
         },
         bearing.seal));
     const Eigen::Matrix2d &m = bearing.rows.back().m;
-    if (const auto wrong = against_mass(m))
-        problems.add(table.origin(i), table.has("m") ? "m" : "mxx", *wrong);
+    if (const auto wrong = against_mass(m, table.has("m")))
+        problems.add(table.origin(i), wrong->key, wrong->message);
     else if (m.allFinite() && m != bearing.rows.front().m)
         problems.add(table.origin(i), table.has("m") ? "m" : "mxx",
                      "expected the same mass coefficients at every speed, got others than in the "

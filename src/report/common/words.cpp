@@ -6,10 +6,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::report {
 
-std::string readable(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+std::string readable(double value, int digits) {
+    std::string text = fmt::format("{:.{}g}", value, digits);
+    constexpr double long_number = 1e6;
+    if (std::abs(value) < 1 || text.find('e') == std::string::npos)
+        return text;
+    const double rounded = std::stod(text);
+    return std::abs(rounded) < long_number ? fmt::format("{:.0f}", rounded) : text; // 1230
+}
 
 std::string joined(const std::vector<std::string> &texts, const std::string &between) {
     return fmt::format("{}", fmt::join(texts, between));

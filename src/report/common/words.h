@@ -14,7 +14,7 @@ namespace whirl::report {
 
 inline constexpr double degrees = 180 / pi; ///< in one rad
 
-/// Number for readers, at most `digits` significant digits.
+/// Number for readers, at most `digits` significant digits; without a power of ten below 1e6.
 [[nodiscard]] std::string readable(double value, int digits = 5);
 /// The texts one after another, with something between them.
 [[nodiscard]] std::string joined(const std::vector<std::string> &texts, const std::string &between);

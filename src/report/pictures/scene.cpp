@@ -111,6 +111,18 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
         callouts.push_back({sheet.across(seals[i].z),
                             top(shaft_radius(rotor.shaft, seals[i].z)) - 9,
                             name_or(seals[i].name, "seal", i, seals.size())});
+    constexpr Reading gram_millimetres{"imbalance", 1e6};
+    for (std::size_t i = 0; i < rotor.imbalances.size(); ++i) {
+        const auto &imbalance = rotor.imbalances[i];
+        if (imbalance.mr != 0)
+            callouts.push_back(
+                {sheet.across(imbalance.z),
+                 std::min(sheet.axis, imbalance_place(sheet, rotor.shaft, imbalance).y) - 5,
+                 fmt::format("{}: {} {}",
+                             name_or(imbalance.name, "imbalance", i, rotor.imbalances.size()),
+                             readable(std::abs(imbalance.mr) * gram_millimetres, 4),
+                             unit_name("imbalance", "g mm"))});
+    }
     for (std::size_t i = 0; i < rotor.probes.size(); ++i)
         callouts.push_back({sheet.across(rotor.probes[i].z), sheet.axis - sheet.radius - 10,
                             name_or(rotor.probes[i].name, "probe", i, rotor.probes.size())});
@@ -174,6 +186,9 @@ Drawing draw_rotor(const model::Case &scene, const Sheet &sheet) {
         draw_balancer(drawing, sheet, balancer);
     for (const auto &anisotropy : rotor.anisotropies)
         draw_anisotropy(drawing, sheet, anisotropy);
+    for (const auto &imbalance : rotor.imbalances)
+        if (imbalance.mr != 0)
+            draw_imbalance(drawing, sheet, rotor.shaft, imbalance);
     drawing.shapes.push_back(stroke(
         {{sheet.across(0) - 18, sheet.axis}, {sheet.across(rotor.shaft.length()) + 18, sheet.axis}},
         "#6B7885", 0.8, true));

@@ -169,4 +169,20 @@ void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
         stroke({{x, tip - 9}, {x, sheet.axis - sheet.radius - 10}}, "#5B3A8B", 1.4, false));
 }
 
+DrawPoint imbalance_place(const Sheet &sheet, const model::Shaft &shaft,
+                          const model::Imbalance &imbalance) {
+    constexpr double outwards = 8; // from the surface
+    const double up =
+        imbalance.mr * std::cos(imbalance.phase) < -1e-9 * std::abs(imbalance.mr) ? 1 : -1;
+    return {sheet.across(imbalance.z),
+            sheet.axis + up * (sheet.pixels(shaft_radius(shaft, imbalance.z)) + outwards)};
+}
+
+void draw_imbalance(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
+                    const model::Imbalance &imbalance) {
+    const DrawPoint at = imbalance_place(sheet, shaft, imbalance);
+    drawing.shapes.push_back(stroke({{at.x, sheet.axis}, at}, "#C0152F", 1.4, false));
+    drawing.shapes.push_back(circle(at.x, at.y, 4, "#C0152F", "#C0152F"));
+}
+
 } // namespace whirl::report

@@ -69,4 +69,11 @@ void draw_anisotropy(Drawing &drawing, const Sheet &sheet, const model::Anisotro
 void draw_probe(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
                 const model::Probe &probe);
 
+/// A dot at the surface of the shaft: above where it points to x, below where it points away.
+void draw_imbalance(Drawing &drawing, const Sheet &sheet, const model::Shaft &shaft,
+                    const model::Imbalance &imbalance);
+/// Where that dot is.
+[[nodiscard]] DrawPoint imbalance_place(const Sheet &sheet, const model::Shaft &shaft,
+                                        const model::Imbalance &imbalance);
+
 } // namespace whirl::report

@@ -135,7 +135,8 @@ std::string amplitude_range(const SimulateResult &result) {
     const double peak = result.stations[results::largest_station(result.stations)].peak.value;
     if (steady <= comparable * peak)
         return "set yrange [0:*]\n";
-    return fmt::format("set logscale y\nset yrange [{}:*]\n", decades * peak * micrometres);
+    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:*]\n",
+                       decades * peak * micrometres);
 }
 
 /// The steady response behind, the motion in front.
@@ -174,7 +175,7 @@ std::string amplitude_over_speed(const SimulateResult &result) {
         std::minmax_element(result.series.speed.begin(), result.series.speed.end());
     return axes("Amplitude (µm)", "Spin speed (rpm)") +
            fmt::format("set xrange [{}:{}]\n", *low * rpm, *high * rpm) + amplitude_range(result) +
-           lines.text() + "unset logscale y\n";
+           lines.text() + "unset logscale y\nset format y '%g'\n";
 }
 
 /// x and y of the station that moves most.

@@ -25,9 +25,6 @@ const std::vector<double> &amplitudes_of(const ResponseResult &result, std::size
 const std::vector<double> &phases_of(const ResponseResult &result, std::size_t i) {
     return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
 }
-const std::vector<double> &speeds_of(const ResponseResult &result) {
-    return result.curves.speeds.empty() ? result.speeds : result.curves.speeds;
-}
 
 std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::size_t station) {
     std::vector<const ResponsePeak *> peaks;
@@ -174,7 +171,7 @@ std::string rings(double largest) {
         for (int k = 0; k <= 120; ++k)
             circles.back().push_back(
                 {i * step * std::cos(k * pi / 60), i * step * std::sin(k * pi / 60)});
-        script += fmt::format("set label '{:.3g}' at {},{} center font ',9' textcolor '#777777'\n",
+        script += fmt::format("set label '{:.12g}' at {},{} center font ',9' textcolor '#777777'\n",
                               i * step, i * step * std::cos(pi / 4), -i * step * std::sin(pi / 4));
     }
     return script + data_block("rings", circles);
@@ -237,7 +234,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
         figure_head("Polar plot: " + title_of(scene),
                     fmt::format("amplitude (µm) at the angle of the phase of x, from {:.0f} to "
                                 "{:.0f} rpm",
-                                speeds_of(result).front() * rpm, speeds_of(result).back() * rpm),
+                                result.speeds.front() * rpm, result.speeds.back() * rpm),
                     figure.height) +
         panel_margins(room.left, room.right, 1 - 730 * pixel, 1 - (730 - pixels) * pixel) +
         fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb '#BBBBBB'\n"

@@ -13,9 +13,14 @@ namespace {
 
 /// rad: parts nearer than that touch. The distance of parts that touch is wrong by no more.
 constexpr double touching = 1e-11;
-/// Of the scale of rates: parts slower than that relative to each other or to the rotor stay
-/// together, or stand. The energy of that motion is lost: 1e-12 of theirs.
+/// Of the scale of rates: a part slower than that relative to the rotor stands. The energy of that
+/// motion is lost: 1e-12 of its own.
 constexpr double at_rest = 1e-6;
+/// Of the scale of rates: parts that meet slower than that stay together, or bounce would follow
+/// bounce without end. The energy of that motion is lost: 1e-10 of theirs.
+constexpr double together = 1e-5;
+/// Of the scale of rates: how fast parts that stay together may still approach, by rounding.
+constexpr double still = 1e-12;
 /// Of the scale of rates: how far a part that comes to rest moves on before it is seen.
 constexpr double seen = 1e-9;
 /// Of the torque m R^2 scale^2: how far a constraint may be overstrained.
@@ -70,13 +75,12 @@ std::vector<double> DryEvents::values(double t, const double *state) {
 /// A gap that is open at both ends of a step may close in between.
 bool DryEvents::gap_dips(const Gap &gap, const double *before, const double *after, double length,
                          double &share) const {
-    const auto at = [&](const double *state) {
-        const double *angles = state + _motion.first_angle();
-        const double *rates = angles + _motion.coordinates();
-        return std::pair(_motion.gap_of(gap, angles), rates[gap.second] - rates[gap.first]);
-    };
-    const auto [a, da] = at(before);
-    const auto [b, db] = at(after);
+    const double a = _motion.gap_of(gap, before + _motion.first_angle());
+    const double b = _motion.gap_of(gap, after + _motion.first_angle());
+    const double da = _motion.opening(gap, before);
+    const double db = _motion.opening(gap, after);
+    if (a <= -touching) // they come apart
+        return false;
     for (int i = 1; i < pieces; ++i) {
         share = static_cast<double>(i) / pieces;
         if (cubic(a, da, b, db, length, share) < -touching)
@@ -103,45 +107,65 @@ std::optional<DryEvents::Event> DryEvents::within(double from, const Eigen::Vect
     }
     if (suspects.empty())
         return std::nullopt;
-    Event event{to, Eigen::Map<const Eigen::VectorXd>(after, _motion.size())};
     if (!_solver)
         _solver = _make_solver();
     const auto state_at = [&](double since) {
-        if (since <= 0)
+        if (from + since <= from + 1e-14 * std::abs(from))
             return before.data();
         double t = from;
-        _solver->start(t, before.data());
+        _solver->start(t, before.data(), since);
         while (t < from + since)
             t = _solver->step(from + since);
         return _solver->state();
     };
-    for (const std::size_t i : suspects) {
-        const auto value = [&](double since) { return values(from + since, state_at(since))[i]; };
-        const double first = value(0);
-        const double last = value(end);
-        if (last > 0)
-            continue;
-        if (first > 0)
-            end = linalg::root_between(value, 0, first, end, last, 1e-12);
-        else
-            end = std::min(end, 1e-3 * (to - from)); // already past: at once
-    }
-    const double *there = state_at(end);
-    event.time = from + end;
-    event.state = Eigen::Map<const Eigen::VectorXd>(there, _motion.size());
-    return event;
+    bool found = false;
+    for (const std::size_t i : suspects)
+        if (const auto moment = first_moment(i, {from, end, state_at})) {
+            end = *moment;
+            found = true;
+        }
+    if (!found)
+        return std::nullopt;
+    return Event{from + end, Eigen::Map<const Eigen::VectorXd>(state_at(end), _motion.size())};
+}
+
+/// Seconds after the start of a piece at which a value has become 0; none: it has not, or its parts
+/// come apart, but a little closer than they should be.
+std::optional<double> DryEvents::first_moment(std::size_t i, const Piece &piece) {
+    const auto value = [&](double since) {
+        return values(piece.from + since, piece.state_at(since))[i];
+    };
+    const double first = value(0);
+    const double last = value(piece.length);
+    if (last > 0)
+        return std::nullopt;
+    if (first > 0)
+        return linalg::root_between(value, 0, first, piece.length, last, 1e-12);
+    if (i >= _motion.dry().gaps.size() || _motion.dry().closed[i])
+        return 1e-3 * piece.length; // already past: at once
+    const auto opening = [&](double since) {
+        return _motion.opening(_motion.dry().gaps[i], piece.state_at(since));
+    };
+    const double late = opening(piece.length);
+    const double early = opening(0);
+    if (late >= 0)
+        return std::nullopt;
+    if (early <= 0)
+        return 1e-3 * piece.length;
+    const double top = linalg::root_between(opening, 0, early, piece.length, late, 1e-3);
+    const double most = value(top);
+    return most > 0 ? linalg::root_between(value, top, most, piece.length, last, 1e-12)
+                    : piece.length;
 }
 
 /// The pair that approaches fastest of those that touch. @returns whether there was one.
 bool DryEvents::collide(double t, Eigen::VectorXd &state) {
     const DryState &dry = _motion.dry();
-    const int n = _motion.coordinates();
     const double *angles = state.data() + _motion.first_angle();
-    const double *rates = angles + n;
     const Gap *worst = nullptr;
-    double approach = -1e-3 * at_rest * _scale;
+    double approach = -together * _scale;
     for (const Gap &gap : dry.gaps) {
-        const double rate = rates[gap.second] - rates[gap.first];
+        const double rate = _motion.opening(gap, state.data());
         if (_motion.gap_of(gap, angles) <= 2 * touching && rate < approach) {
             worst = &gap;
             approach = rate;
@@ -152,27 +176,61 @@ bool DryEvents::collide(double t, Eigen::VectorXd &state) {
     const Eigen::VectorXd response = _motion.impulse_response(t, state.data(), *worst);
     const Eigen::Index at = _motion.first_angle();
     const double mobility = response(at + worst->second) - response(at + worst->first);
-    const bool rests = -approach < at_rest * _scale;
-    const double restitution = rests ? 0 : worst->restitution;
+    jump(t, state, -(1 + worst->restitution) * approach / mobility * response);
+    ++_impacts;
+    return true;
+}
+
+/// Changes the velocities and keeps the books.
+void DryEvents::jump(double t, Eigen::VectorXd &state, const Eigen::VectorXd &change) {
     const double before = _motion.energy(t, state.data());
     const double momentum = _motion.momentum(t, state.data());
-    state.segment(n, n) -= (1 + restitution) * approach / mobility * response;
+    state.segment(change.size(), change.size()) += change;
     // What keeps the spin as it is gives an impulse, and the work of that impulse.
     const double impulse = _motion.momentum(t, state.data()) - momentum;
     const double work = _motion.spin(t, state.data()).speed * impulse;
     const double lost = before + work - _motion.energy(t, state.data());
     _created = std::max(_created, -lost / std::abs(before));
     state.tail<3>() += Eigen::Vector3d(work, lost, impulse);
-    _impacts += rests ? 0 : 1;
-    return true;
+}
+
+/// Ends what is left of the motion of the two of each of these gaps relative to each other, of all
+/// at once: the impulses that do so take energy, whatever their signs.
+void DryEvents::settle(double t, Eigen::VectorXd &state, const std::vector<bool> &which) {
+    std::vector<const Gap *> gaps;
+    double fastest = 0;
+    for (std::size_t k = 0; k < which.size(); ++k)
+        if (which[k]) {
+            gaps.push_back(&_motion.dry().gaps[k]);
+            fastest = std::max(fastest, std::abs(_motion.opening(*gaps.back(), state.data())));
+        }
+    if (fastest <= still * _scale)
+        return;
+    const auto n = static_cast<Eigen::Index>(gaps.size());
+    Eigen::MatrixXd responses(_motion.coordinates(), n);
+    Eigen::VectorXd rates(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Gap &gap = *gaps[static_cast<std::size_t>(k)];
+        responses.col(k) = _motion.impulse_response(t, state.data(), gap);
+        rates(k) = _motion.opening(gap, state.data());
+    }
+    Eigen::MatrixXd mobility(n, n);
+    const Eigen::Index at = _motion.first_angle();
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Gap &gap = *gaps[static_cast<std::size_t>(k)];
+        mobility.row(k) = responses.row(at + gap.second) - responses.row(at + gap.first);
+    }
+    jump(t, state, -responses * mobility.colPivHouseholderQr().solve(rates));
 }
 
 void DryEvents::pass(Event &event) {
     long done = 0;
-    while (collide(event.time, event.state))
-        if (++done > most_impacts_at_once)
-            throw linalg::SolverError("balls collide without end at one moment");
-    choose(event.time, event.state);
+    do {
+        while (collide(event.time, event.state))
+            if (++done > most_impacts_at_once)
+                throw linalg::SolverError("balls collide without end at one moment");
+        choose(event.time, event.state);
+    } while (collide(event.time, event.state));
 }
 
 /// Opens the gap, or lets go the part, whose constraint is overstrained most.
@@ -205,27 +263,43 @@ bool DryEvents::free_the_worst() {
 /// All that could touch or stand does, until it would need to pull, or more friction than there is.
 void DryEvents::choose(double t, Eigen::VectorXd &state) {
     DryState &dry = _motion.dry();
-    double *angles = state.data() + _motion.first_angle();
-    double *rates = angles + _motion.coordinates();
-    const double slow = at_rest * _scale;
-    for (std::size_t k = 0; k < dry.gaps.size(); ++k) {
-        const Gap &gap = dry.gaps[k];
-        dry.closed[k] = _motion.gap_of(gap, angles) <= 1e2 * touching &&
-                        std::abs(rates[gap.second] - rates[gap.first]) <= slow;
-    }
+    const double *angles = state.data() + _motion.first_angle();
+    for (std::size_t k = 0; k < dry.gaps.size(); ++k)
+        dry.closed[k] = _motion.gap_of(dry.gaps[k], angles) <= 1e2 * touching &&
+                        std::abs(_motion.opening(dry.gaps[k], state.data())) <= together * _scale;
+    std::vector<bool> settled = dry.closed;
+    Eigen::VectorXd tried = state;
+    settle(t, tried, settled);
+    const Eigen::Index first_rate = _motion.first_angle() + _motion.coordinates();
     for (std::size_t i = 0; i < dry.slip.size(); ++i) {
-        if (!dry.resists[i])
-            continue;
-        dry.slip[i] = std::abs(rates[i]) <= slow ? 0 : rates[i] > 0 ? 1 : -1;
-        if (dry.slip[i] == 0)
-            rates[i] = 0; // what the integrator has left of it
+        const double rate = tried(first_rate + static_cast<Eigen::Index>(i));
+        dry.slip[i] = std::abs(rate) <= at_rest * _scale ? 0 : rate > 0 ? 1 : -1;
     }
+    stop_standing(t, tried);
     const std::size_t most = dry.gaps.size() + dry.slip.size();
     for (std::size_t pass = 0; pass <= most; ++pass) {
-        _motion.rates(t, state.data(), _rates.data());
+        _motion.rates(t, tried.data(), _rates.data());
         if (!free_the_worst())
-            return;
+            break;
     }
+    // Those that come apart keep the speed at which they do.
+    for (std::size_t k = 0; k < settled.size(); ++k)
+        settled[k] =
+            settled[k] && (dry.closed[k] || _motion.opening(dry.gaps[k], state.data()) < 0);
+    settle(t, state, settled);
+    stop_standing(t, state);
+}
+
+/// What the integrator has left of the motion of parts that stand.
+void DryEvents::stop_standing(double t, Eigen::VectorXd &state) {
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(_motion.coordinates());
+    for (std::size_t i = 0; i < _motion.dry().slip.size(); ++i) {
+        const Eigen::Index at = _motion.first_angle() + static_cast<Eigen::Index>(i);
+        if (_motion.dry().stands(i))
+            change(at) = -state(_motion.coordinates() + at);
+    }
+    if (!change.isZero(0))
+        jump(t, state, change);
 }
 
 } // namespace whirl::simulation

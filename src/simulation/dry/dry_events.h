@@ -46,9 +46,19 @@ class DryEvents {
     double _created = 0;
     bool _lifted = false;
 
+    /// What there is to be searched of a step, and the state at each moment of it.
+    struct Piece {
+        double from = 0, length = 0;
+        std::function<const double *(double since)> state_at;
+    };
+
     [[nodiscard]] std::vector<double> values(double t, const double *state);
     [[nodiscard]] bool gap_dips(const Gap &gap, const double *before, const double *after,
                                 double length, double &share) const;
+    [[nodiscard]] std::optional<double> first_moment(std::size_t i, const Piece &piece);
+    void jump(double t, Eigen::VectorXd &state, const Eigen::VectorXd &change);
+    void settle(double t, Eigen::VectorXd &state, const std::vector<bool> &which);
+    void stop_standing(double t, Eigen::VectorXd &state);
     void choose(double t, Eigen::VectorXd &state);
     bool free_the_worst();
     bool collide(double t, Eigen::VectorXd &state);

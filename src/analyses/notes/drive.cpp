@@ -1,0 +1,65 @@
+#include "analyses/notes/drive.h"
+
+#include "analyses/stability.h"
+#include "model/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace whirl::analyses {
+
+namespace {
+
+void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
+    const bool negative = std::any_of(
+        rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &bearing) {
+            return std::any_of(
+                bearing.rows.begin(), bearing.rows.end(),
+                [](const model::BearingCoefficients &at) { return model::pushes_away(at.c); });
+        });
+    const bool grows = std::any_of(result.growth.begin(), result.growth.end(),
+                                   [](double value) { return value > 0; });
+    if (negative && grows && !rotor.shaft.rigid)
+        result.model.notes.emplace_back(
+            "a bearing or seal has negative damping, which drives motions of every frequency: "
+            "growth can be that of a motion as fast as the elements resolve, and rises with their "
+            "number and order; campbell has the growth of the slow modes");
+}
+
+void note_torque(const model::Case &scene, results::StabilityResult &result) {
+    const model::Shaft &shaft = scene.rotor.shaft;
+    const bool driving = shaft.axial_torque != 0 && !shaft.rigid &&
+                         shaft.torque_kind != model::TorqueKind::semitangential;
+    const auto fastest = std::max_element(result.growth.begin(), result.growth.end());
+    if (!driving || fastest == result.growth.end() || !(*fastest > 0))
+        return;
+    const double speed = result.speeds[static_cast<std::size_t>(fastest - result.growth.begin())];
+    model::Case other = scene;
+    other.rotor.shaft.torque_kind = model::TorqueKind::semitangential;
+    other.speeds = model::SpeedRange{speed, speed, 1};
+    other.map.reset();
+    other.level1.reset();
+    try {
+        const double left = std::max(0.0, stability(other, {}).growth.front());
+        if (left > 0.9 * *fastest)
+            return;
+        result.model.notes.push_back(fmt::format(
+            "an axial torque of this kind has no potential and does work on a shaft whose ends "
+            "tilt: it drives motions that grow by {:.4g} 1/s at {:.6g} rad/s; with torque_kind = "
+            "\"semitangential\", which has a potential, {}. Damping of the shaft (beta, "
+            "internal_damping) holds fast motions",
+            *fastest, speed,
+            left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
+    } catch (const model::AnalysisFailure &) { // no more than a note
+    }
+}
+
+} // namespace
+
+void note_drives(const model::Case &scene, results::StabilityResult &result) {
+    note_negative_damping(scene.rotor, result);
+    note_torque(scene, result);
+}
+
+} // namespace whirl::analyses

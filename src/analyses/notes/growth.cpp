@@ -1,0 +1,99 @@
+#include "analyses/notes/growth.h"
+
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "modes/formulation.h"
+#include "modes/spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Something feeds free motions: without it all die out, or none does.
+bool may_grow(const model::Rotor &rotor) {
+    const model::Shaft &shaft = rotor.shaft;
+    const bool asymmetric =
+        !rotor.anisotropies.empty() ||
+        std::any_of(shaft.segments.begin(), shaft.segments.end(),
+                    [](const model::Segment &segment) { return segment.asymmetry != 0; });
+    if (asymmetric || shaft.internal_damping > 0 || shaft.axial_torque != 0)
+        return true;
+    for (const model::Bearing &bearing : rotor.bearings)
+        for (const model::BearingCoefficients &at : bearing.rows)
+            if (!model::symmetric(at.k) || model::pushes_away(at.k) || model::pushes_away(at.c))
+                return true;
+    return false;
+}
+
+/// Speeds of the case, evenly, its ends among them.
+std::vector<double> some_speeds(const model::SpeedRange &range) {
+    constexpr int most = 13;
+    const std::vector<double> all = range.values();
+    const auto n = static_cast<int>(all.size());
+    std::vector<double> out;
+    for (int k = 0; k < std::min(n, most); ++k)
+        out.push_back(all[static_cast<std::size_t>(
+            n <= most ? k : std::lround(static_cast<double>(k) * (n - 1) / (most - 1)))]);
+    return out;
+}
+
+/// Largest real part of the slow motions beyond what rounding can be, 1/s; 0: none grows.
+double growth_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
+    const modes::Spectrum spectrum = solver.at(speed, wanted);
+    double out = 0;
+    for (const double real : spectrum.growing)
+        out = std::max(out, real);
+    for (const modes::WhirlMode &mode : spectrum.modes) {
+        constexpr double always = 1e-9;
+        const double noise = (always + 10 * (mode.residual + mode.rounding)) *
+                             std::max(std::abs(mode.eigenvalue), std::abs(speed));
+        if (mode.eigenvalue.real() > noise)
+            out = std::max(out, mode.eigenvalue.real());
+    }
+    return out;
+}
+
+} // namespace
+
+void note_growing_motions(const model::Case &scene, results::ModelSummary &model) {
+    if (!may_grow(scene.rotor) || !scene.speeds)
+        return;
+    const std::vector<double> speeds = some_speeds(*scene.speeds);
+    std::vector<double> growing;
+    double largest = 0;
+    double worst = 0;
+    try {
+        model::Case free = scene;
+        free.formulation = model::FormChoice::automatic;
+        const modes::SpectrumSolver solver(scene.rotor, modes::choose_formulation(free).form,
+                                           model.order);
+        for (const double speed : speeds) {
+            const double growth = growth_at(solver, speed, scene.campbell.modes);
+            if (growth > 0)
+                growing.push_back(speed);
+            if (growth > largest) {
+                largest = growth;
+                worst = speed;
+            }
+        }
+    } catch (const model::AnalysisFailure &) { // no more than a note
+        return;
+    } catch (const linalg::SolverError &) {
+        return;
+    }
+    if (growing.empty())
+        return;
+    model.notes.push_back(fmt::format(
+        "unstable: free motions grow at {} of {} speeds looked at, from {:.6g} to {:.6g} rad/s "
+        "(fastest {:.4g} 1/s at {:.6g} rad/s); no rotor stays in the steady motion given for "
+        "these speeds. `stability` finds where it begins",
+        growing.size(), speeds.size(), growing.front(), growing.back(), largest, worst));
+}
+
+} // namespace whirl::analyses
