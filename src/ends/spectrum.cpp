@@ -1,7 +1,7 @@
 #include "ends/spectrum.h"
 
 #include "linalg/check.h"
-#include "linalg/general_eigen.h"
+#include "linalg/dense/general_eigen.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/LU>

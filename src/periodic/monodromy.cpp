@@ -1,8 +1,8 @@
 #include "periodic/monodromy.h"
 
 #include "linalg/check.h"
-#include "linalg/dense_blas.h"
-#include "linalg/general_eigen.h"
+#include "linalg/dense/blas.h"
+#include "linalg/dense/general_eigen.h"
 #include "linalg/quadratic_eigen.h"
 #include "periodic/collocation.h"
 

@@ -1,4 +1,4 @@
-#include "linalg/general_eigen.h"
+#include "linalg/dense/general_eigen.h"
 
 #include "linalg/check.h"
 

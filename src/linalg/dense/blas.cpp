@@ -1,4 +1,4 @@
-#include "linalg/dense_blas.h"
+#include "linalg/dense/blas.h"
 
 #include "linalg/check.h"
 
