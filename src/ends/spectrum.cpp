@@ -1,7 +1,7 @@
 #include "ends/spectrum.h"
 
 #include "linalg/check.h"
-#include "linalg/general_eigen.h"
+#include "linalg/dense/general_eigen.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/LU>
@@ -67,21 +67,6 @@ Eigen::VectorXd sizes(const Eigen::MatrixXd &y, const Eigen::MatrixXd &A,
     return y.cwiseProduct(A.cwiseAbs() * x).colwise().sum();
 }
 
-Eigen::VectorXcd vector_of(const Eigen::VectorXd &d, const Eigen::MatrixXd &packed, Eigen::Index j,
-                           bool pair) {
-    Eigen::VectorXcd out(d.size());
-    out.real() = d.cwiseProduct(packed.col(j));
-    if (pair)
-        out.imag() = d.cwiseProduct(packed.col(j + 1));
-    else
-        out.imag().setZero();
-    return out;
-}
-
-double packed_norm(const Eigen::MatrixXd &packed, Eigen::Index j, bool pair) {
-    return packed.middleCols(j, pair ? 2 : 1).norm();
-}
-
 Root conjugate(Root root) {
     root.value = std::conj(root.value);
     root.rate = std::conj(root.rate);
@@ -138,7 +123,8 @@ Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int
         if (std::abs(mu) <= smallest || mu.imag() < 0)
             continue;
         const bool pair = c.of.is_pair(j);
-        const double lengths = packed_norm(c.of.right, j, pair) * packed_norm(c.of.left, j, pair);
+        const double lengths =
+            linalg::packed_norm(c.of.right, j, pair) * linalg::packed_norm(c.of.left, j, pair);
         // Vectors of a repeated root can coincide to the last digit (balls near rest).
         const Complex product = std::abs(c.of.products(j)) > epsilon * lengths
                                     ? c.of.products(j)
@@ -157,8 +143,8 @@ Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int
         root.noise = epsilon * (of_entries * entries / std::abs(slope) +
                                 of_solver * c.norm * condition * c.s * std::norm(l - shift) +
                                 of_entries * size);
-        root.right = vector_of(d, c.right, j, pair);
-        root.left = vector_of(d, c.left, j, pair);
+        root.right = d.asDiagonal() * linalg::unpacked(c.right, j, pair);
+        root.left = d.asDiagonal() * linalg::unpacked(c.left, j, pair);
         if (pair)
             out.roots.push_back(conjugate(root));
         out.roots.push_back(std::move(root));

@@ -1,7 +1,7 @@
 #include "linalg/quadratic_problem.h"
 
 #include "linalg/check.h"
-#include "linalg/general_eigen.h"
+#include "linalg/dense/general_eigen.h"
 
 #include <cmath>
 #include <limits>

@@ -1,10 +1,11 @@
 #include "periodic/monodromy.h"
 
 #include "linalg/check.h"
+#include "linalg/dense/blas.h"
+#include "linalg/dense/general_eigen.h"
 #include "linalg/quadratic_eigen.h"
 #include "periodic/collocation.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -189,14 +190,15 @@ MatrixXd monodromy(const System &system, double speed, int steps) {
     const Eigen::Index forces_at_once = maps.Z.cols();
     MatrixXd state = MatrixXd::Identity(2 * system.size(), 2 * system.size());
     for (int step = 0; step < steps; ++step) {
-        MatrixXd map = maps.R;
-        if (forces_at_once > 0) { // none: the supports are the same from every direction
-            const Blocks S = forces(system, speed, step * length, length);
-            MatrixXd own = -times(S, maps.Z);
-            own.diagonal().array() += 1;
-            map += maps.L * own.partialPivLu().solve(times(S, maps.Y));
+        if (forces_at_once == 0) { // the supports are the same from every direction
+            state = linalg::product(maps.R, state);
+            continue;
         }
-        state = (map * state).eval();
+        const Blocks S = forces(system, speed, step * length, length);
+        MatrixXd own = -times(S, maps.Z);
+        own.diagonal().array() += 1;
+        const MatrixXd acting = linalg::solution(std::move(own), times(S, maps.Y));
+        state = linalg::product(linalg::sum_with_product(maps.R, maps.L, acting), state);
     }
     if (!state.allFinite())
         throw linalg::SolverError("the motion over half a turn cannot be found");
@@ -208,24 +210,27 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
     const Eigen::VectorXd weights = weights_of(steady, speed);
     const MatrixXd turn = weights.asDiagonal() * monodromy(system, speed, steps) *
                           weights.cwiseInverse().asDiagonal();
-    const Eigen::EigenSolver<MatrixXd> solver(turn);
-    if (solver.info() != Eigen::Success)
-        throw linalg::SolverError("the Floquet multipliers cannot be found");
-    const MatrixXcd vectors = solver.eigenvectors().colwise().normalized();
-    const Eigen::PartialPivLU<MatrixXcd> lu(vectors);
-    const MatrixXcd rows = lu.solve(MatrixXcd::Identity(vectors.rows(), vectors.cols()));
+    const linalg::GeneralEigen found = linalg::general_eigen(turn, linalg::Vectors::both);
     const double size = turn.norm();
     std::vector<FloquetMotion> out;
-    for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
-        const Complex multiplier = solver.eigenvalues()(i);
-        const double drowned = 10 * epsilon * size * rows.row(i).norm();
+    for (Eigen::Index i = 0; i < turn.cols(); ++i) {
+        const bool second = found.values(i).imag() < 0; // of a conjugate pair
+        const Eigen::Index first = second ? i - 1 : i;
+        const bool pair = found.is_pair(first);
+        const Complex multiplier = found.values(i);
+        const double right = linalg::packed_norm(found.right, first, pair);
+        const double sharp =
+            std::abs(found.products(i)) / (right * linalg::packed_norm(found.left, first, pair));
+        const double drowned = 10 * epsilon * size / std::max(sharp, epsilon);
         constexpr double known = 1e-3; // of a multiplier
         if (!(drowned < known * std::abs(multiplier)))
             continue;
         FloquetMotion motion;
         motion.value = std::log(multiplier) / period(speed);
         motion.noise = drowned / std::abs(multiplier) / period(speed);
-        motion.state = vectors.col(i);
+        motion.state = linalg::unpacked(found.right, first, pair) / right;
+        if (second)
+            motion.state = motion.state.conjugate().eval();
         motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
         motion.frequency = frequency_of(steady.M, motion.shape);
         out.push_back(std::move(motion));

@@ -53,11 +53,14 @@ class Varied {
            std::size_t index)
         : _model(model), _arrangement(arrangement), _index(index) {}
 
+    [[nodiscard]] bool by_monodromy() const {
+        return _model.form == results::Form::hill && _model.harmonics == 0;
+    }
+
     /// By the monodromy matrix on shapes that were good for another dI: the search has the last
     /// word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
-        const bool periodic = _model.form == results::Form::hill && _model.harmonics == 0;
-        return {model_with(dI), _arrangement, periodic ? _shapes : nullptr};
+        return {model_with(dI), _arrangement, by_monodromy() ? _shapes : nullptr};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -131,30 +134,68 @@ struct Descent {
     double unstable = 0;      ///< least dI that was found to be unstable
 };
 
-Descent descend(const Varied &varied, double largest, const std::vector<double> &speeds) {
-    constexpr int most_steps = 40;
-    Descent out;
-    double dI = largest;
-    for (int step = 0; step < most_steps; ++step) {
-        const std::vector<SpeedInterval> bands = varied.likely_bands(dI, speeds);
-        if (bands.empty())
-            break;
-        const MotionSolver solver = varied.solver(dI);
-        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
-        out.unstable = dI;
-        double next = dI;
-        for (const SpeedInterval &band : bands)
-            next = std::min(next, varied.just_stable(strongest_speed(at, band), next));
-        const bool unchanged = dI - next < 1e-11 * dI;
-        dI = next;
-        out.dI = dI;
-        if (unchanged || dI < 1e-9 * largest)
-            break;
+class DescentSearch {
+  public:
+    DescentSearch(const Varied &varied, double largest, const std::vector<double> &speeds)
+        : _varied(varied), _largest(largest), _speeds(speeds), _dI(largest) {}
+
+    Descent descent() {
+        for (int step = 0; step < most_steps; ++step) {
+            const std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
+            if (bands.empty() || !close(bands) || (_varied.by_monodromy() && !follow()))
+                break;
+        }
+        if (_dI < 1e-7 * _largest)
+            _out.dI = 0; // the smallest anisotropy is too much
+        return _out;
     }
-    if (dI < 1e-7 * largest)
-        out.dI = 0; // the smallest anisotropy is too much
-    return out;
-}
+
+  private:
+    static constexpr int most_steps = 40;
+    const Varied &_varied;
+    double _largest;
+    const std::vector<double> &_speeds;
+    double _dI;
+    Descent _out;
+    SpeedInterval _last; ///< the band that was closed last
+
+    /// Lowers dI until the strongest speed of each band is just stable.
+    /// @returns whether it is worthwhile to go on
+    bool close(const std::vector<SpeedInterval> &bands) {
+        const MotionSolver solver = _varied.solver(_dI);
+        const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
+        _out.unstable = _dI;
+        double next = _dI;
+        for (const SpeedInterval &band : bands) {
+            const double stable = _varied.just_stable(strongest_speed(at, band), next);
+            if (stable < next)
+                _last = band;
+            next = stable;
+        }
+        const bool unchanged = _dI - next < 1e-11 * _dI;
+        _dI = next;
+        _out.dI = _dI;
+        return !unchanged && _dI >= 1e-9 * _largest;
+    }
+
+    /// The last band alone, until nothing of it is left: what is left lies in and beside it.
+    /// @returns whether it is worthwhile to look at the others
+    bool follow() {
+        for (int step = 0; step < most_steps; ++step) {
+            const auto [from, to] = _last;
+            const double low = std::max(from - (to - from), _speeds.front());
+            const double high = std::min(to + (to - from), _speeds.back());
+            std::vector<double> near{low, from, (from + to) / 2, to, high};
+            near.erase(std::unique(near.begin(), near.end()), near.end());
+            const std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, near);
+            if (bands.empty())
+                return true;
+            if (!close(bands))
+                return _dI >= 1e-9 * _largest && step > 0;
+        }
+        return true;
+    }
+};
 
 /// The band search has the last word: no band at what was found, one just above. Where it does not
 /// agree, halving by the band search itself.
@@ -196,7 +237,8 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
     if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
         return 0;
     constexpr std::size_t few = 41; // on the way; what comes out is verified
-    const Descent found = descend(varied, largest, thinned(speeds, few));
+    const std::vector<double> coarse = thinned(speeds, few);
+    const Descent found = DescentSearch(varied, largest, coarse).descent();
     if (!found.dI || *found.dI == 0)
         return found.dI;
     return verified(varied, found, speeds);

@@ -1,4 +1,4 @@
-#include "linalg/general_eigen.h"
+#include "linalg/dense/general_eigen.h"
 
 #include "linalg/check.h"
 
@@ -63,6 +63,17 @@ std::complex<double> packed_product(const Eigen::MatrixXd &a, const Eigen::Matri
         return real;
     return {real + a.col(j + 1).dot(b.col(j + 1)),
             a.col(j).dot(b.col(j + 1)) - a.col(j + 1).dot(b.col(j))};
+}
+
+Eigen::VectorXcd unpacked(const Eigen::MatrixXd &a, Eigen::Index j, bool pair) {
+    Eigen::VectorXcd out = a.col(j).cast<std::complex<double>>();
+    if (pair)
+        out.imag() = a.col(j + 1);
+    return out;
+}
+
+double packed_norm(const Eigen::MatrixXd &a, Eigen::Index j, bool pair) {
+    return a.middleCols(j, pair ? 2 : 1).norm();
 }
 
 GeneralEigen general_eigen(Eigen::MatrixXd A, Vectors which) {
