@@ -94,9 +94,9 @@ class Response {
         return _forced.rounding() <= forced::resonance_rounding || confirmed() || unexcited(speed);
     }
 
-    /// The motion solved last.
-    [[nodiscard]] SolvedMotion solved() const {
-        return {_forced, _error_known ? &_finer : nullptr, rounding()};
+    /// The motion solved last, at all places.
+    [[nodiscard]] SolvedMotion solved() {
+        return {_forced.whole(), _error_known ? &_finer : nullptr, rounding()};
     }
 
     std::vector<double> row(double speed) {

@@ -18,7 +18,7 @@
 #include "results/formulation.h"
 #include "stability/band_errors.h"
 #include "stability/band_finder.h"
-#include "stability/hill_motions.h"
+#include "stability/hill/hill_motions.h"
 #include "stability/permissible.h"
 #include "stability/rotor_at_speeds.h"
 

@@ -2,7 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
-#include "linalg/quadratic_resolvent.h"
+#include "linalg/quadratic/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 

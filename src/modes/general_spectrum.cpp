@@ -1,7 +1,7 @@
 #include "modes/general_spectrum.h"
 
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 

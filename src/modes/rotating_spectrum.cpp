@@ -2,7 +2,7 @@
 
 #include "assembly/planes.h"
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"

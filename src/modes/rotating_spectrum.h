@@ -3,7 +3,7 @@
 #include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
 #include "linalg/eigenpair.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/orbits.h"
 #include "modes/whirl_mode.h"
 

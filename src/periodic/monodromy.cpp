@@ -3,7 +3,7 @@
 #include "linalg/check.h"
 #include "linalg/dense/blas.h"
 #include "linalg/dense/general_eigen.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "periodic/collocation.h"
 
 #include <Eigen/LU>

@@ -5,7 +5,7 @@
 #include "model/errors.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
-#include "stability/hill_motions.h"
+#include "stability/hill/hill_motions.h"
 #include "stability/periodic_motions.h"
 
 #include <algorithm>

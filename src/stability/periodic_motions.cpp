@@ -2,7 +2,7 @@
 
 #include "linalg/check.h"
 #include "periodic/collocation.h"
-#include "stability/hill_motions.h"
+#include "stability/hill/hill_motions.h"
 #include "stability/motion_reach.h"
 
 #include <fmt/format.h>

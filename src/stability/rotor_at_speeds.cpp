@@ -2,7 +2,7 @@
 
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/symmetric_eigen.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -11,7 +11,7 @@
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
-#include "stability/hill_harmonics.h"
+#include "stability/hill/hill_harmonics.h"
 
 #include <Eigen/SparseLU>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "synchronous/parts.h"

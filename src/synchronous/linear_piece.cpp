@@ -1,7 +1,7 @@
 #include "synchronous/linear_piece.h"
 
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 
 #include <Eigen/SparseCholesky>
 

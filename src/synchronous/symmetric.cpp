@@ -2,7 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "synchronous/parts.h"

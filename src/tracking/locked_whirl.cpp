@@ -3,7 +3,7 @@
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "tracking/double_root.h"

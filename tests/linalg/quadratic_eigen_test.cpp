@@ -1,5 +1,5 @@
 #include "linalg/check.h"
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/test_matrices.h"
 
 #include <gtest/gtest.h>

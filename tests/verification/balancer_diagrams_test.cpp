@@ -7,7 +7,7 @@
 #include "balancers/arrangement.h"
 #include "closed_form/pendulum_small_motions.h"
 #include "results/formulation.h"
-#include "stability/hill_harmonics.h"
+#include "stability/hill/hill_harmonics.h"
 #include "stability/motions.h"
 #include "support/balancer_scenes.h"
 #include "two_plane_rotor.h"

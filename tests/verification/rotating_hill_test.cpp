@@ -5,7 +5,7 @@
 #include "analyses/stability_map.h"
 #include "model/errors.h"
 #include "results/formulation.h"
-#include "stability/hill_harmonics.h"
+#include "stability/hill/hill_harmonics.h"
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"

@@ -1,4 +1,4 @@
-#include "linalg/quadratic_resolvent.h"
+#include "linalg/quadratic/quadratic_resolvent.h"
 
 #include "linalg/check.h"
 

@@ -1,7 +1,7 @@
-#include "stability/hill_harmonics.h"
+#include "stability/hill/hill_harmonics.h"
 
 #include "results/formulation.h"
-#include "stability/hill_motions.h"
+#include "stability/hill/hill_motions.h"
 #include "stability/motions.h"
 
 #include <algorithm>

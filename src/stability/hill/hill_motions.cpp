@@ -1,4 +1,4 @@
-#include "stability/hill_motions.h"
+#include "stability/hill/hill_motions.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "linalg/quadratic_problem.h"
+#include "linalg/quadratic/quadratic_problem.h"
 
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"

@@ -1,8 +1,8 @@
-#include "linalg/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_eigen.h"
 
 #include "linalg/check.h"
 #include "linalg/handles.h"
-#include "linalg/quadratic_problem.h"
+#include "linalg/quadratic/quadratic_problem.h"
 #include "linalg/unit_scales.h"
 
 #include <algorithm>
