@@ -178,7 +178,7 @@ Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forc
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {
     const Terms a = terms(from);
-    Piece piece{from, to, {a.constant, a.linear, a.quadratic}, nullptr, {}};
+    Piece piece{from, to, {a.constant, a.linear, a.quadratic}, nullptr, {}, {}, {}};
     if (to > from) { // the bearings enter the constant and the linear term, both linear in s
         const Terms b = terms(to);
         const Eigen::MatrixXcd change0 = (b.constant - a.constant) / (to - from);
@@ -198,9 +198,9 @@ void ReducedMotion::enter_piece(double inside) {
     _piece = &known->second;
 }
 
-const linalg::QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
+const QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
     if (!_piece->resolvent || _piece->resolved != std::pair(from, to)) {
-        _piece->resolvent = std::make_unique<linalg::QuadraticResolvent>(_piece->P, _b, from, to);
+        _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, _b, from, to);
         _piece->resolved = {from, to};
     }
     return *_piece->resolvent;
@@ -211,14 +211,22 @@ std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) {
 }
 
 double ReducedMotion::rounding(double speed) const {
-    return std::numeric_limits<double>::epsilon() /
-           std::max(_piece->P.at(speed).partialPivLu().rcond(), 1e-300);
+    const auto [known, missing] = _piece->roundings.try_emplace(speed, 0.0);
+    if (missing)
+        known->second = std::numeric_limits<double>::epsilon() /
+                        std::max(_piece->P.at(speed).partialPivLu().rcond(), 1e-300);
+    return known->second;
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> P(_piece->P.at(speed));
-    const Eigen::VectorXcd u = P.solve(_b);
-    return readings({u, P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u))}, speed);
+    const auto [known, missing] = _piece->readings.try_emplace(speed);
+    if (missing) {
+        const Eigen::PartialPivLU<Eigen::MatrixXcd> P(_piece->P.at(speed));
+        const Eigen::VectorXcd u = P.solve(_b);
+        known->second =
+            readings({u, P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u))}, speed);
+    }
+    return known->second;
 }
 
 std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
@@ -226,7 +234,7 @@ std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
 }
 
 /// @param unit  of P u = b, where imbalances have the force speed^2 b
-std::vector<Reading> ReducedMotion::readings(const linalg::QuadraticResolvent::Solution &unit,
+std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution &unit,
                                              double speed) const {
     const double force = _drive.weight() ? 1 : speed * speed;
     const double force_slope = _drive.weight() ? 0 : 2 * speed;

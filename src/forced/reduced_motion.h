@@ -2,7 +2,7 @@
 
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
-#include "linalg/quadratic/quadratic_resolvent.h"
+#include "forced/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
 #include "results/formulation.h"
 
@@ -93,9 +93,11 @@ class ReducedMotion {
     };
     struct Piece {
         double from = 0, to = 0; ///< rad/s; equal: the bearings are constant
-        linalg::QuadraticTerms P;
-        std::unique_ptr<linalg::QuadraticResolvent> resolvent; ///< none before poles()
-        std::pair<double, double> resolved;                    ///< where it is for
+        QuadraticTerms P;
+        std::unique_ptr<QuadraticResolvent> resolvent;   ///< none before poles()
+        std::pair<double, double> resolved;              ///< where it is for
+        std::map<double, std::vector<Reading>> readings; ///< at() by speed, so far
+        std::map<double, double> roundings;
     };
     const assembly::Discretization &_discretization;
     results::Form _form;
@@ -111,8 +113,8 @@ class ReducedMotion {
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
-    [[nodiscard]] const linalg::QuadraticResolvent &resolvent(double from, double to);
-    [[nodiscard]] std::vector<Reading> readings(const linalg::QuadraticResolvent::Solution &unit,
+    [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
+    [[nodiscard]] std::vector<Reading> readings(const QuadraticResolvent::Solution &unit,
                                                 double speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
     void make_shapes(double top, bool reduction);

@@ -1,4 +1,8 @@
-#include "linalg/quadratic/quadratic_resolvent.h"
+<<<<<<<< HEAD:src/forced/quadratic_resolvent.cpp
+#include "forced/quadratic_resolvent.h"
+========
+#include "forced/quadratic_resolvent.h"
+>>>>>>>> h1/main:src/forced/quadratic_resolvent.cpp
 
 #include "linalg/check.h"
 
@@ -8,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace whirl::linalg {
+namespace whirl::forced {
 
 namespace {
 
@@ -35,7 +39,7 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     companion.bottomLeftCorner(m, m).setIdentity();
     const Eigen::ComplexSchur<Eigen::MatrixXcd> schur(companion, true);
     if (schur.info() != Eigen::Success)
-        throw SolverError("the poles of a small quadratic problem were not found");
+        throw linalg::SolverError("the poles of a small quadratic problem were not found");
     _T = schur.matrixT();
     _lower = schur.matrixU().bottomRows(m);
     _h = schur.matrixU().topRows(m).adjoint() * at_shift.solve(b);
@@ -60,4 +64,4 @@ QuadraticResolvent::Solution QuadraticResolvent::at(double s) const {
     return {_lower * (square * v), _lower * ((-square / _width) * (2.0 * m * v - square * w))};
 }
 
-} // namespace whirl::linalg
+} // namespace whirl::forced

@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-namespace whirl::linalg {
+namespace whirl::forced {
 
 /// P(s) = P0 + s P1 + s^2 P2, dense and complex, and the solution of P(s) u = b at any s.
 struct QuadraticTerms {
@@ -22,7 +22,7 @@ struct QuadraticTerms {
 class QuadraticResolvent {
   public:
     /// @param from, to  where s lies, real; the shift keeps away from there
-    /// @throws SolverError where the Schur form is not found
+    /// @throws linalg::SolverError where the Schur form is not found
     QuadraticResolvent(const QuadraticTerms &terms, const Eigen::VectorXcd &b, double from,
                        double to);
 
@@ -44,4 +44,4 @@ class QuadraticResolvent {
     Eigen::VectorXcd _h;     ///< Q^H (P(shift)^-1 b, 0)
 };
 
-} // namespace whirl::linalg
+} // namespace whirl::forced
