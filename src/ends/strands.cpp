@@ -141,6 +141,8 @@ double share(const DenseProblem &of_a, const Root &a, const Root &b) {
 
 /// The partners of the roots of a group by their vectors: where motions pass close by each other,
 /// values and rates do not tell which is which, but each is all but orthogonal to the others.
+/// Of motions that may neither grow nor die out (undamped ones, which turn where they meet) nothing
+/// is told by that.
 /// @returns nothing where one has no partner
 std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, const Spectrum &to,
                                                          const Group &group) {
@@ -156,7 +158,8 @@ std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, c
             const double both = share(from.problem, a, b) * share(to.problem, b, a);
             return !taken[static_cast<std::size_t>(j)] && both > the_same && both < 1 / the_same;
         });
-        if (found == group.second.end())
+        if (found == group.second.end() || a.sign() == 0 ||
+            to.roots[static_cast<std::size_t>(*found)].sign() == 0)
             return std::nullopt;
         taken[static_cast<std::size_t>(*found)] = true;
         out.emplace_back(i, *found);
