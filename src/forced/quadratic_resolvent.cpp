@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:src/forced/quadratic_resolvent.cpp
 #include "forced/quadratic_resolvent.h"
-========
-#include "forced/quadratic_resolvent.h"
->>>>>>>> h1/main:src/forced/quadratic_resolvent.cpp
 
 #include "linalg/check.h"
 
