@@ -145,8 +145,9 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
                                           gap.from, gap.to, what, gap.frequency));
 }
 
-/// Lines on which motion grows.
+/// Lines on which motion grows, in one note.
 void note_growing(results::CampbellResult &result) {
+    std::vector<std::string> lines;
     for (const results::CampbellMode &mode : result.modes) {
         std::vector<double> at;
         for (std::size_t k = 0; k < mode.real.size(); ++k) {
@@ -159,11 +160,18 @@ void note_growing(results::CampbellResult &result) {
                 at.push_back(result.speeds[k]);
         }
         if (!at.empty())
-            result.model.notes.push_back(
-                fmt::format("unstable: mode {} grows (negative damping) at {} of {} speeds, from "
-                            "{:.6g} to {:.6g} rad/s; `stability` finds where it begins",
-                            mode.label, at.size(), result.speeds.size(), at.front(), at.back()));
+            lines.push_back(
+                fmt::format("{} ({:.6g} to {:.6g} rad/s)", mode.label, at.front(), at.back()));
     }
+    constexpr std::size_t listed = 4;
+    if (lines.empty())
+        return;
+    const std::size_t more = lines.size() - std::min(listed, lines.size());
+    lines.resize(std::min(listed, lines.size()));
+    result.model.notes.push_back(fmt::format(
+        "unstable: motion grows (negative damping) at speeds of {}{}; `stability` finds where it "
+        "begins",
+        fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more modes", more) : ""));
 }
 
 /// Speeds so far apart that lines exchange their places between them.

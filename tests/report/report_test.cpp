@@ -188,7 +188,7 @@ TEST(SceneDrawing, ShowsImbalances) {
     scene.rotor.shaft.segments = {segment};
     scene.rotor.imbalances = {
         {"", 0.25, 12e-6, 0}, {"blade", 0.5, 2e-3, std::numbers::pi}, {"", 0.75, 0, 0}};
-    const Drawing drawing = scene_drawing(scene);
+    const Drawing drawing = show_drawing(scene, results::ShowResult{});
     const auto text = [&](const std::string &wanted) {
         return std::count_if(drawing.texts.begin(), drawing.texts.end(),
                              [&](const auto &t) { return t.text == wanted; });
