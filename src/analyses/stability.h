@@ -4,8 +4,8 @@
 #include "balancers/arrangement.h"
 #include "model/case.h"
 #include "results/stability.h"
-#include "stability/rotor_at_speeds.h"
 #include "stability/band_finder.h"
+#include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
 #include <functional>
