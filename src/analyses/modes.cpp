@@ -45,6 +45,7 @@ std::complex<double> largest_component(const Eigen::VectorXcd &x, const Eigen::V
 std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPower> &parts,
                                                  double real) {
     constexpr double cancelled = 1e-9;
+    constexpr double rounding = 1e-14; // of the sums that a power is made of
     double sum = 0;
     double size = 0;
     for (const modes::PartPower &part : parts) {
@@ -53,9 +54,11 @@ std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPo
     }
     const bool known = real != 0 && std::abs(sum) > cancelled * size;
     std::vector<results::Dissipation> out;
-    for (const modes::PartPower &part : parts)
+    for (const modes::PartPower &part : parts) {
+        const double power = std::abs(part.power) > rounding * size ? part.power : 0;
         out.push_back(
-            {part.of, part.z, part.name, known ? std::optional(part.power / sum) : std::nullopt});
+            {part.of, part.z, part.name, known ? std::optional(power / sum) : std::nullopt});
+    }
     return out;
 }
 
