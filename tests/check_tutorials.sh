@@ -4,7 +4,8 @@
 #   ```console                   lines "$ whirl ..." are run; every other line, but for "...", must be
 #                                a line of their output, in this order, whatever the blanks
 # Numbers agree within 1e-5 of their size: rounding differs between computers, and the least that
-# is printed is five digits. Those below 1e-5 are error estimates: they must be below 1e-5.
+# is printed is five digits. Decimals of fewer digits agree within one of their last digit. Those
+# below 1e-5 are error estimates: they must be below 1e-5.
 # Usage: check_tutorials.sh PROGRAM [project root] [page...]
 set -euo pipefail
 program="$(realpath "$1")"
@@ -23,10 +24,17 @@ found() {
   WANTED="$1" awk -v from="$2" '
     function number(text) { return text ~ /^[-+]?[0-9]*\.?[0-9]+([eE][-+]?[0-9]+)?$/ }
     function size(x) { return x < 0 ? -x : x }
+    # Of a decimal of up to three digits, else 0.
+    function last_digit(text,   decimals, digits) {
+      if (text !~ /^-?[0-9]+\.[0-9]+$/) return 0
+      decimals = text; sub(/.*\./, "", decimals)
+      digits = text; gsub(/[-.]/, "", digits); sub(/^0+/, "", digits)
+      return length(digits) < 4 ? 10 ^ -length(decimals) : 0
+    }
     function alike(a, b) {
       if (!number(a) || !number(b)) return a == b
       if (size(a) < 1e-5 && size(b) < 1e-5 && a != 0 && b != 0) return 1
-      return size(a - b) <= 1e-5 * size(a)
+      return size(a - b) <= 1e-5 * size(a) || size(a - b) <= last_digit(a)
     }
     BEGIN { words = split(ENVIRON["WANTED"], wanted) }
     NR >= from && NF == words {

@@ -13,9 +13,6 @@ namespace {
 
 /// rad: parts nearer than that touch. The distance of parts that touch is wrong by no more.
 constexpr double touching = 1e-11;
-/// Of the scale of rates: a part slower than that relative to the rotor stands. The energy of that
-/// motion is lost: 1e-12 of its own.
-constexpr double at_rest = 1e-6;
 /// Of the scale of rates: parts that meet slower than that stay together, or bounce would follow
 /// bounce without end. The energy of that motion is lost: 1e-10 of theirs.
 constexpr double together = 1e-5;
@@ -23,10 +20,14 @@ constexpr double together = 1e-5;
 constexpr double still = 1e-12;
 /// Of the scale of rates: how far a part that comes to rest moves on before it is seen.
 constexpr double seen = 1e-9;
+/// Of the scale of rates: a part slower than that relative to the rotor stands, and two that come
+/// apart slower than that touch. The energy of that motion is lost: 1e-17 of its own.
+constexpr double at_rest = 2 * seen;
 /// Of the torque m R^2 scale^2: how far a constraint may be overstrained.
 constexpr double overstrained = 1e-9;
 constexpr int pieces = 4; ///< in which gaps are looked at between the ends of a step
 constexpr long most_impacts_at_once = 1000;
+constexpr long most_events_at_once = 1000;
 
 /// Value and slope at the ends of a step make a cubic.
 double cubic(double a, double da, double b, double db, double length, double s) {
@@ -224,6 +225,11 @@ void DryEvents::settle(double t, Eigen::VectorXd &state, const std::vector<bool>
 }
 
 void DryEvents::pass(Event &event) {
+    constexpr double at_once = 1e-14; // of the time itself: rounding
+    _at_once = event.time - _last <= at_once * event.time ? _at_once + 1 : 0;
+    _last = event.time;
+    if (_at_once > most_events_at_once)
+        throw linalg::SolverError("balls begin to move and come to rest without end at one moment");
     long done = 0;
     do {
         while (collide(event.time, event.state))
@@ -233,61 +239,74 @@ void DryEvents::pass(Event &event) {
     } while (collide(event.time, event.state));
 }
 
-/// Opens the gap, or lets go the part, whose constraint is overstrained most.
-bool DryEvents::free_the_worst() {
+/// Opens the gap, or lets go the part, whose constraint is overstrained most; holds again those
+/// that the freedom of others has turned back: a gap that would close, a part that would move
+/// against its sense. @returns whether anything was to be changed.
+/// @param first  the first of them in place of the worst: K. G. Murty's rule, that ends
+bool DryEvents::amend(const Candidates &near, bool first) {
     DryState &dry = _motion.dry();
-    double worst = -overstrained / 2;
-    std::optional<std::size_t> gap;
-    std::optional<std::size_t> part;
-    for (std::size_t k = 0; k < dry.gaps.size(); ++k)
-        if (const double share =
-                _motion.pressure(k) / _motion.torque_scale(dry.gaps[k].second, _scale);
-            dry.closed[k] && share < worst) {
-            worst = share;
-            gap = k;
+    const double *accelerations = _rates.data() + _motion.coordinates() + _motion.first_angle();
+    double worst = 0;
+    std::function<void()> change;
+    const auto propose = [&](double excess, std::function<void()> how) {
+        if (excess > worst && !(first && change)) {
+            worst = excess;
+            change = std::move(how);
         }
-    for (std::size_t i = 0; i < dry.slip.size(); ++i)
-        if (const double share =
-                _motion.friction_reserve(i) / _motion.torque_scale(static_cast<int>(i), _scale);
-            dry.stands(i) && share < worst) {
-            worst = share;
-            part = i;
-        }
-    if (part)
-        dry.slip[*part] = _motion.holding_torque(*part) > 0 ? -1 : 1;
-    else if (gap)
-        dry.closed[*gap] = false;
-    return part || gap;
+    };
+    for (std::size_t i = 0; i < dry.slip.size(); ++i) {
+        if (!near.parts[i] || !dry.resists[i])
+            continue;
+        const double scale = _motion.torque_scale(static_cast<int>(i), _scale);
+        if (!dry.stands(i))
+            propose(-dry.slip[i] * accelerations[i] / (_scale * _scale),
+                    [&dry, i] { dry.slip[i] = 0; });
+        else if (const double reserve = _motion.friction_reserve(i) / scale;
+                 reserve < -overstrained / 2)
+            propose(-reserve, [&dry, i, sense = _motion.holding_torque(i) > 0 ? -1 : 1] {
+                dry.slip[i] = sense;
+            });
+    }
+    for (std::size_t k = 0; k < dry.gaps.size(); ++k) {
+        if (!near.gaps[k])
+            continue;
+        const Gap &gap = dry.gaps[k];
+        const double scale = _motion.torque_scale(gap.second, _scale);
+        if (!dry.closed[k])
+            propose((accelerations[gap.first] - accelerations[gap.second]) / (_scale * _scale),
+                    [&dry, k] { dry.closed[k] = true; });
+        else if (const double pressure = _motion.pressure(k) / scale; pressure < -overstrained / 2)
+            propose(-pressure, [&dry, k] { dry.closed[k] = false; });
+    }
+    if (change)
+        change();
+    return static_cast<bool>(change);
 }
 
 /// All that could touch or stand does, until it would need to pull, or more friction than there is.
 void DryEvents::choose(double t, Eigen::VectorXd &state) {
     DryState &dry = _motion.dry();
     const double *angles = state.data() + _motion.first_angle();
-    for (std::size_t k = 0; k < dry.gaps.size(); ++k)
+    for (std::size_t k = 0; k < dry.gaps.size(); ++k) {
+        const double rate = _motion.opening(dry.gaps[k], state.data());
         dry.closed[k] = _motion.gap_of(dry.gaps[k], angles) <= 1e2 * touching &&
-                        std::abs(_motion.opening(dry.gaps[k], state.data())) <= together * _scale;
-    std::vector<bool> settled = dry.closed;
-    Eigen::VectorXd tried = state;
-    settle(t, tried, settled);
-    const Eigen::Index first_rate = _motion.first_angle() + _motion.coordinates();
+                        rate >= -together * _scale && rate <= at_rest * _scale;
+    }
+    Candidates near{dry.closed, std::vector<bool>(dry.slip.size())};
+    settle(t, state, near.gaps);
+    const double *rates = angles + _motion.coordinates();
     for (std::size_t i = 0; i < dry.slip.size(); ++i) {
-        const double rate = tried(first_rate + static_cast<Eigen::Index>(i));
-        dry.slip[i] = std::abs(rate) <= at_rest * _scale ? 0 : rate > 0 ? 1 : -1;
+        near.parts[i] = std::abs(rates[i]) <= at_rest * _scale;
+        dry.slip[i] = near.parts[i] ? 0 : rates[i] > 0 ? 1 : -1;
     }
-    stop_standing(t, tried);
-    const std::size_t most = dry.gaps.size() + dry.slip.size();
-    for (std::size_t pass = 0; pass <= most; ++pass) {
-        _motion.rates(t, tried.data(), _rates.data());
-        if (!free_the_worst())
-            break;
-    }
-    // Those that come apart keep the speed at which they do.
-    for (std::size_t k = 0; k < settled.size(); ++k)
-        settled[k] =
-            settled[k] && (dry.closed[k] || _motion.opening(dry.gaps[k], state.data()) < 0);
-    settle(t, state, settled);
     stop_standing(t, state);
+    const std::size_t most = 4 * (dry.gaps.size() + dry.slip.size());
+    std::size_t pass = 0;
+    do {
+        if (++pass > 50 * most)
+            throw linalg::SolverError("it is not clear which balls stand and touch");
+        _motion.rates(t, state.data(), _rates.data());
+    } while (amend(near, pass > most));
 }
 
 /// What the integrator has left of the motion of parts that stand.

@@ -45,11 +45,18 @@ class DryEvents {
     long _impacts = 0;
     double _created = 0;
     bool _lifted = false;
+    double _last = -1; ///< s: of the last event
+    long _at_once = 0; ///< events at that time
 
     /// What there is to be searched of a step, and the state at each moment of it.
     struct Piece {
         double from = 0, length = 0;
         std::function<const double *(double since)> state_at;
+    };
+
+    /// What touches or is at rest: it may be held, or let go.
+    struct Candidates {
+        std::vector<bool> gaps, parts;
     };
 
     [[nodiscard]] std::vector<double> values(double t, const double *state);
@@ -60,7 +67,7 @@ class DryEvents {
     void settle(double t, Eigen::VectorXd &state, const std::vector<bool> &which);
     void stop_standing(double t, Eigen::VectorXd &state);
     void choose(double t, Eigen::VectorXd &state);
-    bool free_the_worst();
+    bool amend(const Candidates &near, bool first);
     bool collide(double t, Eigen::VectorXd &state);
 };
 
