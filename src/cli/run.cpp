@@ -13,12 +13,15 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include <unistd.h>
 
@@ -64,6 +67,21 @@ const Command &command_of(const Arguments &arguments) {
                          [&](const Command &command) { return command.name == arguments.command; });
 }
 
+/// An option of other commands changes nothing here: better said than found out.
+void note_idle_map(const Arguments &arguments) {
+    const auto has_map = [](const Command &command) {
+        return std::count(command.options.begin(), command.options.end(), "--map") > 0;
+    };
+    if (!arguments.map || has_map(command_of(arguments)))
+        return;
+    std::vector<std::string_view> names;
+    for (const Command &command : commands())
+        if (has_map(command))
+            names.push_back(command.name);
+    complain(fmt::format("note: --map does nothing in {}; it is of {}", arguments.command,
+                         fmt::join(names, " and ")));
+}
+
 } // namespace
 
 std::filesystem::path Run::folder() const {
@@ -74,6 +92,7 @@ void run(const Arguments &arguments) {
     if (arguments.command == "compare")
         return comparison()(arguments);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
+    note_idle_map(arguments);
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);
     const linalg::Session session;

@@ -80,6 +80,14 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_EQ(run({"critical", "--version"}).output, version.output);
 }
 
+TEST_F(Program, SaysWhereAMapIsIdle) {
+    const std::string note = "note: --map does nothing in campbell; it is of ";
+    const ProgramRun idle = run(with_few({"campbell", rotor, "--map"}));
+    EXPECT_EQ(idle.status, 0);
+    EXPECT_TRUE(contains(idle.errors, note)) << idle.errors;
+    EXPECT_FALSE(contains(run(with_few({"campbell", rotor})).errors, note));
+}
+
 TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
         {{}, "a command is missing"},

@@ -30,6 +30,13 @@ const std::vector<Row> rows{{"1F", 13.5, {1.5, std::nullopt}},
 
 } // namespace
 
+TEST(Table, WhatIsRoundedToNothingHasNoSign) {
+    EXPECT_EQ(shown(Json(-0.04), {"", "{:.1f}"}, "-"), "0.0");
+    EXPECT_EQ(shown(Json(-0.06), {"", "{:.1f}"}, "-"), "-0.1");
+    EXPECT_EQ(shown(Json(-0.0), {"", "{:.3g}"}, "-"), "0");
+    EXPECT_EQ(shown(Json(-3e-10), {"", "{:.3g}"}, "-"), "-3e-10");
+}
+
 TEST(Table, EachReaderSeesItsColumnsAndItsOwnWordForWhatIsMissing) {
     EXPECT_EQ(csv_table(columns, rows), "name,value [m]\n"
                                         "1F,13.5\n"

@@ -16,8 +16,12 @@ std::string shown(const Json &value, const Shown &as, const std::string &missing
         return value.get<std::string>();
     if (value.is_number_float()) {
         const double number = value.get<double>();
-        if (std::isfinite(number))
-            return fmt::format(fmt::runtime(as.format), number);
+        if (std::isfinite(number)) {
+            std::string text = fmt::format(fmt::runtime(as.format), number);
+            if (text.starts_with('-') && text.find_first_of("123456789") == std::string::npos)
+                text.erase(0, 1); // rounded to nothing
+            return text;
+        }
         return std::isinf(number) ? as.infinite.value_or(missing) : missing;
     }
     return value.is_null() ? missing : value.dump();
