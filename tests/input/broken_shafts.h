@@ -12,7 +12,7 @@ inline std::vector<BrokenCase> broken_shafts() {
     const std::string table = steel + "[shaft]\ntable = \"s.csv\"\n";
     return {
         {"syntax", 8, "", "not valid TOML", base + "[[disc\n"},
-        {"decimal comma", 9, "", "write the decimal point as \".\"", base + "order = 2,5\n"},
+        {"decimal comma", 8, "", "write the decimal point as \".\"", base + "order = 2,5\n"},
         {"duplicate key", 9, "", "not valid TOML", base + "order = 2\norder = 3\n"},
         {"no format", 1, "format", "missing, expected format = 1",
          "title = \"x\"\n" + base.substr(base.find('\n') + 1)},
