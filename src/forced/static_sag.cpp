@@ -18,6 +18,13 @@ double apart(std::complex<double> one, std::complex<double> other, double scale)
     return size > 1e-14 * scale ? std::abs(one - other) / size : 0; // else it is rounding of zero
 }
 
+/// What rounding leaves of a direction in which nothing moves is nothing.
+std::complex<double> without_rounding(std::complex<double> value) {
+    const double least = 1e-14 * std::abs(value);
+    return {std::abs(value.real()) > least ? value.real() : 0,
+            std::abs(value.imag()) > least ? value.imag() : 0};
+}
+
 } // namespace
 
 std::optional<results::StaticSag> static_sag(const assembly::Discretization &d, double gravity) {
@@ -48,8 +55,8 @@ std::optional<results::StaticSag> static_sag(const assembly::Discretization &d, 
             {motion.at_rest(d.slope_at_node(node)), finer.at_rest(halved.slope_at(z))});
         deepest = std::max(deepest, std::abs(deflections.back().here));
         steepest = std::max(steepest, std::abs(slopes.back().here));
-        const std::complex<double> u = deflections.back().here;
-        const std::complex<double> phi = slopes.back().here;
+        const std::complex<double> u = without_rounding(deflections.back().here);
+        const std::complex<double> phi = without_rounding(slopes.back().here);
         sag.stations.push_back({z, name, u.real(), u.imag(), phi.real(), phi.imag(), 0, 0});
     }
     const double rounding = motion.rounding() + finer.rounding();
@@ -59,7 +66,7 @@ std::optional<results::StaticSag> static_sag(const assembly::Discretization &d, 
         sag.stations[i].slope_error = apart(slopes[i].here, slopes[i].finer, steepest) + rounding;
     }
     for (int i = 0; i < static_cast<int>(d.rotor().supports().size()); ++i) {
-        const std::complex<double> force = motion.bearing_force_at_rest(i);
+        const std::complex<double> force = without_rounding(motion.bearing_force_at_rest(i));
         const model::Bearing &bearing = d.rotor().bearings[static_cast<std::size_t>(i)];
         sag.bearings.push_back({bearing.z, bearing.name, -force.imag(), force.real(),
                                 apart(force, finer.bearing_force_at_rest(i), weight) + rounding});
