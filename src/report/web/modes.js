@@ -9,7 +9,7 @@ result.modes.forEach((m, k) => {
   const top = 1 - k / count, bottom = 1 - (k + 0.8) / count;
   layout["yaxis" + (k ? k + 1 : "")] = axis("", {domain: [bottom, top], range: [-1.2, 1.2], dtick: 1});
   layout.annotations.push({xref: "paper", yref: "paper", x: 0.01, y: top, xanchor: "left", yanchor: "top", showarrow: false,
-    text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
+    text: `<b>${m.label ?? ""}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
       (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"});
 });
 draw(traces, layout);
