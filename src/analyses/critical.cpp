@@ -1,7 +1,7 @@
 #include "analyses/critical.h"
 
 #include "analyses/critical_map/critical_map.h"
-#include "analyses/mode_naming.h"
+#include "analyses/names/mode_naming.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"

@@ -1,7 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/critical.h"
-#include "analyses/mode_naming.h"
+#include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
 #include "analyses/orbits/response_orbits.h"
 #include "forced/forced_motion.h"

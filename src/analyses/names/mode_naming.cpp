@@ -1,4 +1,4 @@
-#include "analyses/mode_naming.h"
+#include "analyses/names/mode_naming.h"
 
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
