@@ -12,8 +12,9 @@
 #include "results/model_summary.h"
 #include "results/whirl.h"
 #include "tracking/crossings.h"
+#include "tracking/followed_lines.h"
 #include "tracking/line_errors.h"
-#include "tracking/spectra.h"
+#include "tracking/line_names.h"
 #include "tracking/tracking.h"
 
 #include <fmt/format.h>
@@ -24,21 +25,6 @@
 namespace whirl::analyses {
 
 namespace {
-
-/// Lines that are among the `modes` lowest at some speed.
-std::vector<tracking::Line> wanted_lines(std::vector<tracking::Line> lines, int modes) {
-    std::erase_if(lines, [modes](const tracking::Line &line) {
-        return std::none_of(line.place.begin(), line.place.end(), [modes](int place) {
-            return place != tracking::Line::absent && place < modes;
-        });
-    });
-    return lines;
-}
-
-/// Where a line leaves the computed part of the spectrum more modes find it again.
-bool left_spectrum(const tracking::Line &line) {
-    return std::count(line.absence.begin(), line.absence.end(), tracking::Absence::beyond) > 0;
-}
 
 std::string word(tracking::Absence why) {
     switch (why) {
@@ -88,26 +74,22 @@ results::CampbellMode mode_along(const tracking::Line &line,
     return out;
 }
 
-/// The sense a line has at most of its speeds names it.
-results::Whirl usual_whirl(const results::CampbellMode &mode) {
-    int votes[3] = {0, 0, 0};
-    for (std::size_t k = 0; k < mode.whirl.size(); ++k)
-        if (mode.frequency[k])
-            ++votes[static_cast<int>(mode.whirl[k])];
-    if (votes[2] >= votes[0] && votes[2] >= votes[1])
-        return results::Whirl::mixed;
-    return votes[0] >= votes[1] ? results::Whirl::forward : results::Whirl::backward;
-}
-
-void name_modes(std::vector<results::CampbellMode> &modes) {
-    int counts[3] = {0, 0, 0};
-    for (results::CampbellMode &mode : modes) {
-        const results::Whirl whirl = usual_whirl(mode);
-        const char letter = whirl == results::Whirl::forward    ? 'F'
-                            : whirl == results::Whirl::backward ? 'B'
-                                                                : 'M';
-        mode.label = fmt::format("{}{}", ++counts[static_cast<int>(whirl)], letter);
+/// Leaves the lines that are among the `modes` lowest at some speed.
+/// @returns their names
+std::vector<std::string> keep_lowest(tracking::FollowedLines &found, int modes) {
+    std::vector<tracking::Line> &lines = found.tracking.lines;
+    const std::vector<tracking::LineName> names = tracking::line_names(
+        lines, found.spectra, tracking::naming_places(found.spectra.size()), modes, true);
+    std::vector<tracking::Line> lowest;
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!tracking::among_lowest(lines[i], modes))
+            continue;
+        labels.push_back(names[i].label);
+        lowest.push_back(std::move(lines[i]));
     }
+    lines = std::move(lowest);
+    return labels;
 }
 
 /// What the absence of a mode at some speeds means.
@@ -243,31 +225,6 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
                         wanted));
 }
 
-/// Spectra with enough modes that no wanted line leaves them. Collective.
-tracking::Tracking followed_lines(const modes::SpectrumSolver &solver,
-                                  const std::vector<double> &speeds, int modes,
-                                  std::vector<modes::Spectrum> &spectra, bool follow) {
-    // With balancers some of the slowest modes are the balls': lines leave and come back.
-    const int more_modes = std::max(4, modes / 2);
-    const bool balanced = !solver.discretization().rotor().balancers.empty();
-    int computed = modes + (balanced ? more_modes : 2);
-    tracking::Tracking tracking;
-    for (int attempt = 0;; ++attempt) {
-        spectra = tracking::spectra_at(solver, speeds, computed, follow);
-        std::vector<char> more(1, 0);
-        if (process::process_rank() == 0) {
-            tracking = tracking::track(solver, spectra, modes);
-            tracking.lines = wanted_lines(std::move(tracking.lines), modes);
-            more[0] = attempt < 3 &&
-                      std::any_of(tracking.lines.begin(), tracking.lines.end(), left_spectrum);
-        }
-        process::broadcast(more);
-        if (more[0] == 0)
-            return tracking;
-        computed += more_modes;
-    }
-}
-
 } // namespace
 
 results::CampbellResult campbell(const model::Case &scene) {
@@ -282,19 +239,22 @@ results::CampbellResult campbell(const model::Case &scene) {
                                        result.model.order);
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
-    std::vector<modes::Spectrum> spectra;
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
-    const tracking::Tracking tracking =
-        followed_lines(solver, result.speeds, scene.campbell.modes, spectra, scene.reduction);
+    tracking::FollowedLines found =
+        tracking::followed_lines(solver, result.speeds, scene.campbell.modes, scene.reduction);
     if (process::process_rank() != 0)
         return result;
+    const std::vector<std::string> labels = keep_lowest(found, scene.campbell.modes);
+    const tracking::Tracking &tracking = found.tracking;
+    const std::vector<modes::Spectrum> &spectra = found.spectra;
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);
     const tracking::LineErrors errors =
         tracking::line_errors(scene.rotor, solver, tracking.lines, spectra);
-    for (std::size_t i = 0; i < tracking.lines.size(); ++i)
+    for (std::size_t i = 0; i < tracking.lines.size(); ++i) {
         result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
                                           results::in_rotating_axes(solver.form())));
-    name_modes(result.modes);
+        result.modes.back().label = labels[i];
+    }
     stage.emplace("crossings", 0.75, 1.0);
     tracking::Crossings crossed =
         tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);

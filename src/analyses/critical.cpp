@@ -1,6 +1,7 @@
 #include "analyses/critical.h"
 
 #include "analyses/critical_map/critical_map.h"
+#include "analyses/names/mode_naming.h"
 #include "analyses/response.h"
 #include "assembly/discretization.h"
 #include "linalg/check.h"
@@ -144,9 +145,13 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
                : std::vector<double>(list.modes.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
         const modes::WhirlMode &mode = list.modes[i];
-        result.critical_speeds.push_back({mode.eigenvalue.imag(), mode.whirl,
-                                          mode.eigenvalue.real(), errors[i], mode.residual,
-                                          results::damping_of(modes::determined_value(mode))});
+        result.critical_speeds.push_back({mode.eigenvalue.imag(),
+                                          mode.whirl,
+                                          mode.eigenvalue.real(),
+                                          errors[i],
+                                          mode.residual,
+                                          results::damping_of(modes::determined_value(mode)),
+                                          {}});
     }
     if (!judged)
         return result;
@@ -237,6 +242,7 @@ std::vector<results::ResponsePeak> peaks_for_margins(const model::Case &scene,
 
 results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
+    name_modes(result.critical_speeds, scene, result.model.order);
     if (scene.operation) {
         result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
                                                        peaks_for_margins(scene, result.model),

@@ -8,9 +8,9 @@
 #include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "modes/spectrum.h"
-#include "process/parallel.h"
 #include "results/modes.h"
 #include "results/whirl.h"
+#include "tracking/mode_names.h"
 
 #include <fmt/format.h>
 
@@ -62,28 +62,23 @@ std::vector<results::Dissipation> dissipation_of(const std::vector<modes::PartPo
     return out;
 }
 
-char letter(results::Whirl whirl) {
-    return whirl == results::Whirl::forward ? 'F' : whirl == results::Whirl::backward ? 'B' : 'M';
-}
-
 /// The modes of one rotor as shapes.
 class Shapes {
   public:
-    explicit Shapes(const modes::SpectrumSolver &solver)
-        : _solver(solver), _stations(modes::Stations::for_drawing(solver.discretization())) {}
+    /// @param names  of modes; null where they are not known
+    Shapes(const modes::SpectrumSolver &solver, const tracking::ModeNames *names)
+        : _solver(solver), _names(names),
+          _stations(modes::Stations::for_drawing(solver.discretization())) {}
 
     [[nodiscard]] const std::vector<double> &z() const { return _stations.z(); }
 
-    /// A mode of a spectrum, its label counting those of its sense.
+    /// A mode of a spectrum.
     [[nodiscard]] results::ModeShape of(const modes::Spectrum &spectrum, std::size_t index) const {
         const modes::WhirlMode &mode = spectrum.modes[index];
-        const auto number = std::count_if(
-            spectrum.modes.begin(), spectrum.modes.begin() + static_cast<std::ptrdiff_t>(index) + 1,
-            [&mode](const modes::WhirlMode &other) { return other.whirl == mode.whirl; });
         const Eigen::VectorXcd x = _solver.x_at(mode, _stations);
         const Eigen::VectorXcd y = _solver.y_at(mode, _stations);
         const std::complex<double> largest = largest_component(x, y);
-        return {fmt::format("{}{}", number, letter(mode.whirl)),
+        return {_names ? _names->of(spectrum.speed, index) : "",
                 spectrum.speed,
                 mode.eigenvalue,
                 mode.whirl,
@@ -94,35 +89,49 @@ class Shapes {
                                mode.eigenvalue.real())};
     }
 
-    /// The mode that is critical at a speed: of the whirl given the one whose frequency is next.
-    [[nodiscard]] std::optional<results::ModeShape> critical(double speed, results::Whirl whirl,
+    /// The modes with the lowest frequencies at a speed.
+    [[nodiscard]] modes::Spectrum lowest(double speed, int modes) const {
+        const modes::Spectrum *known = _names ? _names->at(speed) : nullptr;
+        if (known == nullptr || static_cast<int>(known->modes.size()) < modes)
+            return _solver.at(speed, modes);
+        modes::Spectrum spectrum = *known;
+        spectrum.modes.resize(static_cast<std::size_t>(modes));
+        return spectrum;
+    }
+
+    /// The mode that is critical at a speed: of its whirl the one whose frequency is next.
+    [[nodiscard]] std::optional<results::ModeShape> critical(const results::CriticalSpeed &critical,
                                                              int modes) const {
         constexpr double near = 0.05;  // critical speeds of damped rotors differ from crossings
         constexpr double equal = 1e-3; // of another whirl
+        const double speed = std::abs(critical.speed);
         modes::Spectrum spectrum;
         for (int found = -1; found < static_cast<int>(spectrum.modes.size()); modes *= 2) {
             found = static_cast<int>(spectrum.modes.size());
-            spectrum = _solver.at(speed, modes);
+            spectrum = lowest(critical.speed, modes);
             if (!spectrum.modes.empty() &&
-                spectrum.modes.back().eigenvalue.imag() > (1 + near) * std::abs(speed))
+                spectrum.modes.back().eigenvalue.imag() > (1 + near) * speed)
                 break;
         }
         // Of equal eigenvalues, as of a disc that does not tilt, neither list tells the whirl.
         std::optional<std::size_t> best;
+        const auto other = [&](std::size_t i) { return spectrum.modes[i].whirl != critical.whirl; };
         const auto away = [&](std::size_t i) {
-            const double off =
-                std::abs(spectrum.modes[i].eigenvalue.imag() - std::abs(speed)) / std::abs(speed);
-            return spectrum.modes[i].whirl == whirl ? off : near + off;
+            const std::complex<double> synchronous(critical.real, speed);
+            return std::abs(spectrum.modes[i].eigenvalue - synchronous) / speed +
+                   (other(i) ? 1 : 0);
         };
-        for (std::size_t i = 0; i < spectrum.modes.size(); ++i)
-            if (away(i) < (spectrum.modes[i].whirl == whirl ? near : near + equal) &&
-                (!best || away(i) < away(*best)))
+        for (std::size_t i = 0; i < spectrum.modes.size(); ++i) {
+            const double off = std::abs(spectrum.modes[i].eigenvalue.imag() - speed) / speed;
+            if (off < (other(i) ? equal : near) && (!best || away(i) < away(*best)))
                 best = i;
+        }
         return best ? std::optional(of(spectrum, *best)) : std::nullopt;
     }
 
   private:
     const modes::SpectrumSolver &_solver;
+    const tracking::ModeNames *_names;
     modes::Stations _stations;
 };
 
@@ -143,22 +152,37 @@ std::vector<results::CriticalSpeed> critical_speeds_of(const model::Case &scene)
 /// The same mode at the same speed.
 bool has(const std::vector<results::ModeShape> &shapes, const results::ModeShape &other) {
     return std::any_of(shapes.begin(), shapes.end(), [&other](const results::ModeShape &shape) {
-        return shape.label == other.label && std::abs(shape.at - other.at) < 1e-9 * other.at;
+        return shape.label == other.label && std::abs(shape.at - other.at) < 1e-9 * other.at &&
+               std::abs(shape.eigenvalue - other.eigenvalue) <= 1e-9 * std::abs(other.eigenvalue);
     });
 }
 
-void add_critical(results::ModesResult &result, const model::Case &scene, const Shapes &shapes) {
-    std::vector<std::string> &notes = result.model.notes;
+/// Those of which shapes are drawn beside the modes at one speed.
+std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &scene,
+                                                          std::vector<std::string> &notes) {
+    if (scene.modes.speed || scene.speeds->count < 2)
+        return {};
     if (!scene.rotor.balancers.empty()) {
         notes.emplace_back("no shapes at critical speeds: these are for balls held in place, and "
                            "the modes here have them free");
-        return;
+        return {};
     }
     try {
-        for (const results::CriticalSpeed &critical : critical_speeds_of(scene)) {
-            if (critical.speed == 0)
-                continue;
-            auto shape = shapes.critical(critical.speed, critical.whirl, scene.campbell.modes);
+        std::vector<results::CriticalSpeed> speeds = critical_speeds_of(scene);
+        std::erase_if(speeds, [](const results::CriticalSpeed &c) { return c.speed == 0; });
+        return speeds;
+    } catch (const model::AnalysisFailure &failure) {
+        notes.push_back(fmt::format("no shapes at critical speeds: {}", failure.what()));
+        return {};
+    }
+}
+
+void add_critical(results::ModesResult &result, const Shapes &shapes,
+                  const std::vector<results::CriticalSpeed> &critical_speeds, int modes) {
+    std::vector<std::string> &notes = result.model.notes;
+    try {
+        for (const results::CriticalSpeed &critical : critical_speeds) {
+            auto shape = shapes.critical(critical, modes);
             if (shape && !has(result.critical, *shape))
                 result.critical.push_back(std::move(*shape));
             else if (!shape)
@@ -172,21 +196,45 @@ void add_critical(results::ModesResult &result, const model::Case &scene, const 
     }
 }
 
+/// Names of the modes at the speed and of those that are critical at others.
+std::optional<tracking::ModeNames>
+names_at(const model::Case &scene, const modes::SpectrumSolver &solver, double speed,
+         const std::vector<results::CriticalSpeed> &critical_speeds) {
+    const results::Form form = solver.form();
+    if (form == results::Form::hill)
+        return std::nullopt;
+    const int modes = scene.campbell.modes;
+    tracking::ModesToName wanted{{speed},
+                                 !results::in_rotating_axes(form),
+                                 [modes, speed](const modes::Spectrum &s, auto i) {
+                                     return s.speed == speed ? static_cast<int>(i) < modes
+                                                             : tracking::near_spin(s, i);
+                                 }};
+    for (const results::CriticalSpeed &critical : critical_speeds)
+        wanted.speeds.push_back(critical.speed);
+    return tracking::mode_names(solver, scene.speeds.value_or(model::SpeedRange{speed, speed, 1}),
+                                modes, scene.reduction, wanted);
+}
+
 } // namespace
 
 results::ModesResult mode_shapes(const model::Case &scene) {
     results::ModesResult result;
-    const model::SpeedRange &speeds = model::required_speeds(scene);
-    result.speed = speeds.from;
+    result.speed = scene.modes.speed ? *scene.modes.speed : model::required_speeds(scene).from;
     result.model.formulation = modes::choose_formulation(scene);
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     result.model.unknowns = solver.unknowns();
-    const Shapes shapes(solver);
+    std::vector<std::string> critical_notes;
+    const std::vector<results::CriticalSpeed> critical_speeds =
+        shown_critical_speeds(scene, critical_notes);
+    const std::optional<tracking::ModeNames> names =
+        names_at(scene, solver, result.speed, critical_speeds);
+    const Shapes shapes(solver, names ? &*names : nullptr);
     result.z = shapes.z();
-    const modes::Spectrum spectrum = solver.at(result.speed, scene.campbell.modes);
+    const modes::Spectrum spectrum = shapes.lowest(result.speed, scene.campbell.modes);
     for (std::size_t i = 0; i < spectrum.modes.size(); ++i)
         result.modes.push_back(shapes.of(spectrum, i));
     for (const double root : spectrum.growing)
@@ -201,8 +249,9 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     if (result.model.formulation.form == results::Form::hill)
         result.model.notes.emplace_back("where modes dissipate is not told of rotors and bearings "
                                         "that both differ between their directions");
-    if (speeds.count > 1)
-        add_critical(result, scene, shapes);
+    result.model.notes.insert(result.model.notes.end(), critical_notes.begin(),
+                              critical_notes.end());
+    add_critical(result, shapes, critical_speeds, scene.campbell.modes);
     return result;
 }
 

@@ -1,6 +1,7 @@
 #include "analyses/response.h"
 
 #include "analyses/critical.h"
+#include "analyses/names/mode_naming.h"
 #include "analyses/notes/growth.h"
 #include "analyses/orbits/response_orbits.h"
 #include "forced/forced_motion.h"
@@ -346,6 +347,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     }
     if (result.nodes.empty() && !result.gravity) // not process 0
         return {};
+    name_modes(result.peaks, asked, result.model.order);
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);
     note_growing_motions(scene, result.model);

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/manual.h"
 #include "cli/messages.h"
+#include "input/problems.h"
 #include "report/report.h"
 
 #include <CLI/CLI.hpp>
@@ -37,11 +38,10 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
     hide_elsewhere(app.add_option_function<std::string>(
                           "--speed",
                           [&arguments](const std::string &speed) {
-                              arguments.overrides.push_back("speeds.count=1");
-                              arguments.overrides.push_back("speeds.from=" + speed);
-                              arguments.overrides.push_back("speeds.to=" + speed);
+                              arguments.overrides.push_back("modes.speed=" + speed);
                           },
-                          "spin speed of the shapes, e.g. \"3000 rpm\", in place of speeds.from")
+                          "spin speed of the shapes, e.g. \"3000 rpm\", in place of modes.speed "
+                          "and speeds.from")
                        ->type_name("SPEED"),
                    "--speed");
 }
@@ -131,12 +131,25 @@ void add_compare(CLI::App &root, Arguments &arguments) {
             "critical cases/nelson_mcvaugh@shaft.order=1 cases/nelson_mcvaugh@shaft.order=10"});
 }
 
+std::vector<std::string> command_names() {
+    std::vector<std::string> names;
+    for (const Command &command : commands())
+        names.push_back(command.name);
+    if (comparison())
+        names.emplace_back("compare");
+    return names;
+}
+
 /// One message for whatever CLI11 found wrong.
 std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
     const std::vector<std::string> rest = app.remaining();
-    if (app.get_subcommands().empty() && !rest.empty() && rest.front().front() != '-')
-        return fmt::format("whirl: unknown command \"{}\"; the commands are {}", rest.front(),
+    if (app.get_subcommands().empty() && !rest.empty() && rest.front().front() != '-') {
+        const std::string best = input::nearest(rest.front(), command_names());
+        const std::string hint =
+            best.empty() ? "; the" : fmt::format(", did you mean \"{}\"? The", best);
+        return fmt::format("whirl: unknown command \"{}\"{} commands are {}", rest.front(), hint,
                            command_list());
+    }
     std::string text = error.what();
     if (text == "RESULT is required")
         text = "results to compare are missing";
@@ -149,12 +162,7 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
 
 } // namespace
 
-std::string command_list() {
-    std::string list;
-    for (const Command &command : commands())
-        list += (list.empty() ? "" : ", ") + command.name;
-    return comparison() ? list + ", compare" : list;
-}
+std::string command_list() { return fmt::format("{}", fmt::join(command_names(), ", ")); }
 
 Parsed parse_arguments(int argc, const char *const *argv) {
     CLI::App app("Whirl: how flexible rotors vibrate", "whirl");

@@ -74,6 +74,7 @@ model::Case read_case(CheckedTable &root) {
     read_operation(root, scene);
     read_imbalances(root, scene);
     read_campbell(root, scene);
+    read_modes(root, scene);
     read_critical_map(root, scene);
     read_units(root, scene);
     read_response(root, scene);

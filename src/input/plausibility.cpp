@@ -91,6 +91,25 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
     }
 }
 
+/// Whether a speed is given with a unit, and another one than rad/s.
+bool in_other_unit(const Node *speed) {
+    if (speed == nullptr || speed->kind != Node::Kind::text)
+        return false;
+    const std::size_t unit = speed->text.find_first_not_of("0123456789.eE+-_ ");
+    return unit != std::string::npos && !speed->text.substr(unit).starts_with("rad");
+}
+
+/// A number alone beside speeds in another unit.
+void check_mode_speed(const Node &tree, Remarks &remarks) {
+    const Node *node = find_path(tree, "modes.speed");
+    if (node && node->is_number() && node->number != 0 &&
+        (in_other_unit(find_path(tree, "speeds.from")) ||
+         in_other_unit(find_path(tree, "speeds.to"))))
+        remarks.add(fmt::format("modes.speed = {:.6g} is in rad/s, {:.6g} rpm, where [speeds] have "
+                                "another unit; with a unit, \"{:.6g} rpm\", it is that speed",
+                                node->number, node->number * model::rpm, node->number));
+}
+
 /// Beyond a turn, without a unit.
 void check_angle(const Node &tree, const std::string &path, Remarks &remarks) {
     const Node *node = find_path(tree, path);
@@ -147,6 +166,7 @@ void add_remarks(model::Case &scene, const Node &tree) {
     check_shaft(rotor.shaft, remarks);
     check_clearances(rotor, remarks);
     check_speeds(scene, tree, remarks);
+    check_mode_speed(tree, remarks);
     check_angles(rotor, tree, remarks);
     check_tables(scene, remarks);
     check_names("disc", rotor.discs, remarks);

@@ -154,6 +154,14 @@ void read_campbell(CheckedTable &root, model::Case &scene) {
     table->refuse_unknown();
 }
 
+void read_modes(CheckedTable &root, model::Case &scene) {
+    auto table = root.table("modes");
+    if (!table)
+        return;
+    scene.modes.speed = table->optional_number("speed", Quantity::angular_speed);
+    table->refuse_unknown();
+}
+
 void read_response(CheckedTable &root, model::Case &scene) {
     auto table = root.table("response");
     if (!table)

@@ -37,8 +37,8 @@ void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Case &scene);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Reads [speeds], [campbell], [response], [simulate]; last [map] and [samples], which may name any
-/// numeric entry read before.
+/// Reads [speeds], [campbell], [modes], [response], [simulate]; last [map] and [samples], which may
+/// name any numeric entry read before.
 void read_speeds(CheckedTable &root, model::Case &scene);
 /// [units]: of what is written.
 void read_units(CheckedTable &root, model::Case &scene);
@@ -47,6 +47,7 @@ void read_critical_map(CheckedTable &root, model::Case &scene);
 /// [operation] and [level1].
 void read_operation(CheckedTable &root, model::Case &scene);
 void read_campbell(CheckedTable &root, model::Case &scene);
+void read_modes(CheckedTable &root, model::Case &scene);
 void read_response(CheckedTable &root, model::Case &scene);
 void read_simulate(CheckedTable &root, model::Case &scene);
 void read_balance(CheckedTable &root, model::Case &scene);

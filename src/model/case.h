@@ -40,6 +40,11 @@ struct CampbellSettings {
     std::vector<double> multiples{1.0}; ///< orders of the spin speed whose crossings are wanted
 };
 
+/// Entries of [modes].
+struct ModesSettings {
+    std::optional<double> speed; ///< spin speed of the shapes, rad/s; none: the first of [speeds]
+};
+
 /// Entries of [critical_map].
 struct CriticalMapSettings {
     std::optional<double> from;         ///< stiffness, N/m; none: from the rotor
@@ -116,6 +121,7 @@ struct Case {
     std::optional<Level1Settings> level1;
     bool reduction = true; ///< top-level key `reduction`: few shapes where they are enough
     CampbellSettings campbell;
+    ModesSettings modes;
     std::optional<CriticalMapSettings> critical_map; ///< empty: no map asked for
     ResponseSettings response;
     SimulateSettings simulate;

@@ -29,6 +29,7 @@ const Columns<CriticalSpeed> critical_columns{
     {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
     {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
     {"", "", {"Hz", "{:.10g}"}, {"Hz"}, [](const auto &c) { return c.speed * hertz; }},
+    {"mode", "mode", {"Mode"}, {"mode"}, [](const auto &c) { return known_name(c.mode); }},
     {"whirl", "whirl", {"Whirl"}, {"whirl"}, &CriticalSpeed::whirl},
     {"real", "real [1/s]", {"Real part (1/s)", "{:.5g}"}, {}, &CriticalSpeed::real},
     {"damping_ratio",

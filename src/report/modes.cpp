@@ -48,7 +48,7 @@ Json json_of(const Dissipation &part) {
 }
 
 const Columns<ModeShape> shape_columns{
-    {"label", "", {"Mode"}, {"mode"}, &ModeShape::label},
+    {"label", "", {"Mode"}, {"mode"}, [](const auto &mode) { return known_name(mode.label); }},
     {"at", "", {}, {}, &ModeShape::at},
     {"frequency", "", {"Frequency (rad/s)", "{:.10g}"}, {"rad/s", precise}, frequency},
     {"",
@@ -86,12 +86,17 @@ std::string words_of(const Dissipation &part) {
     return part.of + ", " + place(part.name, *part.z);
 }
 
+/// Its name, or what else tells it from others.
+std::string name_of(const ModeShape &mode) {
+    return mode.label.empty() ? readable(frequency(mode) * hertz) + " Hz" : mode.label;
+}
+
 /// Shares in percent, a row a part, a column a mode; nothing where no mode has any.
 Texts dissipation_texts(const std::vector<ModeShape> &modes, const std::string &missing) {
     Texts table{{"Share of the dissipated power (%)"}};
     std::vector<std::string> parts;
     for (const ModeShape &mode : modes) {
-        table.front().push_back(mode.label + (real_part(mode) > 0 ? " (grows)" : ""));
+        table.front().push_back(name_of(mode) + (real_part(mode) > 0 ? " (grows)" : ""));
         for (const Dissipation &part : mode.dissipation)
             if (std::find(parts.begin(), parts.end(), words_of(part)) == parts.end())
                 parts.push_back(words_of(part));
@@ -119,7 +124,7 @@ struct Deflection {
 
 const Columns<Deflection> deflection_columns{
     {"", "speed [rad/s]", {}, {}, &Deflection::speed},
-    {"", "mode", {}, {}, [](const auto &at) { return at.mode.label; }},
+    {"", "mode", {}, {}, [](const auto &at) { return known_name(at.mode.label); }},
     {"", "frequency [rad/s]", {}, {}, [](const auto &at) { return frequency(at.mode); }},
     {"", "real [1/s]", {}, {}, [](const auto &at) { return real_part(at.mode); }},
     {"", "whirl", {}, {}, [](const auto &at) { return at.mode.whirl; }},

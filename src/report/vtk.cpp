@@ -112,9 +112,12 @@ std::string to_vtp(const model::Case &scene, const results::ModesResult &result)
     piece.append_attribute("NumberOfPolys") =
         grid.stations > 0 ? (grid.stations - 1) * static_cast<std::size_t>(around) : 0;
     pugi::xml_node data = piece.append_child("PointData");
+    int place = 0;
     for (const auto &mode : result.modes) {
-        add_array(data, mode.label + " real", "Float64", 3, vectors(grid, mode, true));
-        add_array(data, mode.label + " imag", "Float64", 3, vectors(grid, mode, false));
+        ++place;
+        const std::string name = mode.label.empty() ? "mode " + std::to_string(place) : mode.label;
+        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
+        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
     }
     add_array(piece.append_child("Points"), "Points", "Float64", 3, coordinates(scene, z));
     add_cells(piece, grid);

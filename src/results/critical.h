@@ -7,6 +7,7 @@
 #include "results/whirl.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace whirl::results {
@@ -18,6 +19,7 @@ struct CriticalSpeed {
     double error = 0; ///< relative estimate
     double residual = 0;
     Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
+    std::string mode; ///< name of its line in the Campbell diagram; empty: not known
 };
 
 struct CriticalResult {

@@ -60,6 +60,9 @@ struct ResponsePeak {
     std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
     double error = 0;                   ///< estimated relative error of the value; NaN: not known
     double speed_error = 0;             ///< the same of the speed
+    /// Name of the line of the Campbell diagram that is nearest to resonance there; empty: none is
+    /// near, or not known.
+    std::string mode;
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,

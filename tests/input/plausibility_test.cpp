@@ -29,6 +29,8 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         {{"disc=[{z = 0.5, mass = 10, Id = 0.1, Ip = 0.2}]", "speeds.to=12000"},
          "speeds.to = 12000 is in rad/s, 114592 rpm"},
         {{"imbalance=[{z = 0.5, mr = 1e-4, phase = 90}]"}, "imbalance[0].phase = 90 is in rad"},
+        {{"speeds.to=\"900 rpm\"", "modes.speed=300"},
+         "modes.speed = 300 is in rad/s, 2864.79 rpm"},
         {{"bearing="}, "the rotor has no bearings"},
         {{"disc=[{name = \"fan\", z = 0.2, mass = 1}, {name = \"fan\", z = 0.5, mass = 1}]"},
          "disc \"fan\" stands more than once"}};
@@ -38,6 +40,9 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
     }
     EXPECT_EQ(remarks_of(base, {"imbalance=[{z = 0.5, mr = 1e-4, phase = \"90 deg\"}]"}), "");
+    for (const char *to : {"speeds.to=90", "speeds.to=\"90 rad/s\""})
+        EXPECT_EQ(remarks_of(base, {to, "modes.speed=30"}), "") << to;
+    EXPECT_EQ(remarks_of(base, {"speeds.to=\"900 rpm\"", "modes.speed=\"300 rpm\""}), "");
 }
 
 const std::string on_a_table =

@@ -74,10 +74,12 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
 TEST(Json, OtherResultsHaveTheirKeys) {
     results::CriticalResult critical;
     critical.critical_speeds = {
-        {86.5, results::Whirl::backward, 0, 1e-12, 1e-15, results::damping_of({0, 86.5})},
-        {90, results::Whirl::forward, -30, 1e-12, 1e-15, results::damping_of({-30, 90})}};
+        {86.5, results::Whirl::backward, 0, 1e-12, 1e-15, results::damping_of({0, 86.5}), "1B"},
+        {90, results::Whirl::forward, -30, 1e-12, 1e-15, results::damping_of({-30, 90}), ""}};
     const Json speeds = Json::parse(to_json(sample_case(), critical)).at("critical_speeds");
     EXPECT_EQ(speeds.at(0).at("speed"), 86.5);
+    EXPECT_EQ(speeds.at(0).at("mode"), "1B");
+    EXPECT_TRUE(speeds.at(1).at("mode").is_null()) << "not known";
     EXPECT_EQ(speeds.at(0).at("whirl"), "backward");
     EXPECT_EQ(speeds.at(0).at("error"), 1e-12);
     EXPECT_EQ(speeds.at(0).at("damping_ratio"), 0);

@@ -10,7 +10,7 @@ namespace whirl::cli {
 Command modes_command() {
     return {"modes",
             "mode shapes as pictures and for ParaView",
-            {"speeds", "campbell"},
+            {"speeds", "campbell", "modes"},
             {"--speed"},
             {"cases/nelson_mcvaugh --speed \"12000 rpm\""},
             on_case(analyses::mode_shapes)};

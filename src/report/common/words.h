@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "report/common/units.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 
 /// The title of a case, or its name.
 [[nodiscard]] std::string title_of(const model::Case &scene);
+/// A name; nothing where it is empty, as that of a mode that is not known.
+[[nodiscard]] inline std::optional<std::string> known_name(const std::string &name) {
+    return name.empty() ? std::nullopt : std::optional(name);
+}
 /// One place of a rotor: its name, or where it is.
 [[nodiscard]] std::string place(const std::string &name, double z);
 /// The same for legends: shorter, each name once ("race, race" of two items there is "race").

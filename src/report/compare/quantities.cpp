@@ -148,9 +148,13 @@ void of_balance(const Json &json, Quantities &all) {
 }
 
 void of_modes(const Json &json, Quantities &all) {
-    for (const Json &mode : list(json, "modes"))
-        add(all, "frequency of " + text(mode, "label"), "rad/s", number(mode, "frequency"),
-            number(mode, "error"));
+    int place = 0;
+    for (const Json &mode : list(json, "modes")) {
+        const std::string label = text(mode, "label");
+        ++place;
+        add(all, "frequency of " + (label.empty() ? fmt::format("mode {}", place) : label), "rad/s",
+            number(mode, "frequency"), number(mode, "error"));
+    }
 }
 
 void of_show(const Json &json, Quantities &all) {

@@ -67,9 +67,8 @@ ModeCurves mode_curves(const ModeShape &mode) {
 std::string mode_heading(const ModeShape &mode) {
     const double modulus = std::abs(mode.eigenvalue);
     const double frequency = std::abs(mode.eigenvalue.imag());
-    std::string heading = mode.label;
-    heading += frequency > 1e-9 * modulus ? " · " + readable(frequency * hertz) + " Hz"
-                                          : " · no oscillation";
+    std::string heading = mode.label.empty() ? "" : mode.label + " · ";
+    heading += frequency > 1e-9 * modulus ? readable(frequency * hertz) + " Hz" : "no oscillation";
     const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
     if (std::abs(ratio) > 1e-9)
         heading += " · damping ratio " + readable(ratio, 3);

@@ -24,8 +24,8 @@ function operating(layout) {
   }
   return {shapes: shapes.concat(layout.shapes || []), annotations: (layout.annotations || []).concat(names)};
 }
-function draw(traces, layout) {
-  Plotly.newPlot("plot", traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
+function draw(traces, layout, place = "plot") {
+  Plotly.newPlot(place, traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
     hovermode: "closest", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
     legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout, operating(layout)), {responsive: true, displaylogo: false});
 }

@@ -1,15 +1,14 @@
-const traces = [];
+// A diagram for each mode: on paper a page ends between two of them.
+const panels = document.getElementById("plot");
 result.modes.forEach((m, k) => {
-  const yaxis = k ? "y" + (k + 1) : "y", showlegend = k === 0, mode = "lines";
-  traces.push({x: result.z.map(z => z * metres), y: drawnModes[k].x, yaxis, name: "x", legendgroup: "x", showlegend, mode, line: {color: "#0072B2", width: 2.5}});
-  traces.push({x: result.z.map(z => z * metres), y: drawnModes[k].y, yaxis, name: "y", legendgroup: "y", showlegend, mode, line: {color: "#D55E00", dash: "dash", width: 2.5}});
+  const last = k === result.modes.length - 1, mode = "lines", x = result.z.map(z => z * metres);
+  const panel = panels.appendChild(document.createElement("div"));
+  panel.className = "panel";
+  draw([{x, y: drawnModes[k].x, name: "x", mode, line: {color: "#0072B2", width: 2.5}},
+    {x, y: drawnModes[k].y, name: "y", mode, line: {color: "#D55E00", dash: "dash", width: 2.5}}],
+  {height: 180 + (k ? 0 : 30) + (last ? 30 : 0), margin: {l: 75, r: 30, t: k ? 10 : 40, b: last ? 55 : 25}, showlegend: k === 0,
+    xaxis: axis(last ? "z (m)" : ""), yaxis: axis("", {range: [-1.2, 1.2], dtick: 1}),
+    annotations: [{xref: "paper", yref: "paper", x: 0.01, y: 1, xanchor: "left", yanchor: "top", showarrow: false,
+      text: `<b>${m.label ?? ""}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
+        (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"}]}, panel);
 });
-const count = result.modes.length, layout = {height: 120 + 190 * count, xaxis: axis("z (m)", {anchor: count > 1 ? "y" + count : "y"}), annotations: []};
-result.modes.forEach((m, k) => {
-  const top = 1 - k / count, bottom = 1 - (k + 0.8) / count;
-  layout["yaxis" + (k ? k + 1 : "")] = axis("", {domain: [bottom, top], range: [-1.2, 1.2], dtick: 1});
-  layout.annotations.push({xref: "paper", yref: "paper", x: 0.01, y: top, xanchor: "left", yanchor: "top", showarrow: false,
-    text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
-      (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"});
-});
-draw(traces, layout);

@@ -38,7 +38,7 @@ function drawSpace() {
   const movers = [], still = [];
   function panel(mode, parent) {
     const ratio = -mode.real / (Math.hypot(mode.real, mode.frequency) || 1);
-    const words = `${mode.label}, ${short(mode.frequency * hertz, 6)} Hz, ${mode.whirl}`, more = [];
+    const words = `${mode.label ? mode.label + ", " : ""}${short(mode.frequency * hertz, 6)} Hz, ${mode.whirl}`, more = [];
     if (mode.at !== result.speed) more.push(`critical speed ${short(mode.at * rpm, 6)} rpm`);
     if (Math.abs(ratio) > 1e-9) more.push(ratio > 0 ? `damping ratio ${short(ratio, 3)}` : `grows, damping ratio ${short(ratio, 3)}`);
     const svg = make(parent, "svg", {viewBox: `0 0 ${wide} ${high}`, role: "img", "aria-label": ["Mode " + words, ...more].join(", "), "font-family": "DejaVu Sans, Arial, sans-serif"});

@@ -1,0 +1,101 @@
+#include "analyses/names/mode_naming.h"
+
+#include "modes/formulation.h"
+#include "modes/spectrum.h"
+#include "results/formulation.h"
+#include "tracking/mode_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// Lines without damping are followed far beyond the speeds of a case in no time.
+bool cheap_at_any_speed(results::Form form) {
+    return form == results::Form::planar || form == results::Form::hyperbolic;
+}
+
+template <class Item> std::vector<double> speeds_of(const std::vector<Item> &items) {
+    std::vector<double> speeds;
+    for (const Item &item : items)
+        if (item.speed != 0)
+            speeds.push_back(item.speed);
+    return speeds;
+}
+
+/// The peaks of all stations lie close together at each resonance: one speed in place of those
+/// within a hundredth.
+std::vector<double> few_speeds(std::vector<double> speeds) {
+    std::sort(speeds.begin(), speeds.end());
+    std::vector<double> few;
+    for (auto first = speeds.begin(); first != speeds.end();) {
+        const auto last = std::find_if(first, speeds.end(), [first](double speed) {
+            return speed - *first > 0.01 * std::abs(*first);
+        });
+        few.push_back(*(first + (last - first) / 2));
+        first = last;
+    }
+    return few;
+}
+
+std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
+    const auto found = std::min_element(speeds.begin(), speeds.end(), [speed](double a, double b) {
+        return std::abs(a - speed) < std::abs(b - speed);
+    });
+    return found == speeds.end() ? std::nullopt : std::optional(*found);
+}
+
+} // namespace
+
+bool names_at_little_cost(const model::Case &scene) {
+    return scene.speeds && scene.rotor.balancers.empty() &&
+           !results::in_rotating_axes(modes::choose_formulation(scene).form);
+}
+
+void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
+                int order) {
+    if (critical_speeds.empty() || !names_at_little_cost(scene))
+        return;
+    const results::Form form = modes::choose_formulation(scene).form;
+    const modes::SpectrumSolver solver(scene.rotor, form, order);
+    const auto names = tracking::mode_names(
+        solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+        {speeds_of(critical_speeds), cheap_at_any_speed(form), tracking::near_spin});
+    if (!names)
+        return;
+    std::vector<std::pair<std::complex<double>, results::Whirl>> values;
+    for (const results::CriticalSpeed &critical : critical_speeds)
+        values.push_back({{critical.real, critical.speed}, critical.whirl});
+    std::vector<std::string> found = tracking::names_of_critical(*names, values);
+    for (std::size_t i = 0; i < found.size(); ++i)
+        critical_speeds[i].mode = std::move(found[i]);
+}
+
+void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order) {
+    if (peaks.empty() || !names_at_little_cost(scene))
+        return;
+    const std::vector<double> solved = few_speeds(speeds_of(peaks));
+    const modes::SpectrumSolver solver(scene.rotor, modes::choose_formulation(scene).form, order);
+    const auto names = tracking::mode_names(solver, *scene.speeds, scene.campbell.modes,
+                                            scene.reduction, {solved, false, tracking::near_spin});
+    if (!names)
+        return;
+    // What turns with an isotropic rotor on isotropic bearings drives no backward whirl.
+    const auto driven = [planar = results::is_planar(solver.form())](const modes::WhirlMode &mode) {
+        return !planar || mode.whirl == results::Whirl::forward;
+    };
+    for (results::ResponsePeak &peak : peaks) {
+        const double spin = std::abs(peak.speed);
+        if (const auto near = next_to(solved, peak.speed))
+            peak.mode = names->nearest(
+                *near, {peak.speed, {0, spin}, tracking::resonant * spin, 1, driven});
+    }
+}
+
+} // namespace whirl::analyses

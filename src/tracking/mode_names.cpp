@@ -1,0 +1,167 @@
+#include "tracking/mode_names.h"
+
+#include "linalg/check.h"
+#include "model/errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::tracking {
+
+namespace {
+
+std::vector<modes::Spectrum> spectra_here(const modes::SpectrumSolver &solver,
+                                          const std::vector<double> &speeds, int wanted,
+                                          bool follow) {
+    if (follow)
+        solver.follow(speeds, wanted);
+    std::vector<modes::Spectrum> spectra;
+    for (const double speed : speeds)
+        spectra.push_back(solver.at(speed, wanted));
+    return spectra;
+}
+
+/// A mode to be named whose line comes in from beyond the modes computed: more would show more of
+/// it.
+bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spectra,
+                       const std::vector<char> &asked, const ModesToName &wanted) {
+    if (line.absence.front() != Absence::beyond)
+        return false;
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        if (asked[k] != 0 && line.place[k] != Line::absent &&
+            wanted.which(spectra[k], static_cast<std::size_t>(line.place[k])))
+            return true;
+    return false;
+}
+
+} // namespace
+
+ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
+                     bool follow, const ModesToName &wanted) {
+    const std::vector<double> own = range.values();
+    std::vector<double> named_at;
+    for (const std::size_t k : naming_places(own.size()))
+        named_at.push_back(own[k]);
+    _speeds = named_at;
+    for (const double speed : wanted.speeds) {
+        const bool inside = speed >= own.front() && speed <= own.back();
+        // Beyond standstill senses change their names.
+        if (inside || (wanted.beyond_range && own.front() >= 0 && speed >= 0))
+            _speeds.push_back(speed);
+    }
+    std::sort(_speeds.begin(), _speeds.end());
+    _speeds.erase(std::unique(_speeds.begin(), _speeds.end()), _speeds.end());
+    std::vector<std::size_t> naming;
+    std::vector<char> asked;
+    for (std::size_t k = 0; k < _speeds.size(); ++k) {
+        if (std::binary_search(named_at.begin(), named_at.end(), _speeds[k]))
+            naming.push_back(k);
+        asked.push_back(std::count(wanted.speeds.begin(), wanted.speeds.end(), _speeds[k]) > 0);
+    }
+    Tracking tracking;
+    int computed = modes + 2;
+    for (int attempt = 0; attempt < 4; ++attempt) {
+        _spectra = spectra_here(solver, _speeds, computed, follow);
+        tracking = track(solver, _spectra, modes);
+        if (std::none_of(tracking.lines.begin(), tracking.lines.end(), [&](const Line &line) {
+                return comes_from_beyond(line, _spectra, asked, wanted);
+            }))
+            break;
+        computed += std::max(4, modes / 2);
+    }
+    _rates = tracking.rates;
+    const std::vector<LineName> names = line_names(tracking.lines, _spectra, naming, modes, false);
+    for (const modes::Spectrum &spectrum : _spectra)
+        _names.emplace_back(spectrum.modes.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t k = 0; names[i].sure && k < _speeds.size(); ++k)
+            if (const int place = tracking.lines[i].place[k]; place != Line::absent)
+                _names[k][static_cast<std::size_t>(place)] = names[i].label;
+}
+
+std::optional<std::size_t> ModeNames::place_of(double speed) const {
+    const auto found = std::lower_bound(_speeds.begin(), _speeds.end(), speed);
+    if (found == _speeds.end() || *found != speed)
+        return std::nullopt;
+    return static_cast<std::size_t>(found - _speeds.begin());
+}
+
+const modes::Spectrum *ModeNames::at(double speed) const {
+    const auto k = place_of(speed);
+    return k ? &_spectra[*k] : nullptr;
+}
+
+std::string ModeNames::of(double speed, std::size_t place) const {
+    const auto k = place_of(speed);
+    return k && place < _names[*k].size() ? _names[*k][place] : "";
+}
+
+std::string ModeNames::nearest(double solved, const Sought &sought) const {
+    const auto k = place_of(solved);
+    if (!k)
+        return "";
+    const double step = sought.speed - solved;
+    const Eigen::VectorXcd &rates = step < 0 ? _rates[*k].below : _rates[*k].above;
+    std::vector<std::pair<double, std::string>> near;
+    for (std::size_t i = 0; i < _spectra[*k].modes.size(); ++i) {
+        const modes::WhirlMode &mode = _spectra[*k].modes[i];
+        const std::complex<double> rate = rates(static_cast<Eigen::Index>(i));
+        const bool known = std::isfinite(rate.real()) && std::isfinite(rate.imag());
+        const double away = std::abs(mode.eigenvalue + (known ? rate * step : 0.0) - sought.value);
+        if (sought.qualifies(mode) && away < sought.within)
+            near.emplace_back(away, of(solved, i));
+    }
+    if (near.empty())
+        return "";
+    const auto best = std::min_element(near.begin(), near.end());
+    const double rounding = (step == 0 ? 1e-9 : 1e-4) * std::abs(sought.value);
+    const bool sure = std::all_of(near.begin(), near.end(), [&](const auto &other) {
+        return other.second == best->second || other.first > sought.clear * best->first + rounding;
+    });
+    return sure ? best->second : "";
+}
+
+std::optional<ModeNames> mode_names(const modes::SpectrumSolver &solver,
+                                    const model::SpeedRange &range, int modes, bool follow,
+                                    const ModesToName &wanted) {
+    try {
+        return ModeNames(solver, range, modes, follow, wanted);
+    } catch (const model::AnalysisFailure &) { // no diagram, no names
+    } catch (const linalg::SolverError &) {
+    }
+    return std::nullopt;
+}
+
+bool near_spin(const modes::Spectrum &spectrum, std::size_t place) {
+    const std::complex<double> spin(0, std::abs(spectrum.speed));
+    return std::abs(spectrum.modes[place].eigenvalue - spin) < resonant * spin.imag();
+}
+
+std::vector<std::string>
+names_of_critical(const ModeNames &names,
+                  const std::vector<std::pair<std::complex<double>, results::Whirl>> &critical) {
+    const auto next = [&names](std::complex<double> value, const auto &qualifies) {
+        // A mode at that speed is off its synchronous eigenvalue by the slope of its frequency over
+        // the speed, well below 1, times its real part.
+        const double within = 0.05 * value.imag() + 0.5 * std::abs(value.real());
+        constexpr double clear = 2;
+        return names.nearest(value.imag(), {value.imag(), value, within, clear, qualifies});
+    };
+    std::vector<std::string> out;
+    for (const auto &[value, whirl] : critical)
+        out.push_back(next(
+            value, [sense = whirl](const modes::WhirlMode &mode) { return mode.whirl == sense; }));
+    // Of nearly equal eigenvalues, and of orbits that are hardly open, neither list tells the
+    // whirl.
+    for (std::size_t i = 0; i < critical.size(); ++i) {
+        if (!out[i].empty())
+            continue;
+        std::string any = next(critical[i].first, [](const modes::WhirlMode &) { return true; });
+        if (std::find(out.begin(), out.end(), any) == out.end())
+            out[i] = std::move(any);
+    }
+    return out;
+}
+
+} // namespace whirl::tracking
