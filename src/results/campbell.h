@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/damping.h"
+#include "results/error_parts.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
@@ -19,9 +20,10 @@ struct CampbellMode {
     std::vector<std::optional<double>> damping_ratio; ///< -Re/|lambda|
     std::vector<std::optional<double>> log_dec;       ///< -2 pi Re/Im
     std::vector<Whirl> whirl;
-    std::vector<double> forward_fraction;        ///< share of the orbits that is forward, 0..1
-    std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
-    std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
+    std::vector<double> forward_fraction;     ///< share of the orbits that is forward, 0..1
+    std::vector<std::optional<double>> error; ///< relative estimate for |lambda|
+    std::vector<std::optional<ErrorParts>> error_parts;    ///< its parts
+    std::vector<std::optional<double>> residual;           ///< relative, of the eigenpair
     std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
 };
 

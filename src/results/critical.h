@@ -2,6 +2,7 @@
 
 #include "results/critical_map.h"
 #include "results/damping.h"
+#include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
@@ -18,6 +19,7 @@ struct CriticalSpeed {
     double error = 0; ///< relative estimate
     double residual = 0;
     Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
+    ErrorParts error_parts; ///< of `error`
 };
 
 struct CriticalResult {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/orbits.h"
@@ -60,6 +61,7 @@ struct ResponsePeak {
     std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
     double error = 0;                   ///< estimated relative error of the value; NaN: not known
     double speed_error = 0;             ///< the same of the speed
+    ErrorParts error_parts;             ///< of `error`
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,
