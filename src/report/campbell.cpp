@@ -90,10 +90,10 @@ const Columns<ModeAt> mode_columns{
      entry(&CampbellMode::forward_fraction)},
     {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
     {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, entry(&CampbellMode::error)},
+    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)},
     {"error_mesh", "error_mesh", {}, {}, part(&results::ErrorParts::mesh)},
     {"error_reduction", "error_reduction", {}, {}, part(&results::ErrorParts::reduction)},
-    {"error_rounding", "error_rounding", {}, {}, part(&results::ErrorParts::rounding)},
-    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)}};
+    {"error_rounding", "error_rounding", {}, {}, part(&results::ErrorParts::rounding)}};
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
     std::vector<ModeAt> rows;

@@ -20,11 +20,11 @@ struct CampbellMode {
     std::vector<std::optional<double>> damping_ratio; ///< -Re/|lambda|
     std::vector<std::optional<double>> log_dec;       ///< -2 pi Re/Im
     std::vector<Whirl> whirl;
-    std::vector<double> forward_fraction;     ///< share of the orbits that is forward, 0..1
-    std::vector<std::optional<double>> error; ///< relative estimate for |lambda|
-    std::vector<std::optional<ErrorParts>> error_parts;    ///< its parts
-    std::vector<std::optional<double>> residual;           ///< relative, of the eigenpair
+    std::vector<double> forward_fraction;        ///< share of the orbits that is forward, 0..1
+    std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
+    std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
     std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
+    std::vector<std::optional<ErrorParts>> error_parts{};  ///< of `error`
 };
 
 /// A mode's frequency equals a multiple of the spin speed.

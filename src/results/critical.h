@@ -19,7 +19,7 @@ struct CriticalSpeed {
     double error = 0; ///< relative estimate
     double residual = 0;
     Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
-    ErrorParts error_parts; ///< of `error`
+    ErrorParts error_parts{}; ///< of `error`
 };
 
 struct CriticalResult {

@@ -61,7 +61,7 @@ struct ResponsePeak {
     std::optional<double> lower, upper; ///< half-power points: 1/sqrt(2) of the value, rad/s
     double error = 0;                   ///< estimated relative error of the value; NaN: not known
     double speed_error = 0;             ///< the same of the speed
-    ErrorParts error_parts;             ///< of `error`
+    ErrorParts error_parts{};           ///< of `error`
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,
