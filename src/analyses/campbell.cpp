@@ -41,9 +41,21 @@ std::string word(tracking::Absence why) {
     }
 }
 
+/// None where the part of the mesh is not known.
+/// @param followed  the mode is continued over the speeds: its residual is what that leaves. Of an
+///                  eigensolver on all unknowns it is rounding.
+std::optional<results::ErrorParts> parts_of(std::optional<double> by_mesh,
+                                            const modes::WhirlMode &mode, bool followed) {
+    if (!by_mesh)
+        return std::nullopt;
+    return followed ? results::ErrorParts{*by_mesh, mode.residual, mode.rounding}
+                    : results::ErrorParts{*by_mesh, 0, mode.residual + mode.rounding};
+}
+
 results::CampbellMode mode_along(const tracking::Line &line,
                                  const std::vector<modes::Spectrum> &spectra,
-                                 const std::vector<std::optional<double>> &errors, bool rotating) {
+                                 const std::vector<std::optional<double>> &errors, bool rotating,
+                                 bool followed) {
     results::CampbellMode out;
     for (std::size_t k = 0; k < spectra.size(); ++k) {
         out.absent.push_back(word(line.absence[k]));
@@ -51,6 +63,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
             for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
                                &out.error, &out.residual})
                 list->emplace_back();
+            out.error_parts.emplace_back();
             if (rotating)
                 out.frequency_rotating.emplace_back();
             out.whirl.push_back(results::Whirl::mixed);
@@ -68,8 +81,9 @@ results::CampbellMode mode_along(const tracking::Line &line,
         out.whirl.push_back(mode.whirl);
         out.forward_fraction.push_back(mode.forward_fraction);
         out.residual.emplace_back(mode.residual);
-        out.error.emplace_back(errors[k] ? std::optional(*errors[k] + mode.residual + mode.rounding)
-                                         : std::nullopt);
+        out.error_parts.push_back(parts_of(errors[k], mode, followed));
+        out.error.push_back(out.error_parts.back() ? std::optional(out.error_parts.back()->sum())
+                                                   : std::nullopt);
     }
     return out;
 }
@@ -252,7 +266,8 @@ results::CampbellResult campbell(const model::Case &scene) {
         tracking::line_errors(scene.rotor, solver, tracking.lines, spectra);
     for (std::size_t i = 0; i < tracking.lines.size(); ++i) {
         result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
-                                          results::in_rotating_axes(solver.form())));
+                                          results::in_rotating_axes(solver.form()),
+                                          solver.follows()));
         result.modes.back().label = labels[i];
     }
     stage.emplace("crossings", 0.75, 1.0);

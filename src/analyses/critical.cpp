@@ -140,18 +140,20 @@ results::CriticalResult of_order(const model::Case &scene, const results::Formul
     synchronous::SynchronousModes list =
         synchronous::all_synchronous_modes(d, form, ask, top, symmetric);
     keep_lowest(list, ask, top);
-    const std::vector<double> errors =
+    const std::vector<results::ErrorParts> errors =
         judged ? synchronous::errors_by_finer_model(d, form, list, symmetric, model.notes)
-               : std::vector<double>(list.modes.size(), std::numeric_limits<double>::infinity());
+               : std::vector<results::ErrorParts>(list.modes.size(),
+                                                  {std::numeric_limits<double>::infinity(), 0, 0});
     for (std::size_t i = 0; i < list.modes.size(); ++i) {
         const modes::WhirlMode &mode = list.modes[i];
         result.critical_speeds.push_back({mode.eigenvalue.imag(),
                                           mode.whirl,
                                           mode.eigenvalue.real(),
-                                          errors[i],
+                                          errors[i].sum(),
                                           mode.residual,
                                           results::damping_of(modes::determined_value(mode)),
-                                          {}});
+                                          {},
+                                          errors[i]});
     }
     if (!judged)
         return result;

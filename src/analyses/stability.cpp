@@ -279,6 +279,33 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         result.family = family_of(model, arrangements, result.unstable, finder, grid);
 }
 
+/// Growth, bands and what hangs on them.
+void answer(const model::Case &scene, const std::vector<double> &grid,
+            stability::StabilityModel &model, results::StabilityResult &result) {
+    if (!model.conservative) {
+        search(grid, model, result);
+        return;
+    }
+    result.growth.assign(result.speeds.size(), 0.0);
+    result.verdict.assign(result.speeds.size(), results::Verdict::neutral);
+    const assembly::Discretization d(scene.rotor, model.order);
+    result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
+    result.model.unknowns = 2 * d.planar_size();
+}
+
+void add_level1(const model::Case &scene, results::StabilityResult &result) {
+    if (!scene.level1)
+        return;
+    try {
+        const process::Stage stage("added cross coupling", 0.95, 1.0);
+        result.level1 = operation::level1(scene, result.model.notes);
+    } catch (const model::AnalysisFailure &failure) {
+        result.model.notes.emplace_back(failure.what());
+    } catch (const model::BadInput &failure) { // all else is answered
+        result.model.notes.push_back(fmt::format("no answer to {}", failure.what()));
+    }
+}
+
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
                results::StabilityResult &result) {
     auto &notes = result.model.notes;
@@ -363,26 +390,14 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     result.model.formulation = model.formulation;
     result.model.order = model.order;
     result.neutral_pairs = neutral_pairs(scene.rotor);
-    if (model.conservative) {
-        result.growth.assign(result.speeds.size(), 0.0);
-        result.verdict.assign(result.speeds.size(), results::Verdict::neutral);
-        const assembly::Discretization d(scene.rotor, model.order);
-        result.model.elements = static_cast<int>(d.shaft_mesh().spans.size());
-        result.model.unknowns = 2 * d.planar_size();
-    } else {
-        search(grid, model, result);
-    }
-    if (scene.level1)
-        try {
-            const process::Stage stage("added cross coupling", 0.95, 1.0);
-            result.level1 = operation::level1(scene, result.model.notes);
-        } catch (const model::AnalysisFailure &failure) {
-            result.model.notes.emplace_back(failure.what());
-        } catch (const model::BadInput &failure) { // all else is answered
-            result.model.notes.push_back(fmt::format("no answer to {}", failure.what()));
-        }
-    if (scene.map)
-        result.map = stability_map(*scene.map, with);
+    const auto all_but_map = [&] {
+        answer(scene, grid, model, result);
+        add_level1(scene, result);
+    };
+    if (scene.map) // which the other processes need not wait with
+        result.map = stability_map(*scene.map, with, all_but_map);
+    else
+        all_but_map();
     if (result.map && !result.map->why.empty())
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);

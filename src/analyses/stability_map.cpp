@@ -1,16 +1,22 @@
 #include "analyses/stability_map.h"
 
+#include "ends/all_motions.h"
+#include "linalg/check.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "process/parallel.h"
+#include "results/formulation.h"
+#include "stability/band_finder.h"
 #include "stability/rotor_at_speeds.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 
 namespace whirl::analyses {
 
@@ -26,18 +32,126 @@ std::string entry(const model::MapAxis &axis, double value) {
 
 bool is_speed(const model::MapAxis &axis) { return axis.path == "speed"; }
 
+using Shapes = std::shared_ptr<const Eigen::MatrixXd>;
+
 /// Growth of one case at each of some speeds.
-std::vector<double> growth_at(const model::Case &scene, const std::vector<double> &speeds) {
+/// @param shapes_for  planar shapes that do for the rotor at these speeds, or none
+std::vector<double> growth_at(
+    const model::Case &scene, const std::vector<double> &speeds,
+    const std::function<Shapes(const stability::StabilityModel &, const balancers::Arrangement &)>
+        &shapes_for) {
     const stability::StabilityModel model = stability::stability_model(scene, speeds);
     if (model.conservative)
         return std::vector<double>(speeds.size(), 0.0);
-    const stability::MotionSolver solver(model, balancers::arrangement_at_balance(scene.rotor));
+    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(scene.rotor);
     std::vector<double> out;
+    const assembly::Discretization d(model.rotor, model.order);
+    if (const Shapes shapes =
+            model.form == results::Form::hill ? nullptr : shapes_for(model, arrangement);
+        shapes && shapes->rows() == d.planar_size()) {
+        const ends::AllMotions motions(d, model.form, arrangement, shapes, speeds.front(),
+                                       speeds.back());
+        for (const double speed : speeds)
+            out.push_back(motions.fastest_growing(speed).real());
+        return out;
+    }
+    const stability::MotionSolver solver(model, arrangement);
     for (const double speed : speeds)
         out.push_back(std::abs(speed) >= model.from ? stability::growth_of(solver.at(speed))
                                                     : std::numeric_limits<double>::quiet_NaN());
     return out;
 }
+
+/// What the rotors of a map have in common: the shapes of the one in the middle. Every process
+/// finds them for itself, so that no number depends on who computes which piece.
+class CommonShapes {
+  public:
+    /// For maps over the spin speed: each row makes sure that they do for its rotor, at a speed in
+    /// full, or finds its own.
+    static CommonShapes of_rows(const model::MapSettings &map, const CaseWith &with) {
+        return made([&] {
+            const std::vector<double> ys = values_of(map.y);
+            return CommonShapes(with({entry(map.y, ys[ys.size() / 2])}), values_of(map.x));
+        });
+    }
+
+    /// For maps of points: made to do for rotors all over the map, at its corners and the middles
+    /// of its sides; none where they do not.
+    static CommonShapes of_points(const model::MapSettings &map, const CaseWith &with) {
+        return made([&] {
+            const auto at = [&](double x, double y) {
+                return with({entry(map.x, x), entry(map.y, y)});
+            };
+            const auto places = [](const model::MapAxis &axis) {
+                return std::array{(axis.from + axis.to) / 2, axis.from, axis.to};
+            };
+            const model::Case middle = at(places(map.x)[0], places(map.y)[0]);
+            const std::vector<double> speeds = model::required_speeds(middle).values();
+            CommonShapes out(middle, speeds);
+            for (const double y : places(map.y))
+                for (const double x : places(map.x))
+                    out.make_do_for([&] { return at(x, y); }, speeds);
+            return out;
+        });
+    }
+
+    /// For one more rotor, as far as it is made sure that they do.
+    [[nodiscard]] Shapes for_row(const stability::StabilityModel &model,
+                                 const balancers::Arrangement &arrangement,
+                                 const std::vector<double> &speeds) const {
+        if (_finder)
+            return stability::BandFinder(model, arrangement, *_finder).good_shapes(speeds);
+        return stability::BandFinder(model, arrangement).good_shapes(speeds);
+    }
+    [[nodiscard]] Shapes for_point(const stability::StabilityModel &model) const {
+        return _finder && model.form == _form ? _finder->shapes() : nullptr;
+    }
+
+  private:
+    std::unique_ptr<stability::BandFinder> _finder; ///< of the rotor in the middle; may be missing
+    results::Form _form = results::Form::general;
+
+    CommonShapes() = default;
+    CommonShapes(const model::Case &middle, const std::vector<double> &speeds) {
+        const stability::StabilityModel model = stability::stability_model(middle, speeds);
+        _form = model.form;
+        if (model.conservative || model.form == results::Form::hill)
+            return;
+        _finder = std::make_unique<stability::BandFinder>(
+            model, balancers::arrangement_at_balance(middle.rotor));
+        if (!_finder->good_shapes(speeds))
+            _finder.reset();
+    }
+
+    /// No shapes any more where they do not do. Where there is no such rotor there is no growth.
+    void make_do_for(const std::function<model::Case()> &scene, const std::vector<double> &speeds) {
+        if (!_finder)
+            return;
+        try {
+            if (!do_for(scene(), speeds))
+                _finder.reset();
+        } catch (const model::BadInput &) {
+        }
+    }
+    [[nodiscard]] bool do_for(const model::Case &scene, const std::vector<double> &speeds) {
+        const stability::StabilityModel model = stability::stability_model(scene, speeds);
+        return model.conservative ||
+               (model.form == _form &&
+                _finder->enrich_for(model, balancers::arrangement_at_balance(scene.rotor),
+                                    {speeds.front(), speeds[speeds.size() / 2], speeds.back()}));
+    }
+
+    /// Without shapes where one of these rotors cannot be, or cannot be solved: the piece says so.
+    static CommonShapes made(const std::function<CommonShapes()> &make) {
+        try {
+            return make();
+        } catch (const model::BadInput &) {
+        } catch (const model::AnalysisFailure &) {
+        } catch (const linalg::SolverError &) {
+        }
+        return {};
+    }
+};
 
 /// NaN where there is no such rotor: an inertia out of bounds, a capacity below 1; with the reason.
 process::Outcome where_possible(std::size_t count,
@@ -51,29 +165,38 @@ process::Outcome where_possible(std::size_t count,
 }
 
 /// A row over the spin speed.
-process::Outcome row_of(const model::MapSettings &map, double y, const CaseWith &with) {
+process::Outcome row_of(const model::MapSettings &map, double y, const CaseWith &with,
+                        const CommonShapes &common) {
     const std::vector<double> speeds = values_of(map.x);
-    return where_possible(speeds.size(),
-                          [&] { return growth_at(with({entry(map.y, y)}), speeds); });
+    return where_possible(speeds.size(), [&] {
+        return growth_at(with({entry(map.y, y)}), speeds,
+                         [&](const auto &model, const auto &arrangement) {
+                             return common.for_row(model, arrangement, speeds);
+                         });
+    });
 }
 
 /// One point of a map without the spin speed.
-process::Outcome point_of(const model::MapSettings &map, double x, double y, const CaseWith &with) {
+process::Outcome point_of(const model::MapSettings &map, double x, double y, const CaseWith &with,
+                          const CommonShapes &common) {
     return where_possible(1, [&]() -> std::vector<double> {
         const model::Case scene = with({entry(map.x, x), entry(map.y, y)});
-        const auto growth = growth_at(scene, model::required_speeds(scene).values());
+        const auto growth =
+            growth_at(scene, model::required_speeds(scene).values(),
+                      [&](const auto &model, const auto &) { return common.for_point(model); });
         return {*std::max_element(growth.begin(), growth.end())};
     });
 }
 
 } // namespace
 
-results::StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with) {
+results::StabilityMap stability_map(const model::MapSettings &settings, const CaseWith &with,
+                                    const std::function<void()> &first) {
     results::StabilityMap map{settings.x, settings.y, values_of(settings.x), values_of(settings.y),
                               {},         {}};
     if (!is_speed(settings.x) && is_speed(settings.y)) {
         // A case is read once for each column: turn the map, and turn it back.
-        const results::StabilityMap turned = stability_map({settings.y, settings.x}, with);
+        const results::StabilityMap turned = stability_map({settings.y, settings.x}, with, first);
         map.why = turned.why;
         map.growth.assign(turned.growth.empty() ? 0 : map.y_values.size(),
                           std::vector<double>(map.x_values.size()));
@@ -85,11 +208,14 @@ results::StabilityMap stability_map(const model::MapSettings &settings, const Ca
     const bool rows = is_speed(settings.x);
     const std::size_t columns = map.x_values.size();
     const std::size_t pieces = map.y_values.size() * (rows ? 1 : columns);
-    const auto outcomes = process::deal(pieces, "map", [&](std::size_t i) {
-        return rows
-                   ? row_of(settings, map.y_values[i], with)
-                   : point_of(settings, map.x_values[i % columns], map.y_values[i / columns], with);
-    });
+    const CommonShapes common =
+        rows ? CommonShapes::of_rows(settings, with) : CommonShapes::of_points(settings, with);
+    const auto piece = [&](std::size_t i) {
+        return rows ? row_of(settings, map.y_values[i], with, common)
+                    : point_of(settings, map.x_values[i % columns], map.y_values[i / columns], with,
+                               common);
+    };
+    const auto outcomes = process::deal(pieces, "map", piece, first);
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
         if (rows || i % columns == 0)
             map.growth.emplace_back();

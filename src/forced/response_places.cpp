@@ -79,12 +79,15 @@ results::ResponsePeak described(const Peak &peak, results::ResponsePeak place) {
     if (peak.lower && peak.upper)
         place.amplification = std::abs(peak.speed) / (*peak.upper - *peak.lower);
     place.error = no_value;
+    place.error_parts = {no_value, no_value, no_value};
     place.speed_error = no_value;
     return place;
 }
 
-void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double others) {
-    peak.error = of_mesh.value + others;
+void set_errors(results::ResponsePeak &peak, const PeakErrors &of_mesh, double by_reduction,
+                double by_rounding) {
+    peak.error_parts = {of_mesh.value, by_reduction, by_rounding};
+    peak.error = peak.error_parts.sum();
     peak.speed_error = std::max(of_mesh.speed, 4 * std::numeric_limits<double>::epsilon());
 }
 
@@ -105,7 +108,7 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
             const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
             results::ResponsePeak peak = described(found.peaks[i], all.places[quantity]);
             if (options.with_errors)
-                set_errors(peak, found.errors[i], found.peaks[i].rounding + found.reduction_error);
+                set_errors(peak, found.errors[i], found.reduction_error, found.peaks[i].rounding);
             found_at.emplace_back(found.peaks[i].quantity, std::move(peak));
         }
         for (const PeakSearch::Sample &sample : found.curve) {

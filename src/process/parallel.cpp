@@ -99,27 +99,39 @@ rows_at(const std::vector<double> &speeds,
     return rows;
 }
 
+namespace {
+
+/// Does it; what failed, in words, or nothing.
+std::string failure_of(const std::function<void()> &work) {
+    try {
+        work();
+    } catch (const std::exception &error) {
+        const std::string what = error.what();
+        return what.empty() ? "a piece of the work failed" : what;
+    }
+    return {};
+}
+
+} // namespace
+
 std::vector<Outcome> deal(std::size_t count, const std::string &doing,
-                          const std::function<Outcome(std::size_t piece)> &work) {
+                          const std::function<Outcome(std::size_t piece)> &work,
+                          const std::function<void()> &first) {
     std::vector<char> mine;
     std::string failure;
     {
+        SharedCounter counter;
+        if (first && process_rank() == 0)
+            failure = failure_of(first);
         const Stage all(doing, 0, 1);
         const double whole = static_cast<double>(count);
-        SharedCounter counter;
-        for (std::size_t piece = counter.next(); piece < count; piece = counter.next()) {
+        for (std::size_t piece = 0; failure.empty() && (piece = counter.next()) < count;) {
             const Stage one(doing, static_cast<double>(piece) / whole,
                             static_cast<double>(piece + 1) / whole);
-            try {
-                append_outcome(mine, piece, work(piece));
-            } catch (const std::exception &error) {
-                failure = error.what();
-                if (failure.empty())
-                    failure = "a piece of the work failed";
-                counter.skip(count); // the others end after what they have asked for
-                break;
-            }
+            failure = failure_of([&] { append_outcome(mine, piece, work(piece)); });
         }
+        if (!failure.empty())
+            counter.skip(count); // the others end after what they have asked for
     }
     failure = common_failure(failure);
     if (!failure.empty())

@@ -25,8 +25,10 @@ struct Outcome {
 /// must not wait for other processes. Process 0 works too, and reports the progress as a stage.
 /// Collective; in order and complete on process 0, empty on the others.
 /// @param doing  what is done, as for Stage
+/// @param first  what process 0 does before its first piece, while the others have begun; or none
 /// @throws model::AnalysisFailure on every process where one of them failed.
 [[nodiscard]] std::vector<Outcome> deal(std::size_t count, const std::string &doing,
-                                        const std::function<Outcome(std::size_t piece)> &work);
+                                        const std::function<Outcome(std::size_t piece)> &work,
+                                        const std::function<void()> &first = {});
 
 } // namespace whirl::process

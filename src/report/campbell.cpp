@@ -40,6 +40,15 @@ template <class List> auto entry(List CampbellMode::*list) {
     return [list](const ModeAt &at) { return at.entry(at.mode->*list); };
 }
 
+/// One of the parts of the error.
+auto part(double results::ErrorParts::*which) {
+    return [which](const ModeAt &at) {
+        const auto &parts = at.mode->error_parts;
+        return at.index < parts.size() && parts[at.index] ? std::optional((*parts[at.index]).*which)
+                                                          : std::nullopt;
+    };
+}
+
 std::optional<double> in_hertz(const ModeAt &at) {
     return at.frequency() ? std::optional(*at.frequency() * hertz) : std::nullopt;
 }
@@ -81,7 +90,10 @@ const Columns<ModeAt> mode_columns{
      entry(&CampbellMode::forward_fraction)},
     {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
     {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, entry(&CampbellMode::error)},
-    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)}};
+    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)},
+    {"error_mesh", "error_mesh", {}, {}, part(&results::ErrorParts::mesh)},
+    {"error_reduction", "error_reduction", {}, {}, part(&results::ErrorParts::reduction)},
+    {"error_rounding", "error_rounding", {}, {}, part(&results::ErrorParts::rounding)}};
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
     std::vector<ModeAt> rows;

@@ -50,7 +50,16 @@ const Columns<CriticalSpeed> critical_columns{
      {"damped"},
      [](const auto &c) { return c.damping.heavy() ? "heavily" : ""; }},
     {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, &CriticalSpeed::error},
-    {"residual", "residual", {}, {}, &CriticalSpeed::residual}};
+    {"residual", "residual", {}, {}, &CriticalSpeed::residual},
+    {"error_mesh", "error_mesh", {}, {}, [](const auto &c) { return c.error_parts.mesh; }},
+    {"error_reduction",
+     "error_reduction",
+     {},
+     {},
+     [](const auto &c) { return c.error_parts.reduction; }},
+    {"error_rounding", "error_rounding", {}, {}, [](const auto &c) {
+         return c.error_parts.rounding;
+     }}};
 
 std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "results/damping.h"
+#include "results/error_parts.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
 
@@ -23,6 +24,7 @@ struct CampbellMode {
     std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
     std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
     std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
+    std::vector<std::optional<ErrorParts>> error_parts{};  ///< of `error`
 };
 
 /// A mode's frequency equals a multiple of the spin speed.

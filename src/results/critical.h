@@ -2,6 +2,7 @@
 
 #include "results/critical_map.h"
 #include "results/damping.h"
+#include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/whirl.h"
@@ -20,6 +21,7 @@ struct CriticalSpeed {
     double residual = 0;
     Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
     std::string mode; ///< name of its line in the Campbell diagram; empty: not known
+    ErrorParts error_parts{}; ///< of `error`
 };
 
 struct CriticalResult {

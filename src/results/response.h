@@ -1,5 +1,6 @@
 #pragma once
 
+#include "results/error_parts.h"
 #include "results/margins.h"
 #include "results/model_summary.h"
 #include "results/orbits.h"
@@ -63,6 +64,7 @@ struct ResponsePeak {
     /// Name of the line of the Campbell diagram that is nearest to resonance there; empty: none is
     /// near, or not known.
     std::string mode;
+    ErrorParts error_parts{};           ///< of `error`
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,

@@ -226,7 +226,9 @@ BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement
 BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                        const BandFinder &like)
     : BandFinder(model, arrangement, like._shapes) {
-    if (like._good && _whole.by_monodromy() == nullptr)
+    if (_shapes && _shapes->rows() != _whole.discretization().planar_size())
+        _shapes = nullptr; // on another mesh
+    else if (like._good && _whole.by_monodromy() == nullptr)
         _few = like._few;
 }
 
@@ -317,6 +319,39 @@ std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector
     } catch (const model::AnalysisFailure &) {
     }
     return _good ? _few : nullptr;
+}
+
+bool BandFinder::enrich_for(const StabilityModel &other, const balancers::Arrangement &arrangement,
+                            const std::vector<double> &speeds) {
+    const MotionSolver whole(other, arrangement);
+    const Eigen::Index N = whole.discretization().planar_size();
+    if (!_good || _few->rows() != N || whole.by_monodromy() != nullptr)
+        return false;
+    const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    reduction::PlanarShapes planar(whole.discretization(), top, *_few);
+    for (const double speed : speeds) {
+        if (speed == 0)
+            continue;
+        const Pairs pairs = whole.pairs(speed);
+        const auto lacking = [&] {
+            return missing(pairs, MotionSolver(other, arrangement, _few).pairs(speed), speed, 0);
+        };
+        auto lacks = lacking();
+        for (const double part : newness) {
+            const Eigen::Index before = planar.matrix().cols();
+            for (const auto *pair : lacks)
+                planar.add(reduction::planar_parts(pair->vector, N, whole.term_unknowns()), part);
+            if (planar.matrix().cols() == before)
+                continue;
+            _few = std::make_shared<const Eigen::MatrixXd>(planar.matrix());
+            lacks = lacking();
+        }
+        if (!lacks.empty() ||
+            static_cast<double>(planar.matrix().cols()) > large_part * static_cast<double>(N))
+            return false;
+    }
+    _shapes = _few;
+    return true;
 }
 
 BandsFound BandFinder::find(const std::vector<double> &speeds) {

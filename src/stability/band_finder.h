@@ -22,8 +22,9 @@ class BandFinder {
     ///                anisotropy alone, to begin with; none: they are found when they are needed
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
-    /// @param like  of a rotor that differs in the arrangement of its balls alone, asked for the
-    ///              same speeds before: with the same shapes, where they are as good for this one
+    /// @param like  of a rotor that differs in the arrangement of its balls or in some other
+    ///              numbers, asked for the same speeds before: with the same shapes, where they are
+    ///              as good for this one
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                const BandFinder &like);
 
@@ -41,6 +42,13 @@ class BandFinder {
     /// @param speeds  ascending
     [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
     good_shapes(const std::vector<double> &speeds);
+
+    /// More shapes, until the motions of another rotor of this mesh at these speeds are among those
+    /// they describe, too. After good_shapes().
+    /// @returns whether they do for it
+    [[nodiscard]] bool enrich_for(const StabilityModel &other,
+                                  const balancers::Arrangement &arrangement,
+                                  const std::vector<double> &speeds);
 
   private:
     StabilityModel _model;

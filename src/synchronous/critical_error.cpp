@@ -92,39 +92,41 @@ Partners by_shape(const assembly::Discretization &coarse, const SynchronousModes
 
 } // namespace
 
-std::vector<std::optional<double>> critical_errors(const assembly::Discretization &coarse,
-                                                   results::Form form,
-                                                   const SynchronousModes &modes,
-                                                   const assembly::Discretization &finer,
-                                                   const SynchronousModes &finer_modes) {
+std::vector<std::optional<results::ErrorParts>>
+critical_errors(const assembly::Discretization &coarse, results::Form form,
+                const SynchronousModes &modes, const assembly::Discretization &finer,
+                const SynchronousModes &finer_modes) {
     const bool counted = modes.branches.size() == modes.modes.size() &&
                          finer_modes.branches.size() == finer_modes.modes.size();
     const Partners partners =
         counted ? by_branch(modes, finer_modes, form) : by_shape(coarse, modes, finer, finer_modes);
-    std::vector<std::optional<double>> errors;
+    std::vector<std::optional<results::ErrorParts>> errors;
     for (std::size_t i = 0; i < partners.size(); ++i) {
         errors.emplace_back();
         if (!partners[i])
             continue;
         const modes::WhirlMode &mode = modes.modes[i];
         const modes::WhirlMode &other = finer_modes.modes[*partners[i]];
-        errors.back() = mesh_error::estimate_safety * std::abs(mode.eigenvalue - other.eigenvalue) /
-                            other.eigenvalue.imag() +
-                        mode.residual + mode.rounding + other.residual + other.rounding;
+        const double by_mesh = mesh_error::estimate_safety *
+                                   std::abs(mode.eigenvalue - other.eigenvalue) /
+                                   other.eigenvalue.imag() +
+                               other.residual + other.rounding;
+        errors.back() = {by_mesh, 0, mode.residual + mode.rounding};
     }
     return errors;
 }
 
-std::vector<double> errors_by_finer_model(const assembly::Discretization &rotor, results::Form form,
-                                          const SynchronousModes &list, bool symmetric,
-                                          std::vector<std::string> &notes) {
-    constexpr double unknown = std::numeric_limits<double>::infinity();
-    std::vector<double> errors(list.modes.size(), unknown);
+std::vector<results::ErrorParts> errors_by_finer_model(const assembly::Discretization &rotor,
+                                                       results::Form form,
+                                                       const SynchronousModes &list, bool symmetric,
+                                                       std::vector<std::string> &notes) {
+    constexpr results::ErrorParts unknown{std::numeric_limits<double>::infinity(), 0, 0};
+    std::vector<results::ErrorParts> errors(list.modes.size(), unknown);
     if (list.modes.empty())
         return errors;
     if (rotor.rotor().shaft.rigid) {
         for (std::size_t i = 0; i < errors.size(); ++i)
-            errors[i] = list.modes[i].residual + list.modes[i].rounding;
+            errors[i] = {0, 0, list.modes[i].residual + list.modes[i].rounding};
         return errors;
     }
     try {

@@ -318,6 +318,22 @@ TEST_F(Program, DealtWorkGivesTheSameOnAnyNumberOfProcesses) {
         "map={x = {path = \"anisotropy[0].dI\", from = 0.1, to = 0.5, count = 3}, y = {path = "
         "\"bearing[0].c\", from = 0, to = 1, count = 3}}"};
     EXPECT_EQ(of(run_on("3", map), {"map", "notes"}), of(run(map), {"map", "notes"}));
+    // Rows over the spin speed, of an elastic rotor: all rows begin with shapes of the same one.
+    const std::vector<std::string> rows{
+        "stability",
+        cases + "anisotropic_disc_flexible",
+        "--json",
+        "--set",
+        "speeds.count=2",
+        "--set",
+        "bearing[0].c=300",
+        "--set",
+        "map={x = {path = \"speed\", from = 10, to = 1600, count = 5}, y = {path = "
+        "\"anisotropy[0].dI\", from = 0.001, to = 0.03, count = 4}}"};
+    const nlohmann::json rows_alone = of(run(rows), {"map", "growth", "ends", "notes"});
+    for (const std::string processes : {"2", "3"})
+        EXPECT_EQ(of(run_on(processes, rows), {"map", "growth", "ends", "notes"}), rows_alone)
+            << processes;
     EXPECT_TRUE(nothing_written());
 }
 

@@ -65,8 +65,9 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
     EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("amplification"), 1 / (2 * ratio));
     EXPECT_EQ(json.at("locked"),
               Json::parse(R"([{"multiple": 1.0, "mode": 1, "from": 90.0, "to": 110.0}])"));
-    for (const char *key : {"label", "frequency", "real", "damping_ratio", "log_dec", "whirl",
-                            "forward_fraction", "error", "residual"})
+    for (const char *key :
+         {"label", "frequency", "real", "damping_ratio", "log_dec", "whirl", "forward_fraction",
+          "error", "error_mesh", "error_reduction", "error_rounding", "residual"})
         EXPECT_TRUE(modes.at(1).contains(key)) << key;
     EXPECT_EQ(text.find("NaN"), std::string::npos);
 }
@@ -82,6 +83,8 @@ TEST(Json, OtherResultsHaveTheirKeys) {
     EXPECT_TRUE(speeds.at(1).at("mode").is_null()) << "not known";
     EXPECT_EQ(speeds.at(0).at("whirl"), "backward");
     EXPECT_EQ(speeds.at(0).at("error"), 1e-12);
+    for (const char *part : {"error_mesh", "error_reduction", "error_rounding"})
+        EXPECT_TRUE(speeds.at(0).contains(part)) << part;
     EXPECT_EQ(speeds.at(0).at("damping_ratio"), 0);
     EXPECT_TRUE(speeds.at(0).at("amplification").is_null()) << "nothing limits it";
     EXPECT_EQ(speeds.at(0).at("heavily_damped"), false);

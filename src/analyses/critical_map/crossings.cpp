@@ -90,8 +90,8 @@ class Crossings {
         const char *of = _out.bearings[across].isotropic ? "k" : direction == 0 ? "kxx" : "kyy";
         for (std::size_t i = 0; i < found.modes.size(); ++i) {
             CriticalMapCrossing crossing{
-                across, of,       found.modes[i].eigenvalue.imag(), 0, found.modes[i].whirl,
-                1,      errors[i]};
+                across,         of, found.modes[i].eigenvalue.imag(), 0, found.modes[i].whirl, 1,
+                errors[i].sum()};
             crossing.stiffness = bearing.at(crossing.speed).k(direction, direction);
             keep(crossing);
         }

@@ -70,7 +70,7 @@ std::vector<double> point_at(const MapScene &map, double k) {
         const auto places = of_sense(list, map_senses[s]);
         for (std::size_t i = 0; i < places.size(); ++i) {
             numbers[s * map.kept() + i] = list.modes[places[i]].eigenvalue.imag();
-            numbers[(2 + s) * map.kept() + i] = errors[places[i]];
+            numbers[(2 + s) * map.kept() + i] = errors[places[i]].sum();
         }
     }
     return numbers;

@@ -130,7 +130,16 @@ const Columns<ResponsePeak> peaks_found{
      }},
     {"", "", {"Half-power points (rpm)"}, {"half power rpm"}, half_power},
     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
-    {"speed_error", "", {}, {}, &ResponsePeak::speed_error}};
+    {"speed_error", "", {}, {}, &ResponsePeak::speed_error},
+    {"error_mesh", "", {}, {}, [](const ResponsePeak &peak) { return peak.error_parts.mesh; }},
+    {"error_reduction",
+     "",
+     {},
+     {},
+     [](const ResponsePeak &peak) { return peak.error_parts.reduction; }},
+    {"error_rounding", "", {}, {}, [](const ResponsePeak &peak) {
+         return peak.error_parts.rounding;
+     }}};
 
 } // namespace
 
