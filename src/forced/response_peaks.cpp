@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace whirl::forced {
 
@@ -85,6 +86,19 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
     return speeds;
 }
 
+/// Speeds of the peaks, those of one resonance once.
+std::vector<double> peak_speeds(std::vector<Peak> peaks) {
+    std::sort(peaks.begin(), peaks.end(),
+              [](const Peak &a, const Peak &b) { return a.speed < b.speed; });
+    std::vector<double> out;
+    constexpr double near_enough = 0.1; // of the width
+    for (const Peak &peak : peaks)
+        if (std::isfinite(peak.value) &&
+            (out.empty() || peak.speed - out.back() > near_enough * peak.width))
+            out.push_back(peak.speed);
+    return out;
+}
+
 /// Motions of the whole rotor at the speeds where the reduced one differs by more than agreed.
 Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
                          const std::vector<double> &speeds, double agreed, double &worst) {
@@ -153,9 +167,22 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
         if (reduced.size() == before)
             break;
     }
-    const PeakSearch search(reduced, from, to);
-    out.peaks = search.peaks();
-    out.curve = drawn(search, from, to);
+    std::optional<PeakSearch> search;
+    for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
+        search.emplace(reduced, from, to);
+        double at_peaks = 0;
+        const Eigen::MatrixXcd news =
+            missing(reduced, whole, peak_speeds(search->peaks()), agreed, at_peaks);
+        const int before = reduced.size();
+        if (news.cols() > 0 && round < most_rounds)
+            reduced.take_in(news);
+        if (reduced.size() > before)
+            continue;
+        out.reduction_error = std::max(out.reduction_error, at_peaks);
+        break;
+    }
+    out.peaks = search->peaks();
+    out.curve = drawn(*search, from, to);
     out.shapes = reduced.size();
     if (options.with_errors)
         out.errors = PeakError(discretization, form, quantities, places, options.drive)

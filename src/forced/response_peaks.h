@@ -19,7 +19,7 @@ struct CertifiedPeaks {
     std::vector<Peak> peaks;        ///< ascending by quantity, then by speed
     std::vector<PeakErrors> errors; ///< by the elements, of each; empty: not asked for
     /// Largest relative difference of a quantity of the reduced rotor from that of the whole rotor,
-    /// at and beside every resonance; 0 where nothing was left out.
+    /// at and beside every resonance and at the peaks; 0 where nothing was left out.
     double reduction_error = 0;
     int shapes = 0; ///< in one plane
     /// The curves between, on the reduced rotor: enough speeds to draw every peak.
@@ -29,7 +29,7 @@ struct CertifiedPeaks {
 /// Peaks between two speeds of one sign (rad/s) under the imbalances of the rotor, or of its motion
 /// at twice the spin speed under its weight (rotating form), by the reduced rotor: it takes in the
 /// motion of the whole rotor wherever the two differ, until they agree to 1e-9 at every resonance
-/// and half the width of the peak beside it.
+/// and half the width of the peak beside it, and at the peaks themselves.
 ///
 /// @param quantities  what is looked at
 /// @param places      z of each, m
