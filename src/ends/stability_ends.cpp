@@ -14,7 +14,6 @@ using results::EndKind;
 using results::StabilityEnd;
 using Complex = std::complex<double>;
 
-constexpr int base_steps = 24;
 /// At rest nothing is told from nothing: the part of the largest speed that is left out there.
 constexpr double at_rest = 1e-6;
 
@@ -25,7 +24,7 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     const double low = std::abs(from) < rest ? rest : from;
     const double high = std::abs(to) < rest ? -rest : to;
     std::vector<double> out{low, high};
-    for (double speed = rest; speed < step; speed *= 10) // balls: powers of the speed
+    for (double speed = rest; speed < step; speed *= 100) // balls: powers of the speed
         for (const double signed_speed : {-speed, speed})
             out.push_back(signed_speed);
     const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / step)));
@@ -49,19 +48,21 @@ struct Found {
 
 class EndSearch {
   public:
-    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks)
+    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks,
+              int steps)
         : _motions(motions) {
         const double top = std::max(std::abs(from), std::abs(to));
         for (int piece = 0; piece < motions.pieces(); ++piece) {
             const SpectrumAt at = [&, piece](double speed) { return motions.at(speed, piece); };
             const double low = motions.rotor().from(piece);
             const double high = motions.rotor().to(piece);
-            const auto speeds = base_speeds(low, high, looks, top, (to - from) / base_steps);
+            const auto speeds = base_speeds(low, high, looks, top, (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(at, speeds, motions.reach());
+            const Sweep sweep(at, speeds, [&](double size) { return motions.within_reach(size); });
             for (const Change &change : sweep.changes())
-                take(change, piece);
+                if (std::abs(change.speed) > 1.01 * at_rest * top)
+                    take(change, piece);
             _counts.insert(sweep.counts().begin(), sweep.counts().end());
             _out.doubtful.insert(_out.doubtful.end(), sweep.doubtful().begin(),
                                  sweep.doubtful().end());
@@ -185,8 +186,8 @@ class EndSearch {
 } // namespace
 
 EndsFound find_ends(const AllMotions &motions, double from, double to,
-                    const std::vector<double> &looks) {
-    return EndSearch(motions, from, to, looks).ends();
+                    const std::vector<double> &looks, int steps) {
+    return EndSearch(motions, from, to, looks, steps).ends();
 }
 
 } // namespace whirl::ends

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::ends {
 
@@ -29,9 +30,9 @@ double zero_of(const Strand &strand) {
 
 } // namespace
 
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, double reach)
-    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))), _reach(reach),
-      _looks_left(most_looks) {
+Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow)
+    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
+      _slow(std::move(slow)), _looks_left(most_looks) {
     Spectrum before = look(speeds.front());
     for (std::size_t k = 1; k < speeds.size(); ++k) {
         Spectrum now = look(speeds[k]);
@@ -45,7 +46,7 @@ Spectrum Sweep::look(double speed) {
     Spectrum out = _at(speed);
     const auto unknown =
         std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
-            return root.sign() == 0 && std::abs(root.value) <= _reach;
+            return root.sign() == 0 && _slow(std::abs(root.value));
         });
     _counts[speed] = {out.growing(), static_cast<int>(unknown)};
     return out;
