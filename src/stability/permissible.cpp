@@ -7,6 +7,7 @@
 #include "rigid/tilt_motion.h"
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
+#include "stability/periodic_motions.h"
 
 #include <Eigen/SparseLU>
 
@@ -57,10 +58,12 @@ class Varied {
         return _model.form == results::Form::hill && _model.harmonics == 0;
     }
 
-    /// By the monodromy matrix on shapes that were good for another dI: the search has the last
-    /// word with its own.
+    /// By the monodromy matrix on shapes that were good for another dI, and with the steps in time
+    /// that did: the search has the last word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
-        return {model_with(dI), _arrangement, by_monodromy() ? _shapes : nullptr};
+        StabilityModel model = model_with(dI);
+        model.experience = _experience;
+        return {model, _arrangement, by_monodromy() ? _shapes : nullptr};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -120,6 +123,7 @@ class Varied {
     const balancers::Arrangement &_arrangement;
     std::size_t _index;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+    std::shared_ptr<StepExperience> _experience = std::make_shared<StepExperience>();
 
     [[nodiscard]] StabilityModel model_with(double dI) const {
         StabilityModel out = _model;
