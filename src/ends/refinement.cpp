@@ -17,12 +17,17 @@ using ComplexSparse = Eigen::SparseMatrix<Complex>;
 constexpr int most_steps = 25;
 constexpr double converged = 1e-13;
 
-/// Steps have become nothing, or as small as rounding leaves them.
+/// Steps have become nothing, or as small as rounding leaves them, or the next one will: errors are
+/// squared by each.
 class Settled {
   public:
     /// @param change  of this step, relative
     bool operator()(double change) {
-        const bool out = change <= converged || (change <= 1e-9 && change >= 0.3 * _before);
+        constexpr double small = 1e-5; // where errors are squared
+        const bool squared = change <= small && _before <= 1 &&
+                             change / _before * (change / _before) * change <= 0.01 * converged;
+        const bool out =
+            change <= converged || (change <= 1e-9 && change >= 0.3 * _before) || squared;
         _before = change;
         return out;
     }

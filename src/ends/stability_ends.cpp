@@ -72,6 +72,7 @@ class EndSearch {
     EndsFound ends() {
         std::sort(_found.begin(), _found.end(),
                   [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
+        doubt_doubles();
         const std::vector<int> growing = growing_between();
         _out.growing_from = growing.front();
         const double top = _counts.empty() ? 0
@@ -109,10 +110,29 @@ class EndSearch {
         });
     }
 
+    /// The root of a change, and the speed at which that of the reduced rotor is all but on the
+    /// axis: from farther away another root that is as near to zero would be found.
+    [[nodiscard]] std::pair<double, Root> at_the_axis(const Change &change, int piece) const {
+        double speed = change.speed;
+        std::complex<double> value = change.value;
+        constexpr int most = 4;
+        constexpr double enough = 1e-4; // of the speed
+        for (int step = 1;; ++step) {
+            const Spectrum there = _motions.at(speed, piece);
+            const Root &root = there.nearest(value);
+            const double off = -root.value.real() / root.rate.real();
+            const double next = std::clamp(speed + off, change.from, change.to);
+            const bool leads = change.smooth && std::isfinite(off) && root.sign() != 0;
+            if (!leads || step == most || std::abs(off) <= enough * std::abs(speed))
+                return {speed, root};
+            value = root.value + (next - speed) * root.rate;
+            speed = next;
+        }
+    }
+
     void take(const Change &change, int piece) {
-        const Spectrum there = _motions.at(change.speed, piece);
-        const Root &root = there.nearest(change.value);
-        WholeMotion guess = _motions.lifted(root, change.speed);
+        const auto [place, root] = at_the_axis(change, piece);
+        WholeMotion guess = _motions.lifted(root, place);
         // A pair that has come to the real axis moves along it as two.
         const bool standing = root.value.imag() == 0 || change.value.imag() == 0;
         guess.value = {0, standing ? 0 : std::abs(root.value.imag())};
@@ -134,6 +154,21 @@ class EndSearch {
             _found.push_back({guess, EndKind::collision, change.gain});
         } else if (change.smooth) {
             _out.doubtful.emplace_back(change.from, change.to);
+        }
+    }
+
+    /// Two changes that led to one and the same root: the other one's is missing.
+    void doubt_doubles() {
+        constexpr double same = 1e-9;
+        constexpr double parallel = 1 - 1e-6;
+        for (std::size_t i = 1; i < _found.size(); ++i) {
+            const WholeMotion &a = _found[i - 1].motion;
+            const WholeMotion &b = _found[i].motion;
+            if (_found[i].kind == _found[i - 1].kind && _found[i].kind != EndKind::collision &&
+                std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
+                std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
+                std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm())
+                _out.doubtful.emplace_back(a.speed, b.speed);
         }
     }
 

@@ -118,6 +118,22 @@ std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, c
     return out;
 }
 
+/// The number of the conjugate of each root, a neighbour in the list; itself of a real one.
+std::vector<int> conjugates(const Spectrum &spectrum) {
+    std::vector<int> out;
+    const auto count = static_cast<int>(spectrum.roots.size());
+    for (int i = 0; i < count; ++i) {
+        const Complex wanted = std::conj(spectrum.roots[static_cast<std::size_t>(i)].value);
+        int place = i;
+        for (const int other : {i, i - 1, i + 1})
+            if (other >= 0 && other < count &&
+                spectrum.roots[static_cast<std::size_t>(other)].value == wanted)
+                place = other;
+        out.push_back(place);
+    }
+    return out;
+}
+
 /// Motions that cannot be told apart, none of which comes to the axis: growing ones as growing
 /// ones, in order of their frequencies, so that each stands where one of them is.
 void add_as_one(Cluster a, Cluster b, double start, double step, Strands &out) {
@@ -250,9 +266,14 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
     if (rows < 2 || columns < 2)
         return out;
     Eigen::MatrixXd off(rows, columns);
-    for (Eigen::Index i = 0; i < rows; ++i)
+    const std::vector<int> conjugate_from = conjugates(from);
+    const std::vector<int> conjugate_to = conjugates(to);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const int same = conjugate_from[static_cast<std::size_t>(i)];
         for (Eigen::Index j = 0; j < columns; ++j)
-            off(i, j) = between(static_cast<int>(i), static_cast<int>(j)).misfit;
+            off(i, j) = same < i ? off(same, conjugate_to[static_cast<std::size_t>(j)])
+                                 : between(static_cast<int>(i), static_cast<int>(j)).misfit;
+    }
     const ClusterStep of_step{from.speed, to.speed, is_long(from.speed, to.speed)};
     for (const Group &group : groups_of(std::move(off))) {
         const auto &[of_from, of_to] = group;

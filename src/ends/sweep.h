@@ -59,7 +59,8 @@ class Sweep {
 
     [[nodiscard]] Spectrum look(double speed);
     void through(const Spectrum &a, const Spectrum &b);
-    bool take(const Spectrum &a, const Spectrum &b, const Strands &strands);
+    [[nodiscard]] std::optional<double> take(const Spectrum &a, const Spectrum &b,
+                                             const Strands &strands);
     void take_abrupt(const Spectrum &a, const Spectrum &b);
 };
 

@@ -84,17 +84,16 @@ class Varied {
 
     /// The dI between 0 and an unstable one at which this speed is just stable.
     [[nodiscard]] double just_stable(double speed, double unstable) const {
-        double low = 0;
-        double high = unstable;
-        double growth_low = 0; // 0: not known
-        double growth_high = 0;
-        for (int step = 0; high - low > 1e-12 * unstable; ++step) {
-            const double next = between_signs(low, growth_low, high, growth_high, step);
+        SignBracket bracket(0, unstable);
+        while (bracket.width() > 1e-12 * unstable) {
+            const double next = bracket.next();
             const double growth = growth_of(solver(next).at(speed));
-            (growth > 0 ? high : low) = next;
-            (growth > 0 ? growth_high : growth_low) = growth;
+            if (growth > 0)
+                bracket.unstable_at(next, growth);
+            else
+                bracket.stable_at(next, growth);
         }
-        return low;
+        return bracket.stable();
     }
 
     [[nodiscard]] std::vector<SpeedInterval> bands(double dI,

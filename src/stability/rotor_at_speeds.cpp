@@ -140,37 +140,54 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
         }
 }
 
-/// Newton's method for a root with its vector.
+Eigen::VectorXcd as_complex(const Eigen::VectorXcd &x) { return x; }
+Eigen::VectorXcd as_complex(const Eigen::VectorXd &x) { return x.cast<std::complex<double>>(); }
+
+/// Newton's method for a root with its vector, W and x of one kind, real or complex.
 /// @returns whether it converged to one next to the guess
-bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
-    using Complex = std::complex<double>;
-    using Sparse = Eigen::SparseMatrix<Complex>;
-    const Complex guess = pair.value;
+template <class Scalar>
+bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x,
+            linalg::ComplexPair &pair) {
+    using Sparse = Eigen::SparseMatrix<Scalar>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    const Sparse K = system.K.cast<Scalar>();
+    const Sparse Ks = system.Ks.cast<Scalar>();
+    const Sparse Kss = system.Kss.cast<Scalar>();
+    Eigen::SparseLU<Sparse> lu;
     constexpr int most_steps = 12;
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
-        const Complex W = pair.value;
-        const Sparse slope = system.Ks.cast<Complex>() + 2.0 * W * system.Kss.cast<Complex>();
-        Sparse Q = system.K.cast<Complex>() + W * system.Ks.cast<Complex>() +
-                   W * W * system.Kss.cast<Complex>();
+        const Sparse slope = Ks + Scalar(2.0) * W * Kss;
+        Sparse Q = K + W * Ks + W * W * Kss;
         Q.makeCompressed();
-        const Eigen::SparseLU<Sparse> lu(Q);
+        if (step == 0)
+            lu.analyzePattern(Q);
+        lu.factorize(Q);
         if (lu.info() != Eigen::Success)
             return false;
-        const Eigen::VectorXcd next = lu.solve(Eigen::VectorXcd(slope * pair.vector));
-        const Complex change = pair.vector.squaredNorm() / pair.vector.dot(next);
-        pair.value -= change;
-        pair.vector = next.normalized();
-        const double part = std::abs(change) / std::abs(guess);
+        const Vector next = lu.solve(Vector(slope * x));
+        const Scalar change = x.squaredNorm() / x.dot(next);
+        W -= change;
+        x = next.normalized();
+        const double part = std::abs(change) / std::abs(pair.value);
         if (!std::isfinite(part))
             return false;
         if (part <= 1e-13 || (part <= 1e-10 && part >= 0.3 * before)) {
             constexpr double same_root = 1e-3;
-            return std::abs(pair.value - guess) <= same_root * std::abs(guess);
+            const bool same = std::abs(W - pair.value) <= same_root * std::abs(pair.value);
+            pair.value = W;
+            pair.vector = as_complex(x);
+            return same;
         }
         before = part;
     }
     return false;
+}
+
+bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
+    if (pair.value.imag() == 0)
+        return refine<double>(system, pair.value.real(), pair.vector.real(), pair);
+    return refine<std::complex<double>>(system, pair.value, pair.vector, pair);
 }
 
 /// By those of the system on few shapes, each made a root of the whole one; nothing where one of

@@ -25,8 +25,8 @@ struct StabilityModel {
     /// Of the steps in time that monodromy matrices need, shared with rotors that hardly differ;
     /// none: every rotor gathers its own.
     std::shared_ptr<StepExperience> experience;
-    double top = 0;    ///< largest |speed| that will be looked at, rad/s
-    double from = 0;   ///< rad/s, least |speed| that the series describes
+    double top = 0;  ///< largest |speed| that will be looked at, rad/s
+    double from = 0; ///< rad/s, least |speed| that the series describes
 };
 
 /// @param speeds  at which motions will be looked at, rad/s
