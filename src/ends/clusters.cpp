@@ -81,27 +81,36 @@ Value value_at(const Coefficients &polynomial, Value z) {
     return out;
 }
 
-/// The roots near those of another polynomial that hardly differs: all at once (Durand and Kerner).
-void move_roots(const Coefficients &polynomial, std::vector<Value> &roots) {
-    constexpr int most = 30;
+/// The roots, from those of another polynomial that hardly differs: all at once (Durand and
+/// Kerner), from places without symmetry, as pairs become real and part.
+/// @returns whether they were found
+bool move_roots(const Coefficients &polynomial, std::vector<Value> &roots) {
+    double size = 0;
+    for (const Value &root : roots)
+        size = std::max(size, std::abs(root));
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        roots[k] += std::polar(0.01 * size, 1 + 2.4 * static_cast<double>(k));
+    constexpr int most = 150;
+    constexpr double settled = 1e-9;
     for (int step = 0; step < most; ++step) {
         double largest = 0;
-        double size = 0;
+        size = 0;
         for (Value &root : roots) {
             Value others = 1;
             for (const Value &other : roots)
                 if (&other != &root)
                     others *= root - other;
             if (others == 0.0)
-                others = 1e-300;
+                return false;
             const Value change = value_at(polynomial, root) / others;
             root -= change;
             largest = std::max(largest, std::abs(change));
             size = std::max(size, std::abs(root));
         }
-        if (!(largest > 1e-6 * size))
-            return;
+        if (largest <= settled * size)
+            return true;
     }
+    return false;
 }
 
 /// Geometric mean of their moduli.
@@ -147,7 +156,8 @@ bool stays_off(const Cluster &a, const Cluster &b, const ClusterStep &step, bool
     for (int k = 1; k <= samples_of_step; ++k) {
         const Coefficients now = at(static_cast<double>(k) / samples_of_step);
         const Eigen::VectorXd left = open + (now - before).cwiseAbs(); // on the way there, too
-        move_roots(now, roots);
+        if (!move_roots(now, roots))
+            return false;
         for (const Value &root : roots) {
             const double w = root.imag();
             double allowed = 0;

@@ -81,6 +81,9 @@ bool leaves_a_trace(const ZeroRootSystem &system, double speed) {
            there > 10 * inverse_size(system, 1.3 * speed);
 }
 
+/// A root at zero of several balls comes blurred: of nothing it has a digit right.
+bool is_known(const linalg::ComplexPair &pair) { return 100 * pair.rounding + pair.residual < 0.1; }
+
 /// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
 std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
                                       const std::vector<linalg::ComplexPair> &pairs, double top) {
@@ -88,9 +91,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
         const double across = std::abs(pair.value.imag());
-        // A root at zero of several balls comes blurred: of nothing it has a digit right.
-        const bool known = 100 * pair.rounding + pair.residual < 0.1;
-        if (known && speed > at_rest * top && speed <= top && across < speed)
+        if (is_known(pair) && speed > at_rest * top && speed <= top && across < speed)
             out.push_back({speed, across <= 1e-7 * speed});
     }
     const auto blurred = [&](const ZeroRootSpeed &root) {
@@ -111,7 +112,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
 std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, double top) {
     linalg::QuadraticOptions options;
     options.fewest = 1;
-    options.negligible = at_rest * top;
+    options.negligible = suspicious * top; // blurred: judged by themselves
     constexpr int small = 150;
     const auto all = static_cast<int>(system.K.rows());
     const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
@@ -204,12 +205,15 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
         for (linalg::ComplexPair &pair : pairs_up_to(
                  {reduced(system.K), reduced(system.Ks), reduced(system.Kss)}, beyond * top)) {
             const double speed = pair.value.real();
-            if (speed <= at_rest * top || speed > beyond * top ||
+            if (!is_known(pair) || speed <= at_rest * top || speed > beyond * top ||
                 std::abs(pair.value.imag()) >= speed)
                 continue;
             pair.vector = few.lifted(pair.vector);
-            if (!refine(system, pair))
+            if (!refine(system, pair)) {
+                if (speed < suspicious * top && !leaves_a_trace(system, speed))
+                    continue; // one at zero
                 return std::nullopt;
+            }
             out.push_back(std::move(pair));
         }
     } catch (const linalg::SolverError &) {
