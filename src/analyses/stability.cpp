@@ -229,7 +229,8 @@ void search_zero_roots(const stability::StabilityModel &model,
 void search_bands(stability::BandFinder &finder, const ends::AllMotions *motions,
                   results::Form form, const stability::MotionsAt &at,
                   const std::vector<double> &grid, results::StabilityResult &result) {
-    auto found = motions != nullptr ? certain_ends(*motions, grid) : std::nullopt;
+    auto found =
+        motions != nullptr ? certain_ends(*motions, grid, ends::usual_steps) : std::nullopt;
     if (found) {
         result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
         result.ends = std::move(found->ends);

@@ -75,8 +75,8 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 }
 
 std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
-                                            const std::vector<double> &grid) {
-    ends::EndsFound found = ends::find_ends(motions, grid.front(), grid.back(), {});
+                                            const std::vector<double> &grid, int steps) {
+    ends::EndsFound found = ends::find_ends(motions, grid.front(), grid.back(), {}, steps);
     if (found.undamped || !found.doubtful.empty())
         return std::nullopt;
     return found;
@@ -92,7 +92,7 @@ stability::BandsFound bands_between_ends(stability::BandFinder &finder,
             const ends::AllMotions motions(finder.solver().discretization(), model.form,
                                            arrangement, finder.good_shapes(grid), grid.front(),
                                            grid.back());
-            if (const auto found = certain_ends(motions, grid))
+            if (const auto found = certain_ends(motions, grid, ends::few_steps))
                 return {ends::bands_of(*found, {grid.front(), grid.back()}), {}};
         } catch (const linalg::SolverError &) { // the search for bands has other ways
         }

@@ -19,9 +19,10 @@ void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityM
 
 /// All speeds at which the number of growing motions changes, where they tell all there is to tell
 /// of the unstable bands: every motion is damped or grows, and was followed throughout.
-/// @param grid  range of speeds, its ends alone matter
-[[nodiscard]] std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
-                                                          const std::vector<double> &grid);
+/// @param grid   range of speeds, its ends alone matter
+/// @param steps  of the range to begin with
+[[nodiscard]] std::optional<ends::EndsFound>
+certain_ends(const ends::AllMotions &motions, const std::vector<double> &grid, int steps);
 
 /// Unstable bands by the ends of growth, where these are certain, else by the search for bands.
 /// @param at  motions of the whole rotor of the finder

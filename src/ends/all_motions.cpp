@@ -44,7 +44,7 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
                  : std::vector<balancers::BalancerElement>{}),
       _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
                                            borders(discretization.rotor(), from, to))),
-      _slow(modes::support_scale(discretization)) {
+      _slow(modes::support_scale(discretization)), _from(from), _to(to) {
     if (results::in_rotating_axes(form)) {
         for (const auto &balancer :
              balancers::balancer_elements(discretization.rotor(), arrangement))
@@ -53,18 +53,21 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
         const double speed = to != 0 ? to : from;
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
     }
-    set_reach(from, to);
 }
 
-void AllMotions::set_reach(double from, double to) {
+double AllMotions::least_reach() const { return 2.1 * std::max(std::abs(_from), std::abs(_to)); }
+
+double AllMotions::reach() const {
+    if (_reach)
+        return *_reach;
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k)
-        for (const Root &root : at(from + (to - from) * (k + 0.5) / samples).roots)
+        for (const Root &root : at(_from + (_to - _from) * (k + 0.5) / samples).roots)
             if (root.value.imag() >= 0)
                 sizes[static_cast<std::size_t>(k)].push_back(std::abs(root.value));
-    _reach =
-        stability::motion_reach(std::move(sizes), 2.1 * std::max(std::abs(from), std::abs(to)));
+    _reach = stability::motion_reach(std::move(sizes), least_reach());
+    return *_reach;
 }
 
 Spectrum AllMotions::at(double speed, int piece) const {
@@ -83,8 +86,8 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     // Balls that can roll on without any effect neither grow nor die out.
     bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
     for (const Root &root : roots) {
-        neutral = neutral || (root.sign() == 0 && std::abs(root.value) <= _reach);
-        const bool counts = std::abs(root.value) <= _reach || root.sign() > 0;
+        neutral = neutral || (root.sign() == 0 && within_reach(std::abs(root.value)));
+        const bool counts = root.sign() > 0 || within_reach(std::abs(root.value));
         if (root.value.imag() < 0 || root.sign() == 0 || !counts)
             continue; // a zero that rounding blurs must not hide one that grows
         if (root.sign() < 0 && neutral)

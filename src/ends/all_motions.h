@@ -35,7 +35,11 @@ class AllMotions {
     /// The same at all speeds of the range, 1/s: twice its largest speed, so that all whirls up to
     /// that speed are among them in rotating axes too, and as much more as leaves at least eight
     /// and brings it between two motions that are far apart all over the range.
-    [[nodiscard]] double reach() const { return _reach; }
+    [[nodiscard]] double reach() const;
+    /// |l| up to reach(), which is found only where this does not go without it.
+    [[nodiscard]] bool within_reach(double size) const {
+        return size <= least_reach() || size <= reach();
+    }
     [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
 
     /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s, of
@@ -54,10 +58,11 @@ class AllMotions {
     modes::FormMatrices _whole;
     std::unique_ptr<RotorPieces> _rotor;
     double _slow = 0; ///< of the order of the motions on the supports, 1/s
-    double _reach = 0;
+    double _from, _to;
+    mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
 
-    void set_reach(double from, double to);
+    [[nodiscard]] double least_reach() const;
 };
 
 } // namespace whirl::ends

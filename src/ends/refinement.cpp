@@ -17,12 +17,17 @@ using ComplexSparse = Eigen::SparseMatrix<Complex>;
 constexpr int most_steps = 25;
 constexpr double converged = 1e-13;
 
-/// Steps have become nothing, or as small as rounding leaves them.
+/// Steps have become nothing, or as small as rounding leaves them, or the next one will: errors are
+/// squared by each.
 class Settled {
   public:
     /// @param change  of this step, relative
     bool operator()(double change) {
-        const bool out = change <= converged || (change <= 1e-9 && change >= 0.3 * _before);
+        constexpr double small = 1e-5; // where errors are squared
+        const bool squared = change <= small && _before <= 1 &&
+                             change / _before * (change / _before) * change <= 0.01 * converged;
+        const bool out =
+            change <= converged || (change <= 1e-9 && change >= 0.3 * _before) || squared;
         _before = change;
         return out;
     }
@@ -54,23 +59,45 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
             l * product(m.left, p.above.D, m.right) + product(m.left, p.above.K, m.right)};
 }
 
+/// Factors of Q(l): its pattern, all but always the same at all l and speeds, is analysed once.
+class Factors {
+  public:
+    /// @returns nothing where there are none
+    [[nodiscard]] Eigen::SparseLU<ComplexSparse> *of(const ComplexSparse &Q) {
+        const Eigen::Map<const Indices> columns(Q.outerIndexPtr(), Q.outerSize() + 1);
+        const Eigen::Map<const Indices> rows(Q.innerIndexPtr(), Q.nonZeros());
+        if (rows.size() != _rows.size() || rows != _rows || columns != _columns) {
+            _lu.analyzePattern(Q);
+            _rows = rows;
+            _columns = columns;
+        }
+        _lu.factorize(Q);
+        return _lu.info() == Eigen::Success ? &_lu : nullptr;
+    }
+
+  private:
+    using Indices = Eigen::Matrix<ComplexSparse::StorageIndex, Eigen::Dynamic, 1>;
+    Eigen::SparseLU<ComplexSparse> _lu;
+    Indices _rows, _columns;
+};
+
 /// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
 /// @returns whether Q(l) could be factorised
-bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
+bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &factors) {
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
     const ComplexSparse whole =
         l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>() + p.K.cast<Complex>();
     ComplexSparse Q = d.asDiagonal() * whole * d.asDiagonal();
     Q.makeCompressed();
-    Eigen::SparseLU<ComplexSparse> lu(Q);
-    if (lu.info() != Eigen::Success)
+    auto *lu = factors.of(Q);
+    if (lu == nullptr)
         return false;
     const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(p.D, m.right);
     const Eigen::VectorXcd to_left =
         2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(p.D.transpose(), m.left);
-    const Eigen::VectorXcd x = lu.solve(Eigen::VectorXcd(d.asDiagonal() * to_right));
-    const Eigen::VectorXcd y = lu.adjoint().solve(Eigen::VectorXcd(d.asDiagonal() * to_left));
+    const Eigen::VectorXcd x = lu->solve(Eigen::VectorXcd(d.asDiagonal() * to_right));
+    const Eigen::VectorXcd y = lu->adjoint().solve(Eigen::VectorXcd(d.asDiagonal() * to_left));
     if (!x.allFinite() || !y.allFinite())
         return false;
     m.right = d.asDiagonal() * x.normalized();
@@ -79,8 +106,9 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m) {
 }
 
 /// At an eigenvalue itself the factorisation can fail: a little beside it does as well.
-bool iterate_near(const modes::QuadraticAt &p, Complex l, double scale, WholeMotion &m) {
-    return iterate(p, l, m) || iterate(p, l + 1e-10 * scale, m);
+bool iterate_near(const modes::QuadraticAt &p, Complex l, double scale, WholeMotion &m,
+                  Factors &factors) {
+    return iterate(p, l, m, factors) || iterate(p, l + 1e-10 * scale, m, factors);
 }
 
 } // namespace
@@ -91,9 +119,10 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
     double w = standing ? 0 : guess.value.imag();
     const double scale = std::max(std::abs(guess.speed), std::abs(w));
     Settled settled;
+    Factors factors;
     for (int step = 0; step < most_steps; ++step) {
         const modes::QuadraticAt problem = whole.at(m.speed);
-        if (!iterate_near(problem, {0, w}, scale, m))
+        if (!iterate_near(problem, {0, w}, scale, m, factors))
             return std::nullopt;
         const Forms f = forms(problem, {0, w}, m);
         const Complex of_w = Complex(0, 1) * f.by_root;
@@ -126,8 +155,9 @@ std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
     const modes::QuadraticAt problem = whole.at(guess.speed);
     const double scale = std::max(std::abs(guess.speed), std::abs(guess.value));
     Settled settled;
+    Factors factors;
     for (int step = 0; step < most_steps; ++step) {
-        if (!iterate_near(problem, m.value, scale, m))
+        if (!iterate_near(problem, m.value, scale, m, factors))
             return std::nullopt;
         const Forms f = forms(problem, m.value, m);
         Complex change = -f.value / f.by_root;

@@ -14,7 +14,6 @@ using results::EndKind;
 using results::StabilityEnd;
 using Complex = std::complex<double>;
 
-constexpr int base_steps = 24;
 /// At rest nothing is told from nothing: the part of the largest speed that is left out there.
 constexpr double at_rest = 1e-6;
 
@@ -25,7 +24,7 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     const double low = std::abs(from) < rest ? rest : from;
     const double high = std::abs(to) < rest ? -rest : to;
     std::vector<double> out{low, high};
-    for (double speed = rest; speed < step; speed *= 10) // balls: powers of the speed
+    for (double speed = rest; speed < step; speed *= 100) // balls: powers of the speed
         for (const double signed_speed : {-speed, speed})
             out.push_back(signed_speed);
     const int steps = std::max(2, static_cast<int>(std::ceil((high - low) / step)));
@@ -49,19 +48,21 @@ struct Found {
 
 class EndSearch {
   public:
-    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks)
+    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks,
+              int steps)
         : _motions(motions) {
         const double top = std::max(std::abs(from), std::abs(to));
         for (int piece = 0; piece < motions.pieces(); ++piece) {
             const SpectrumAt at = [&, piece](double speed) { return motions.at(speed, piece); };
             const double low = motions.rotor().from(piece);
             const double high = motions.rotor().to(piece);
-            const auto speeds = base_speeds(low, high, looks, top, (to - from) / base_steps);
+            const auto speeds = base_speeds(low, high, looks, top, (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(at, speeds, motions.reach());
+            const Sweep sweep(at, speeds, [&](double size) { return motions.within_reach(size); });
             for (const Change &change : sweep.changes())
-                take(change, piece);
+                if (std::abs(change.speed) > 1.01 * at_rest * top)
+                    take(change, piece);
             _counts.insert(sweep.counts().begin(), sweep.counts().end());
             _out.doubtful.insert(_out.doubtful.end(), sweep.doubtful().begin(),
                                  sweep.doubtful().end());
@@ -71,6 +72,7 @@ class EndSearch {
     EndsFound ends() {
         std::sort(_found.begin(), _found.end(),
                   [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
+        doubt_doubles();
         const std::vector<int> growing = growing_between();
         _out.growing_from = growing.front();
         const double top = _counts.empty() ? 0
@@ -108,10 +110,29 @@ class EndSearch {
         });
     }
 
+    /// The root of a change, and the speed at which that of the reduced rotor is all but on the
+    /// axis: from farther away another root that is as near to zero would be found.
+    [[nodiscard]] std::pair<double, Root> at_the_axis(const Change &change, int piece) const {
+        double speed = change.speed;
+        std::complex<double> value = change.value;
+        constexpr int most = 4;
+        constexpr double enough = 1e-4; // of the speed
+        for (int step = 1;; ++step) {
+            const Spectrum there = _motions.at(speed, piece);
+            const Root &root = there.nearest(value);
+            const double off = -root.value.real() / root.rate.real();
+            const double next = std::clamp(speed + off, change.from, change.to);
+            const bool leads = change.smooth && std::isfinite(off) && root.sign() != 0;
+            if (!leads || step == most || std::abs(off) <= enough * std::abs(speed))
+                return {speed, root};
+            value = root.value + (next - speed) * root.rate;
+            speed = next;
+        }
+    }
+
     void take(const Change &change, int piece) {
-        const Spectrum there = _motions.at(change.speed, piece);
-        const Root &root = there.nearest(change.value);
-        WholeMotion guess = _motions.lifted(root, change.speed);
+        const auto [place, root] = at_the_axis(change, piece);
+        WholeMotion guess = _motions.lifted(root, place);
         // A pair that has come to the real axis moves along it as two.
         const bool standing = root.value.imag() == 0 || change.value.imag() == 0;
         guess.value = {0, standing ? 0 : std::abs(root.value.imag())};
@@ -133,6 +154,21 @@ class EndSearch {
             _found.push_back({guess, EndKind::collision, change.gain});
         } else if (change.smooth) {
             _out.doubtful.emplace_back(change.from, change.to);
+        }
+    }
+
+    /// Two changes that led to one and the same root: the other one's is missing.
+    void doubt_doubles() {
+        constexpr double same = 1e-9;
+        constexpr double parallel = 1 - 1e-6;
+        for (std::size_t i = 1; i < _found.size(); ++i) {
+            const WholeMotion &a = _found[i - 1].motion;
+            const WholeMotion &b = _found[i].motion;
+            if (_found[i].kind == _found[i - 1].kind && _found[i].kind != EndKind::collision &&
+                std::abs(a.speed - b.speed) <= same * std::abs(b.speed) &&
+                std::abs(a.value - b.value) <= same * std::abs(b.speed) &&
+                std::abs(a.right.dot(b.right)) > parallel * a.right.norm() * b.right.norm())
+                _out.doubtful.emplace_back(a.speed, b.speed);
         }
     }
 
@@ -185,8 +221,8 @@ class EndSearch {
 } // namespace
 
 EndsFound find_ends(const AllMotions &motions, double from, double to,
-                    const std::vector<double> &looks) {
-    return EndSearch(motions, from, to, looks).ends();
+                    const std::vector<double> &looks, int steps) {
+    return EndSearch(motions, from, to, looks, steps).ends();
 }
 
 } // namespace whirl::ends

@@ -10,6 +10,11 @@ namespace whirl::ends {
 
 using stability::SpeedInterval;
 
+/// Steps of a range to begin with; they are halved where that is needed.
+constexpr int usual_steps = 24;
+/// Of one of many rotors that hardly differ.
+constexpr int few_steps = 8;
+
 struct EndsFound {
     std::vector<results::StabilityEnd> ends; ///< ascending
     int growing_from = 0;                    ///< motions that grow at the beginning of the range
@@ -24,7 +29,8 @@ struct EndsFound {
 /// reduced rotor are followed through the range (sweep.h); each change is found again with the
 /// whole rotor, as a root (refinement.h), relative 1e-12 but for rounding.
 /// @param looks  speeds that should be looked at, as inside of bands known already
+/// @param steps  to begin with
 [[nodiscard]] EndsFound find_ends(const AllMotions &motions, double from, double to,
-                                  const std::vector<double> &looks);
+                                  const std::vector<double> &looks, int steps = usual_steps);
 
 } // namespace whirl::ends

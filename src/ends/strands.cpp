@@ -1,9 +1,11 @@
 #include "ends/strands.h"
 
+#include "ends/clusters.h"
 #include "ends/coupling.h"
 #include "ends/groups.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -82,57 +84,6 @@ Candidate candidate(const Root &a, const Root &b, double start, double step) {
     return out;
 }
 
-/// Roots at one end of a step that cannot be told apart.
-struct Cluster {
-    std::vector<const Root *> roots;
-
-    [[nodiscard]] Complex mean(Complex Root::*of) const {
-        Complex sum = 0;
-        for (const Root *root : roots)
-            sum += root->*of;
-        return sum / static_cast<double>(roots.size());
-    }
-    /// Largest distance from the mean.
-    [[nodiscard]] double radius() const {
-        double out = 0;
-        for (const Root *root : roots)
-            out = std::max(out, std::abs(root->value - mean(&Root::value)));
-        return out;
-    }
-};
-
-Cluster cluster(const Spectrum &spectrum, const std::vector<int> &numbers) {
-    Cluster out;
-    for (const int number : numbers)
-        out.roots.push_back(&spectrum.roots[static_cast<std::size_t>(number)]);
-    return out;
-}
-
-/// All grow, or all die out, throughout: which is which does not matter. Where roots meet, their
-/// mean goes on smoothly, and they leave it as the square root of a smooth function does.
-bool harmless(const Cluster &a, const Cluster &b, double step) {
-    if (a.roots.size() != b.roots.size() || a.roots.empty())
-        return false;
-    const int sign = a.roots.front()->sign();
-    double noise = 0;
-    double spread = 0;
-    for (const Cluster *cluster : {&a, &b})
-        for (const Root *root : cluster->roots) {
-            if (root->sign() != sign)
-                return false;
-            noise += root->noise;
-            spread = std::max(spread, std::abs(root->value - a.roots.front()->value));
-        }
-    if (sign == 0)
-        return spread <= noise;
-    const Complex before = a.mean(&Root::value);
-    const Complex after = b.mean(&Root::value);
-    const Complex off = after - before - step * (a.mean(&Root::rate) + b.mean(&Root::rate)) / 2.0;
-    constexpr double allowance = 1.5; // over the distances at the ends
-    const double least = std::min(std::abs(before.real()), std::abs(after.real()));
-    return least > allowance * std::max(a.radius(), b.radius()) + std::abs(off);
-}
-
 /// How much of motion b is in motion a, as the left vector of a tells: 1 of a itself.
 double share(const DenseProblem &of_a, const Root &a, const Root &b) {
     const Eigen::VectorXcd states = of_a.D * b.right + (a.value + b.value) * (of_a.M * b.right);
@@ -165,6 +116,35 @@ std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, c
         out.emplace_back(i, *found);
     }
     return out;
+}
+
+/// The number of the conjugate of each root, a neighbour in the list; itself of a real one.
+std::vector<int> conjugates(const Spectrum &spectrum) {
+    std::vector<int> out;
+    const auto count = static_cast<int>(spectrum.roots.size());
+    for (int i = 0; i < count; ++i) {
+        const Complex wanted = std::conj(spectrum.roots[static_cast<std::size_t>(i)].value);
+        int place = i;
+        for (const int other : {i, i - 1, i + 1})
+            if (other >= 0 && other < count &&
+                spectrum.roots[static_cast<std::size_t>(other)].value == wanted)
+                place = other;
+        out.push_back(place);
+    }
+    return out;
+}
+
+/// Motions that cannot be told apart, none of which comes to the axis: growing ones as growing
+/// ones, in order of their frequencies, so that each stands where one of them is.
+void add_as_one(Cluster a, Cluster b, double start, double step, Strands &out) {
+    const auto before = [](const Root *x, const Root *y) {
+        return std::pair(x->sign(), x->value.imag()) < std::pair(y->sign(), y->value.imag());
+    };
+    std::sort(a.begin(), a.end(), before);
+    std::sort(b.begin(), b.end(), before);
+    ++out.clusters;
+    for (std::size_t k = 0; k < a.size(); ++k)
+        out.strands.push_back({a[k], b[k], start, step, false, out.clusters});
 }
 
 /// The least angle between the value and the imaginary axis along a strand.
@@ -204,9 +184,22 @@ bool passes_safely(const Strand &strand) {
            bend < 0.3 * std::abs(strand.to->value.real() - strand.from->value.real());
 }
 
+constexpr int parts = 8;
+using Course = std::array<double, parts + 1>; ///< frequencies along a strand
+
+Course course_of(const Strand &strand) {
+    Course out{};
+    out.front() = strand.from->value.imag();
+    for (int k = 1; k < parts; ++k)
+        out[static_cast<std::size_t>(k)] = strand.at(static_cast<double>(k) / parts).imag();
+    out.back() = strand.to->value.imag();
+    return out;
+}
+
 /// Where the frequencies of two strands are equal, if they pass each other inside the step and this
 /// place has not been looked at.
-std::optional<double> passing(const Strand &a, const Strand &b, double scale) {
+std::optional<double> passing(const Strand &a, const Strand &b, const Course &of_a,
+                              const Course &of_b, double scale) {
     const auto gap = [&](double t) { return (a.at(t) - b.at(t)).imag(); };
     const double first = a.from->value.imag() - b.from->value.imag();
     const double last = a.to->value.imag() - b.to->value.imag();
@@ -219,9 +212,9 @@ std::optional<double> passing(const Strand &a, const Strand &b, double scale) {
         return std::nullopt;
     double t0 = 0;
     double g0 = first;
-    for (int k = 1; k <= 8; ++k) {
-        const double t1 = k / 8.0;
-        const double g1 = k == 8 ? last : gap(t1);
+    for (int k = 1; k <= parts; ++k) {
+        const double t1 = static_cast<double>(k) / parts;
+        const double g1 = of_a[static_cast<std::size_t>(k)] - of_b[static_cast<std::size_t>(k)];
         if ((g0 > 0) != (g1 > 0)) {
             double t = t0 + (t1 - t0) * g0 / (g0 - g1);
             for (int newton = 0; newton < 3; ++newton) {
@@ -273,21 +266,33 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
     if (rows < 2 || columns < 2)
         return out;
     Eigen::MatrixXd off(rows, columns);
-    for (Eigen::Index i = 0; i < rows; ++i)
+    const std::vector<int> conjugate_from = conjugates(from);
+    const std::vector<int> conjugate_to = conjugates(to);
+    for (Eigen::Index i = 0; i < rows; ++i) {
+        const int same = conjugate_from[static_cast<std::size_t>(i)];
         for (Eigen::Index j = 0; j < columns; ++j)
-            off(i, j) = between(static_cast<int>(i), static_cast<int>(j)).misfit;
+            off(i, j) = same < i ? off(same, conjugate_to[static_cast<std::size_t>(j)])
+                                 : between(static_cast<int>(i), static_cast<int>(j)).misfit;
+    }
+    const ClusterStep of_step{from.speed, to.speed, is_long(from.speed, to.speed)};
     for (const Group &group : groups_of(std::move(off))) {
         const auto &[of_from, of_to] = group;
         if (of_from.size() == 1 && of_to.size() == 1) {
             out.strands.push_back(between(of_from.front(), of_to.front()).strand);
             continue;
         }
-        if (harmless(cluster(from, of_from), cluster(to, of_to), step))
+        const Cluster a = cluster(from, of_from);
+        const Cluster b = cluster(to, of_to);
+        if (all_alike(a, b, step))
             continue;
-        const auto pairs = partners(from, to, group);
-        out.clear = out.clear && pairs;
-        for (const auto &[i, j] : pairs.value_or(std::vector<std::pair<int, int>>{}))
-            out.strands.push_back(between(i, j).strand);
+        if (const auto pairs = partners(from, to, group)) {
+            for (const auto &[i, j] : *pairs)
+                out.strands.push_back(between(i, j).strand);
+        } else if ((of_step.is_long && drowned(a, b)) || off_the_axis(a, b, of_step)) {
+            add_as_one(a, b, from.speed, step, out);
+        } else {
+            out.clear = false;
+        }
     }
     return out;
 }
@@ -297,13 +302,21 @@ std::optional<double> look_at(const Strands &all, const Spectrum &from, const Sp
     if (!all.clear)
         return all.middle;
     for (const Strand &strand : all.strands)
-        if (!passes_safely(strand))
+        if (strand.cluster == 0 && !passes_safely(strand))
             return all.middle;
+    std::vector<Course> courses;
+    for (const Strand &strand : all.strands)
+        courses.push_back(course_of(strand));
     for (std::size_t i = 0; i < all.strands.size(); ++i)
-        for (std::size_t k = i + 1; k < all.strands.size(); ++k)
-            if (const auto t = passing(all.strands[i], all.strands[k], scale);
+        for (std::size_t k = i + 1; k < all.strands.size(); ++k) {
+            const int cluster = all.strands[i].cluster;
+            if (cluster != 0 && cluster == all.strands[k].cluster)
+                continue;
+            if (const auto t =
+                    passing(all.strands[i], all.strands[k], courses[i], courses[k], scale);
                 t && !weakly_coupled(all.strands[i], all.strands[k], *t, from, to))
                 return t;
+        }
     return std::nullopt;
 }
 

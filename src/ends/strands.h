@@ -15,6 +15,7 @@ struct Strand {
     double start = 0;   ///< rad/s, speed of `from`
     double step = 0;    ///< rad/s
     bool power = false; ///< logarithms
+    int cluster = 0;    ///< of motions not told apart that stay off the axis together, or none
 
     /// @param t  from 0 to 1
     [[nodiscard]] std::complex<double> at(double t) const;
@@ -30,6 +31,7 @@ struct Strand {
 /// or all grow, by far more than they differ.
 struct Strands {
     std::vector<Strand> strands;
+    int clusters = 0;
     bool clear = true;   ///< false: some that matter could not be followed
     double middle = 0.5; ///< where to look next; on long steps near rest that of the logarithms
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::ends {
 
@@ -29,9 +30,9 @@ double zero_of(const Strand &strand) {
 
 } // namespace
 
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, double reach)
-    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))), _reach(reach),
-      _looks_left(most_looks) {
+Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow)
+    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
+      _slow(std::move(slow)), _looks_left(most_looks) {
     Spectrum before = look(speeds.front());
     for (std::size_t k = 1; k < speeds.size(); ++k) {
         Spectrum now = look(speeds[k]);
@@ -45,7 +46,7 @@ Spectrum Sweep::look(double speed) {
     Spectrum out = _at(speed);
     const auto unknown =
         std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
-            return root.sign() == 0 && std::abs(root.value) <= _reach;
+            return root.sign() == 0 && _slow(std::abs(root.value));
         });
     _counts[speed] = {out.growing(), static_cast<int>(unknown)};
     return out;
@@ -57,9 +58,9 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
     const Strands strands = followed(a, b);
     std::optional<double> cut = look_at(strands, a, b, _scale);
     if (!cut) {
-        if (take(a, b, strands))
+        cut = take(a, b, strands);
+        if (!cut)
             return;
-        cut = strands.middle; // motions that were not followed began or ceased to grow
     }
     if (step < minute * size && a.growing() == b.growing())
         return;
@@ -76,9 +77,12 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
     through(middle, b);
 }
 
-/// @returns whether what becomes of each strand explains how many grow at the ends.
-bool Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
+/// @returns where to look before the changes of a step can be told: in the middle, where what
+/// becomes of the strands does not explain how many grow at its ends; between two real roots that
+/// pass zero, of which each would lead to the other's speed
+std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
     std::vector<Change> found;
+    std::vector<double> standing; // where in the step
     int sum = 0;
     for (const Strand &strand : strands.strands) {
         const int gain = (strand.to->sign() > 0 ? 1 : 0) - (strand.from->sign() > 0 ? 1 : 0);
@@ -87,6 +91,8 @@ bool Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
         const std::complex<double> value = strand.at(t);
         if (gain == 0 || value.imag() < -1e-9 * _scale)
             continue;
+        if (value.imag() < 1e-9 * _scale && t > 0 && t < 1)
+            standing.push_back(t);
         found.push_back({a.speed + t * (b.speed - a.speed),
                          a.speed,
                          b.speed,
@@ -95,9 +101,13 @@ bool Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
                          strand.from->sign() * strand.to->sign() != 0});
     }
     if (sum != b.growing() - a.growing())
-        return false;
+        return strands.middle;
+    std::sort(standing.begin(), standing.end());
+    for (std::size_t k = 1; k < standing.size(); ++k)
+        if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
+            return (standing[k] + standing[k - 1]) / 2;
     _changes.insert(_changes.end(), found.begin(), found.end());
-    return true;
+    return std::nullopt;
 }
 
 /// Of the roots that grow at the one end that which has just begun to.

@@ -11,6 +11,8 @@
 namespace whirl::ends {
 
 using SpectrumAt = std::function<Spectrum(double speed)>;
+/// Whether motions of this |l|, 1/s, are slow enough to be known to grow or not.
+using SlowEnough = std::function<bool(double size)>;
 
 /// A speed at which a motion begins or ceases to grow, as cubics between looks place it.
 struct Change {
@@ -36,8 +38,7 @@ struct Count {
 class Sweep {
   public:
     /// @param speeds  ascending, to begin with
-    /// @param reach   |l| of motions that are too fast to be known to grow or not, 1/s
-    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, double reach);
+    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow);
 
     [[nodiscard]] const std::vector<Change> &changes() const { return _changes; }
     /// At all speeds looked at.
@@ -53,12 +54,13 @@ class Sweep {
     std::map<double, Count> _counts;
     std::vector<std::pair<double, double>> _doubtful;
     double _scale = 0; ///< largest speed, rad/s
-    double _reach;
+    SlowEnough _slow;
     int _looks_left;
 
     [[nodiscard]] Spectrum look(double speed);
     void through(const Spectrum &a, const Spectrum &b);
-    bool take(const Spectrum &a, const Spectrum &b, const Strands &strands);
+    [[nodiscard]] std::optional<double> take(const Spectrum &a, const Spectrum &b,
+                                             const Strands &strands);
     void take_abrupt(const Spectrum &a, const Spectrum &b);
 };
 

@@ -95,13 +95,13 @@ class StageSystem {
 };
 
 /// The maps of a step of one length, s = stages: the state at its end is R x + L f, displacements
-/// and rates at the places and points Y x + Z f, of the state x at its beginning and forces -f at
-/// places and points (points one after the other).
+/// and rates at the places and points (or displacements alone) Y x + Z f, of the state x at its
+/// beginning and forces -f at places and points (points one after the other).
 struct StepMaps {
     MatrixXd R; ///< 2n x 2n
     MatrixXd L; ///< 2n x sm
-    MatrixXd Y; ///< 2sm x 2n
-    MatrixXd Z; ///< 2sm x sm
+    MatrixXd Y; ///< 2sm x 2n, or sm x 2n
+    MatrixXd Z; ///< 2sm x sm, or sm x sm
 
     StepMaps(const System &system, double speed, double length) {
         const System::Steady steady = system.steady(speed);
@@ -127,10 +127,12 @@ struct StepMaps {
             throw linalg::SolverError("a step in time meets a singular matrix");
         R = last.leftCols(2 * n);
         L = last.rightCols(stages * m);
-        MatrixXd seen(2 * stages * m, last.cols());
+        const Eigen::Index rows = system.turning(speed, 0).cols(); // at each point
+        MatrixXd seen(stages * rows, last.cols());
         for (Eigen::Index i = 0; i < stages; ++i) {
-            seen.middleRows(2 * i * m, m) = P.transpose() * q[static_cast<std::size_t>(i)];
-            seen.middleRows((2 * i + 1) * m, m) = P.transpose() * v[static_cast<std::size_t>(i)];
+            seen.middleRows(i * rows, m) = P.transpose() * q[static_cast<std::size_t>(i)];
+            if (rows > m)
+                seen.middleRows(i * rows + m, m) = P.transpose() * v[static_cast<std::size_t>(i)];
         }
         Y = seen.leftCols(2 * n);
         Z = seen.rightCols(stages * m);
@@ -150,10 +152,11 @@ Blocks forces(const System &system, double speed, double from, double length) {
 /// S A, S with these blocks on its diagonal.
 MatrixXd times(const Blocks &S, const MatrixXd &A) {
     const Eigen::Index m = S.front().rows();
+    const Eigen::Index seen = S.front().cols();
     MatrixXd out(stages * m, A.cols());
-    for (Eigen::Index i = 0; i < stages; ++i)
+    for (Eigen::Index i = 0; i < stages; ++i) // so small: without blocks
         out.middleRows(i * m, m).noalias() =
-            S[static_cast<std::size_t>(i)] * A.middleRows(2 * i * m, 2 * m);
+            S[static_cast<std::size_t>(i)].lazyProduct(A.middleRows(i * seen, seen));
     return out;
 }
 
@@ -244,7 +247,8 @@ std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
         const MatrixXd still = system.turning(0, 0);
         const MatrixXd &P = system.places();
         steady.K += P * still.leftCols(P.cols()) * P.transpose();
-        steady.D += P * still.rightCols(P.cols()) * P.transpose();
+        if (still.cols() > P.cols())
+            steady.D += P * still.rightCols(P.cols()) * P.transpose();
     }
     linalg::QuadraticOptions options;
     options.method = linalg::QuadraticMethod::dense;

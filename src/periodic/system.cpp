@@ -98,10 +98,12 @@ Eigen::MatrixXd System::turning(double speed, double angle) const {
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     const Eigen::Index m = _places.cols();
-    Eigen::MatrixXd out(m, 2 * m);
+    const bool damps = !_turning_C.cosine.isZero(0) || !_turning_C.sine.isZero(0);
+    Eigen::MatrixXd out(m, damps ? 2 * m : m);
     out.leftCols(m) = c * (_turning_K.cosine + speed * _turning_Ks.cosine) +
                       s * (_turning_K.sine + speed * _turning_Ks.sine);
-    out.rightCols(m) = c * _turning_C.cosine + s * _turning_C.sine;
+    if (damps)
+        out.rightCols(m) = c * _turning_C.cosine + s * _turning_C.sine;
     return out;
 }
 

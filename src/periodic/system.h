@@ -31,7 +31,8 @@ class System {
     };
     [[nodiscard]] Steady steady(double speed) const;
 
-    /// Of the bearings the rest, [Kt Ct], m x 2m.
+    /// Of the bearings the rest, [Kt Ct], m x 2m; Kt alone, m x m, where their damping is the same
+    /// from every direction.
     /// @param angle  2 * speed * t, rad
     [[nodiscard]] Eigen::MatrixXd turning(double speed, double angle) const;
 

@@ -236,26 +236,19 @@ std::unique_ptr<MotionSolver> BandFinder::reduced() const {
     return std::make_unique<MotionSolver>(_model, _arrangement, _shapes);
 }
 
-/// With the fewer shapes of a rotor like this one, where they do for this one too: at three speeds
-/// they give all motions that all the shapes do, which are more than one rotor needs, and at the
-/// largest speed those of the whole rotor.
+/// With the fewer shapes of a rotor like this one, where they do for this one too: at the largest
+/// speed, and at a low one, where balls take part in other motions, they give all motions of the
+/// whole rotor.
 std::unique_ptr<MotionSolver> BandFinder::reduced_alike(const std::vector<double> &speeds) const {
     if (!_few)
         return nullptr;
     auto few = std::make_unique<MotionSolver>(_model, _arrangement, _few);
+    const bool backward = std::abs(speeds.front()) > std::abs(speeds.back());
     const std::size_t last = speeds.size() - 1;
-    const double fastest =
-        std::abs(speeds.front()) > std::abs(speeds.back()) ? speeds.front() : speeds.back();
-    const auto same = [&few](const MotionSolver &solver, double speed) {
-        return speed == 0 || missing(solver.pairs(speed), few->pairs(speed), speed, 0).empty();
-    };
-    if (!same(_whole, fastest))
-        return nullptr;
-    if (_few != _shapes) {
-        const std::unique_ptr<MotionSolver> all = reduced();
-        for (const std::size_t place : {last / 4, last / 2, 3 * last / 4})
-            if (!same(*all, speeds[place]))
-                return nullptr;
+    for (const std::size_t place : {last, last / 4}) {
+        const double speed = speeds[backward ? last - place : place];
+        if (speed != 0 && !missing(_whole.pairs(speed), few->pairs(speed), speed, 0).empty())
+            return nullptr;
     }
     return few;
 }

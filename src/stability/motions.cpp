@@ -127,7 +127,8 @@ struct MotionSolver::Data {
 
     Data(const model::Rotor &rotor, results::Form which, int order,
          const balancers::Arrangement &arrangement, int N,
-         std::shared_ptr<const Eigen::MatrixXd> reduced_to, double top)
+         std::shared_ptr<const Eigen::MatrixXd> reduced_to, double top,
+         std::shared_ptr<StepExperience> experience)
         : d(rotor, order), shapes(std::move(reduced_to)), form(which),
           tables(rotor.bearings_depend_on_speed()),
           balancers(balancers::balancer_elements(rotor, arrangement)),
@@ -138,7 +139,7 @@ struct MotionSolver::Data {
             root_M = root_of_diagonal(rotating->system().M);
             if (form == results::Form::hill && N == 0)
                 periodic = std::make_unique<PeriodicMotions>(d, balancers, bearings_drive(rotor),
-                                                             top, shapes);
+                                                             top, shapes, std::move(experience));
             else if (form == results::Form::hill)
                 hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
                                                      shapes.get());
@@ -337,14 +338,15 @@ struct MotionSolver::Data {
 
 MotionSolver::MotionSolver(const model::Rotor &rotor, results::Form form, int order,
                            const balancers::Arrangement &arrangement, int harmonics,
-                           std::shared_ptr<const Eigen::MatrixXd> shapes, double top)
+                           std::shared_ptr<const Eigen::MatrixXd> shapes, double top,
+                           std::shared_ptr<StepExperience> experience)
     : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes),
-                                   top)) {}
+                                   top, std::move(experience))) {}
 
 MotionSolver::MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
                            std::shared_ptr<const Eigen::MatrixXd> shapes)
     : MotionSolver(model.rotor, model.form, model.order, arrangement, model.harmonics,
-                   std::move(shapes), model.top) {}
+                   std::move(shapes), model.top, model.experience) {}
 
 MotionSolver::~MotionSolver() = default;
 

@@ -24,6 +24,7 @@ struct Motion {
 
 class PeriodicMotions;
 struct StabilityModel;
+struct StepExperience;
 
 /// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
 /// listed, so that lines can be followed through the real axis.
@@ -37,9 +38,11 @@ class MotionSolver {
     /// @param shapes     planar shapes to reduce the shaft to (reduction/), or none: all motions of
     ///                   the reduced rotor are then found and listed
     /// @param top        largest |speed| that will be asked for, where it is known, rad/s
+    /// @param experience  with steps in time of rotors that hardly differ (periodic_motions.h)
     MotionSolver(const model::Rotor &rotor, results::Form form, int order,
                  const balancers::Arrangement &arrangement, int harmonics,
-                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr, double top = 0);
+                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr, double top = 0,
+                 std::shared_ptr<StepExperience> experience = nullptr);
     /// As the model says (rotor_at_speeds.h).
     MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
                  std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);

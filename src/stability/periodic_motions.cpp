@@ -61,11 +61,13 @@ double largest_change(const Floquet &some, const Floquet &others, double reach, 
 
 PeriodicMotions::PeriodicMotions(const assembly::Discretization &discretization,
                                  std::vector<balancers::BalancerElement> balancers, bool driven,
-                                 double top, std::shared_ptr<const Eigen::MatrixXd> shapes)
+                                 double top, std::shared_ptr<const Eigen::MatrixXd> shapes,
+                                 std::shared_ptr<StepExperience> experience)
     : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
       _tables(discretization.rotor().bearings_depend_on_speed()), _top(top),
       _reduced(!shapes && !discretization.rigid() && discretization.planar_size() > few_unknowns),
-      _grows(_reduced), _shapes(std::move(shapes)) {
+      _grows(_reduced), _shapes(std::move(shapes)),
+      _experience(experience ? std::move(experience) : std::make_shared<StepExperience>()) {
     if (_reduced && _top > 0)
         set_shapes();
 }
@@ -110,22 +112,36 @@ void PeriodicMotions::set_reach() const {
     _reach = motion_reach(std::move(sizes), slow_enough * _top);
 }
 
+/// Of steady motions, of a rigid rotor all and of an elastic one those that grow, how fast the
+/// fastest is. Next to a speed of which it is known it is not found anew.
+double PeriodicMotions::steady_reach(double speed) const {
+    constexpr double hardly = 1.05; // faster, by as much the steps are shorter than need be
+    const double size = std::abs(speed);
+    const auto above = _steady_reach.lower_bound(size);
+    if (above != _steady_reach.end() && above->first <= hardly * size)
+        return hardly * above->second;
+    if (above != _steady_reach.begin() && std::prev(above)->first >= size / hardly)
+        return hardly * std::prev(above)->second;
+    double out = 0;
+    for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
+        if (_discretization.rigid() || motion.value.real() > motion.noise)
+            out = std::max(out, of_average * std::abs(motion.value.imag()));
+    _steady_reach[size] = out;
+    return out;
+}
+
 double PeriodicMotions::reach(double speed) const {
     const bool rigid = _discretization.rigid();
     if (!rigid && _reach == 0)
         set_reach();
-    double out = rigid ? 0 : _reach;
-    if (rigid || _driven)
-        for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
-            if (rigid || motion.value.real() > motion.noise)
-                out = std::max(out, of_average * std::abs(motion.value.imag()));
-    return out;
+    const double out = rigid ? 0 : _reach;
+    return rigid || _driven ? std::max(out, steady_reach(speed)) : out;
 }
 
 int PeriodicMotions::steps(double speed, double reach) const {
     const double angle =
         std::numbers::pi / std::abs(speed) * (of_average * reach + slow_enough * std::abs(speed));
-    const double wanted = std::ceil(_density * angle / periodic::resolved_angle);
+    const double wanted = std::ceil(_experience->density * angle / periodic::resolved_angle);
     constexpr double most = 1e11; // operations
     const double each = std::pow(2.0 * system(speed).size(), 3);
     if (!(wanted * each < most))
@@ -145,22 +161,23 @@ Floquet PeriodicMotions::settled(double speed, double reach) const {
     while (true) {
         const int coarse = steps(speed, reach);
         Floquet found = periodic::floquet_motions(system(speed), speed, coarse);
-        if (size < another * _settled_at && _settled_at < another * size)
+        const double known_at = _experience->settled_at;
+        if (size < another * known_at && known_at < another * size)
             return found;
         const Floquet fine =
             periodic::floquet_motions(system(speed), speed, coarse + (coarse + 1) / 2);
         const double worst = std::max(largest_change(found, fine, reach, size),
                                       largest_change(fine, found, reach, size));
         if (worst <= enough) {
-            _settled_at = size;
+            _experience->settled_at = size;
             return found;
         }
-        if (_density > densest)
+        if (_experience->density > densest)
             throw NotSettled(fmt::format("the motion over half a turn does not settle at {:.6g} "
                                          "rad/s: with more steps in time multipliers still "
                                          "change by {:.1e} of the spin speed",
                                          speed, worst));
-        _density *= another;
+        _experience->density *= another;
     }
 }
 

@@ -16,6 +16,12 @@
 
 namespace whirl::stability {
 
+/// Of the steps in time over half a turn how many more than their rule has them are needed.
+struct StepExperience {
+    double density = 1;    ///< over the rule
+    double settled_at = 0; ///< |speed| at which that was seen last, rad/s
+};
+
 /// Free motions of a rotor whose equations stay periodic in time, by its monodromy matrix.
 ///
 /// Which motions: at every speed those of frequencies up to one bound for the whole range, four
@@ -31,9 +37,11 @@ class PeriodicMotions {
     /// @param driven  bearings can feed energy into any motion
     /// @param top     largest |speed| that will be asked for, rad/s; 0: not known
     /// @param shapes  planar shapes that are good for the range, or none: they are found
+    /// @param experience  of rotors that hardly differ, or none
     PeriodicMotions(const assembly::Discretization &discretization,
                     std::vector<balancers::BalancerElement> balancers, bool driven, double top,
-                    std::shared_ptr<const Eigen::MatrixXd> shapes);
+                    std::shared_ptr<const Eigen::MatrixXd> shapes,
+                    std::shared_ptr<StepExperience> experience);
 
     /// @throws linalg::SolverError, model::AnalysisFailure
     [[nodiscard]] std::vector<Motion> at(double speed) const;
@@ -68,8 +76,8 @@ class PeriodicMotions {
     mutable std::unique_ptr<periodic::System> _system;
     mutable double _system_speed = 0; ///< with tables: whose bearings it has
     mutable double _reach = 0;        ///< frequency of the fastest motions listed, rad/s
-    mutable double _density = 1;      ///< of the steps in time, as experience has it
-    mutable double _settled_at = 0;   ///< |speed| at which that was seen last
+    mutable std::map<double, double> _steady_reach; ///< at |speed|, of the fastest steady motions
+    std::shared_ptr<StepExperience> _experience;
     mutable std::unique_ptr<periodic::WholeRotor> _whole;
     mutable std::map<double, List> _known; ///< of the reduced rotor, at speeds asked for
 
@@ -77,6 +85,7 @@ class PeriodicMotions {
     void set_shapes() const;
     [[nodiscard]] const periodic::System &system(double speed) const;
     void set_reach() const;
+    [[nodiscard]] double steady_reach(double speed) const;
     [[nodiscard]] double reach(double speed) const;
     [[nodiscard]] int steps(double speed, double reach) const;
     [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;

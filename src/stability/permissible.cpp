@@ -7,6 +7,7 @@
 #include "rigid/tilt_motion.h"
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
+#include "stability/periodic_motions.h"
 
 #include <Eigen/SparseLU>
 
@@ -57,10 +58,12 @@ class Varied {
         return _model.form == results::Form::hill && _model.harmonics == 0;
     }
 
-    /// By the monodromy matrix on shapes that were good for another dI: the search has the last
-    /// word with its own.
+    /// By the monodromy matrix on shapes that were good for another dI, and with the steps in time
+    /// that did: the search has the last word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
-        return {model_with(dI), _arrangement, by_monodromy() ? _shapes : nullptr};
+        StabilityModel model = model_with(dI);
+        model.experience = _experience;
+        return {model, _arrangement, by_monodromy() ? _shapes : nullptr};
     }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
@@ -81,17 +84,16 @@ class Varied {
 
     /// The dI between 0 and an unstable one at which this speed is just stable.
     [[nodiscard]] double just_stable(double speed, double unstable) const {
-        double low = 0;
-        double high = unstable;
-        double growth_low = 0; // 0: not known
-        double growth_high = 0;
-        for (int step = 0; high - low > 1e-12 * unstable; ++step) {
-            const double next = between_signs(low, growth_low, high, growth_high, step);
+        SignBracket bracket(0, unstable);
+        while (bracket.width() > 1e-12 * unstable) {
+            const double next = bracket.next();
             const double growth = growth_of(solver(next).at(speed));
-            (growth > 0 ? high : low) = next;
-            (growth > 0 ? growth_high : growth_low) = growth;
+            if (growth > 0)
+                bracket.unstable_at(next, growth);
+            else
+                bracket.stable_at(next, growth);
         }
-        return low;
+        return bracket.stable();
     }
 
     [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
@@ -120,6 +122,7 @@ class Varied {
     const balancers::Arrangement &_arrangement;
     std::size_t _index;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+    std::shared_ptr<StepExperience> _experience = std::make_shared<StepExperience>();
 
     [[nodiscard]] StabilityModel model_with(double dI) const {
         StabilityModel out = _model;

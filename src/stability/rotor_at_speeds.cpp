@@ -81,6 +81,9 @@ bool leaves_a_trace(const ZeroRootSystem &system, double speed) {
            there > 10 * inverse_size(system, 1.3 * speed);
 }
 
+/// A root at zero of several balls comes blurred: of nothing it has a digit right.
+bool is_known(const linalg::ComplexPair &pair) { return 100 * pair.rounding + pair.residual < 0.1; }
+
 /// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
 std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
                                       const std::vector<linalg::ComplexPair> &pairs, double top) {
@@ -88,9 +91,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
         const double across = std::abs(pair.value.imag());
-        // A root at zero of several balls comes blurred: of nothing it has a digit right.
-        const bool known = 100 * pair.rounding + pair.residual < 0.1;
-        if (known && speed > at_rest * top && speed <= top && across < speed)
+        if (is_known(pair) && speed > at_rest * top && speed <= top && across < speed)
             out.push_back({speed, across <= 1e-7 * speed});
     }
     const auto blurred = [&](const ZeroRootSpeed &root) {
@@ -111,7 +112,7 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
 std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, double top) {
     linalg::QuadraticOptions options;
     options.fewest = 1;
-    options.negligible = at_rest * top;
+    options.negligible = suspicious * top; // blurred: judged by themselves
     constexpr int small = 150;
     const auto all = static_cast<int>(system.K.rows());
     const int most = all <= small ? 0 : all / 5; // small: all finite roots, there may be few
@@ -140,37 +141,54 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
         }
 }
 
-/// Newton's method for a root with its vector.
+Eigen::VectorXcd as_complex(const Eigen::VectorXcd &x) { return x; }
+Eigen::VectorXcd as_complex(const Eigen::VectorXd &x) { return x.cast<std::complex<double>>(); }
+
+/// Newton's method for a root with its vector, W and x of one kind, real or complex.
 /// @returns whether it converged to one next to the guess
-bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
-    using Complex = std::complex<double>;
-    using Sparse = Eigen::SparseMatrix<Complex>;
-    const Complex guess = pair.value;
+template <class Scalar>
+bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x,
+            linalg::ComplexPair &pair) {
+    using Sparse = Eigen::SparseMatrix<Scalar>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+    const Sparse K = system.K.cast<Scalar>();
+    const Sparse Ks = system.Ks.cast<Scalar>();
+    const Sparse Kss = system.Kss.cast<Scalar>();
+    Eigen::SparseLU<Sparse> lu;
     constexpr int most_steps = 12;
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
-        const Complex W = pair.value;
-        const Sparse slope = system.Ks.cast<Complex>() + 2.0 * W * system.Kss.cast<Complex>();
-        Sparse Q = system.K.cast<Complex>() + W * system.Ks.cast<Complex>() +
-                   W * W * system.Kss.cast<Complex>();
+        const Sparse slope = Ks + Scalar(2.0) * W * Kss;
+        Sparse Q = K + W * Ks + W * W * Kss;
         Q.makeCompressed();
-        const Eigen::SparseLU<Sparse> lu(Q);
+        if (step == 0)
+            lu.analyzePattern(Q);
+        lu.factorize(Q);
         if (lu.info() != Eigen::Success)
             return false;
-        const Eigen::VectorXcd next = lu.solve(Eigen::VectorXcd(slope * pair.vector));
-        const Complex change = pair.vector.squaredNorm() / pair.vector.dot(next);
-        pair.value -= change;
-        pair.vector = next.normalized();
-        const double part = std::abs(change) / std::abs(guess);
+        const Vector next = lu.solve(Vector(slope * x));
+        const Scalar change = x.squaredNorm() / x.dot(next);
+        W -= change;
+        x = next.normalized();
+        const double part = std::abs(change) / std::abs(pair.value);
         if (!std::isfinite(part))
             return false;
         if (part <= 1e-13 || (part <= 1e-10 && part >= 0.3 * before)) {
             constexpr double same_root = 1e-3;
-            return std::abs(pair.value - guess) <= same_root * std::abs(guess);
+            const bool same = std::abs(W - pair.value) <= same_root * std::abs(pair.value);
+            pair.value = W;
+            pair.vector = as_complex(x);
+            return same;
         }
         before = part;
     }
     return false;
+}
+
+bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
+    if (pair.value.imag() == 0)
+        return refine<double>(system, pair.value.real(), pair.vector.real(), pair);
+    return refine<std::complex<double>>(system, pair.value, pair.vector, pair);
 }
 
 /// By those of the system on few shapes, each made a root of the whole one; nothing where one of
@@ -187,12 +205,15 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
         for (linalg::ComplexPair &pair : pairs_up_to(
                  {reduced(system.K), reduced(system.Ks), reduced(system.Kss)}, beyond * top)) {
             const double speed = pair.value.real();
-            if (speed <= at_rest * top || speed > beyond * top ||
+            if (!is_known(pair) || speed <= at_rest * top || speed > beyond * top ||
                 std::abs(pair.value.imag()) >= speed)
                 continue;
             pair.vector = few.lifted(pair.vector);
-            if (!refine(system, pair))
+            if (!refine(system, pair)) {
+                if (speed < suspicious * top && !leaves_a_trace(system, speed))
+                    continue; // one at zero
                 return std::nullopt;
+            }
             out.push_back(std::move(pair));
         }
     } catch (const linalg::SolverError &) {

@@ -5,9 +5,12 @@
 #include "stability/motions.h"
 #include "stability/unstable_bands.h"
 
+#include <memory>
 #include <vector>
 
 namespace whirl::stability {
+
+struct StepExperience;
 
 /// How `stability` treats a case: the rotor, the form, and what it needs beside it. Chosen once a
 /// run; all that looks at motions takes it from here.
@@ -19,8 +22,11 @@ struct StabilityModel {
     bool reduction = true; ///< searches may look at a rotor of few shapes first
     int order = 1;
     int harmonics = 0; ///< of the Hill series; 0: form hill by the monodromy matrix
-    double top = 0;    ///< largest |speed| that will be looked at, rad/s
-    double from = 0;   ///< rad/s, least |speed| that the series describes
+    /// Of the steps in time that monodromy matrices need, shared with rotors that hardly differ;
+    /// none: every rotor gathers its own.
+    std::shared_ptr<StepExperience> experience;
+    double top = 0;  ///< largest |speed| that will be looked at, rad/s
+    double from = 0; ///< rad/s, least |speed| that the series describes
 };
 
 /// @param speeds  at which motions will be looked at, rad/s

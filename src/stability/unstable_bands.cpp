@@ -122,35 +122,65 @@ std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &k
 
 } // namespace
 
-double between_signs(double stable, double decline, double unstable, double growth, int step) {
-    if (decline >= 0 || growth <= 0 || step % 3 == 0)
-        return (stable + unstable) / 2;
-    const double off = 1e-3 * std::abs(unstable - stable);
-    return std::clamp((stable * growth - unstable * decline) / (growth - decline),
-                      std::min(stable, unstable) + off, std::max(stable, unstable) - off);
+namespace {
+
+/// What a growth at an end that stays counts for, when the other one moved from `before` to `now`.
+double weight(double before, double now) {
+    const double left = before != 0 ? 1 - now / before : 0;
+    return left > 0 ? left : 0.5;
+}
+
+} // namespace
+
+double SignBracket::next() {
+    constexpr int patience = 3;
+    if (width() <= 0.5 * _wide) {
+        _wide = width();
+        _steps = 0;
+    }
+    const bool slow = ++_steps > patience;
+    if (slow)
+        _wide = HUGE_VAL; // anew from here on
+    if (_decline >= 0 || _growth <= 0 || slow)
+        return (_stable + _unstable) / 2;
+    const double off = 1e-3 * width();
+    return std::clamp((_stable * _growth - _unstable * _decline) / (_growth - _decline),
+                      std::min(_stable, _unstable) + off, std::max(_stable, _unstable) - off);
+}
+
+void SignBracket::stable_at(double place, double growth) {
+    if (_last < 0)
+        _growth *= weight(_decline, growth);
+    _stable = place;
+    _decline = growth;
+    _last = -1;
+}
+
+void SignBracket::unstable_at(double place, double growth) {
+    if (_last > 0)
+        _decline *= weight(_growth, growth);
+    _unstable = place;
+    _growth = growth;
+    _last = 1;
 }
 
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
-    double f_stable = 0; // 0: not known
-    double f_unstable = 0;
-    for (int step = 0; step < 200 && std::abs(unstable - stable) > tolerance; ++step) {
-        const double next = between_signs(stable, f_stable, unstable, f_unstable, step);
+    SignBracket bracket(stable, unstable);
+    for (int step = 0; step < 200 && bracket.width() > tolerance; ++step) {
+        const double next = bracket.next();
         const Motion motion = along(next);
         const double growth = motion.value.real();
         const bool decays = growth < -motion.noise;
         // Within the noise: unstable where the other side decays (a root), else not.
-        const bool grows = f_stable < 0 ? growth > 0 : growth > motion.noise;
-        if (grows) {
-            unstable = next;
-            f_unstable = growth;
+        if (bracket.decays() ? growth > 0 : growth > motion.noise) {
+            bracket.unstable_at(next, growth);
             along.move_to(motion);
         } else {
-            stable = next;
-            f_stable = decays || f_stable < 0 ? std::min(growth, -1e-300) : 0;
+            bracket.stable_at(next, decays || bracket.decays() ? std::min(growth, -1e-300) : 0);
         }
     }
-    return (stable + unstable) / 2;
+    return (bracket.stable() + bracket.unstable()) / 2;
 }
 
 std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {

@@ -2,6 +2,7 @@
 
 #include "stability/motions.h"
 
+#include <cmath>
 #include <functional>
 #include <map>
 #include <utility>
@@ -42,10 +43,34 @@ struct BandsFound {
 [[nodiscard]] double band_end(const MotionsAt &at, double stable, double unstable,
                               double tolerance);
 
-/// Where to look next for the border between a stable and an unstable place: a secant between two
-/// growths of known sign (0: not known), kept off the ends; every third step halves the bracket.
-[[nodiscard]] double between_signs(double stable, double decline, double unstable, double growth,
-                                   int step);
+/// The border between a stable and an unstable place, by looks in between: secants between two
+/// growths of known sign, kept off the ends, of which one that stays is weighted less each time
+/// (Anderson and Björck); halves where a sign is not known or secants do not get on.
+class SignBracket {
+  public:
+    SignBracket(double stable, double unstable) : _stable(stable), _unstable(unstable) {}
+
+    /// Where to look next.
+    [[nodiscard]] double next();
+    /// @param growth  there, not above zero; 0: not known whether it is below
+    void stable_at(double place, double growth);
+    /// @param growth  there, above zero
+    void unstable_at(double place, double growth);
+
+    [[nodiscard]] double stable() const { return _stable; }
+    [[nodiscard]] double unstable() const { return _unstable; }
+    [[nodiscard]] double width() const { return std::abs(_unstable - _stable); }
+    /// Growth dies out at the stable end.
+    [[nodiscard]] bool decays() const { return _decline < 0; }
+
+  private:
+    double _stable, _unstable;
+    double _decline = 0; ///< at the stable end; 0: not known
+    double _growth = 0;  ///< at the unstable end; 0: not known
+    int _last = 0;       ///< the end that moved last: -1 the stable one, 1 the other
+    int _steps = 0;      ///< since the bracket was half as wide again
+    double _wide = HUGE_VAL;
+};
 
 /// Where instability is strongest in a band found, rad/s.
 [[nodiscard]] double strongest_speed(const MotionsAt &at, const SpeedInterval &band);
