@@ -188,6 +188,18 @@ void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Product
     out.K += speed * out.K1;
 }
 
+Eigen::VectorXcd SymmetricProblem::times(Part part, const Eigen::VectorXcd &x) const {
+    const Rows &A = _parts[static_cast<std::size_t>(part)];
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        Complex sum = 0;
+        for (int p = A.start[r]; p < A.start[r + 1]; ++p)
+            sum += A.value[static_cast<std::size_t>(p)] * x(A.column[static_cast<std::size_t>(p)]);
+        out(A.row[r]) = sum;
+    }
+    return out;
+}
+
 double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
     const Eigen::VectorXd size = x.cwiseAbs();
     const auto form = [&](Part part) {
