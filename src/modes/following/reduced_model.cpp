@@ -1,5 +1,7 @@
 #include "modes/following/reduced_model.h"
 
+#include "linalg/dense/blas.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,29 @@ namespace {
 /// Part of a shape (of length 1) outside the space that is left out.
 constexpr double negligible = 1e-8;
 
+Eigen::MatrixXd parts_of(const Eigen::MatrixXcd &A) {
+    Eigen::MatrixXd out(A.rows(), 2 * A.cols());
+    out << A.real(), A.imag();
+    return out;
+}
+
+/// A complex matrix, given by its parts, times another in real products.
+Eigen::MatrixXcd parts_times(const Eigen::MatrixXd &parts, const Eigen::MatrixXcd &Y) {
+    const Eigen::Index m = Y.cols();
+    Eigen::MatrixXd both(2 * Y.rows(), 2 * m);
+    both << Y.real(), Y.imag(), -Y.imag(), Y.real();
+    const Eigen::MatrixXd product = linalg::product(parts, both);
+    Eigen::MatrixXcd out(parts.rows(), m);
+    out.real() = product.leftCols(m);
+    out.imag() = product.rightCols(m);
+    return out;
+}
+
 } // namespace
+
+Eigen::MatrixXcd ReducedMatrices::times(const Eigen::MatrixXcd &Y) const {
+    return parts_times(all, Y);
+}
 
 ReducedModel::ReducedModel(const SymmetricProblem &problem)
     : _problem(problem), _basis(problem.size(), 0), _K_basis(problem.size(), 0) {}
@@ -20,6 +44,7 @@ void ReducedModel::add(const std::vector<Eigen::VectorXcd> &vectors) {
     for (const Eigen::VectorXcd &vector : vectors)
         append(vector.normalized());
     project(before);
+    _parts = parts_of(_basis);
 }
 
 void ReducedModel::add_with_changes(double speed, const std::vector<SymmetricPair> &pairs) {
@@ -91,7 +116,7 @@ void ReducedModel::set_vectors(const std::vector<SymmetricPair *> &pairs) const 
     Eigen::MatrixXcd coordinates(size(), std::ssize(pairs));
     for (std::size_t i = 0; i < pairs.size(); ++i)
         coordinates.col(static_cast<Eigen::Index>(i)) = pairs[i]->reduced;
-    const Eigen::MatrixXcd vectors = _basis * coordinates;
+    const Eigen::MatrixXcd vectors = parts_times(_parts, coordinates);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         pairs[i]->vector = vectors.col(static_cast<Eigen::Index>(i));
         const double scale = 1 / std::sqrt(pairs[i]->vector.cwiseAbs2().maxCoeff());
@@ -101,7 +126,10 @@ void ReducedModel::set_vectors(const std::vector<SymmetricPair *> &pairs) const 
 }
 
 ReducedMatrices ReducedModel::at(double speed) const {
-    return {_M, _D + speed * _D1, _K + speed * _K1};
+    ReducedMatrices out{_M, _D + speed * _D1, _K + speed * _K1, {}};
+    out.all.resize(3 * size(), 2 * size());
+    out.all << parts_of(out.M), parts_of(out.D), parts_of(out.K);
+    return out;
 }
 
 } // namespace whirl::modes

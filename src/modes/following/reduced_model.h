@@ -13,6 +13,10 @@ namespace whirl::modes {
 /// Q(l) = l^2 M + l D + K of a reduced problem at one speed: small, full, complex and symmetric.
 struct ReducedMatrices {
     Eigen::MatrixXcd M, D, K;
+    Eigen::MatrixXd all; ///< M, D and K below each other, the imaginary parts beside the real ones
+
+    /// The products with columns, below each other.
+    [[nodiscard]] Eigen::MatrixXcd times(const Eigen::MatrixXcd &Y) const;
 };
 
 /// A symmetric problem on the space of shapes that it has at some speeds (Ritz): few unknowns, as
@@ -39,6 +43,7 @@ class ReducedModel {
   private:
     const SymmetricProblem &_problem;
     Eigen::MatrixXcd _basis, _K_basis; ///< basis^H K basis = 1 with the real part of K
+    Eigen::MatrixXd _parts;            ///< of the basis: real, imaginary beside
     Eigen::MatrixXcd _M, _D, _K, _D1, _K1;
 
     void append(Eigen::VectorXcd x);

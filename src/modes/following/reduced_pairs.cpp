@@ -72,9 +72,10 @@ class ReducedSolution {
         for (std::size_t i = 0; i < pairs.size(); ++i)
             _Y.col(static_cast<Eigen::Index>(i)) = pairs[i].reduced.normalized();
         _guesses = _Y;
-        _MY = _matrices.M * _Y;
-        _DY = _matrices.D * _Y;
-        _KY = _matrices.K * _Y;
+        const Eigen::MatrixXcd all = _matrices.times(_Y);
+        _MY = all.topRows(_Y.rows());
+        _DY = all.middleRows(_Y.rows(), _Y.rows());
+        _KY = all.bottomRows(_Y.rows());
     }
 
     /// Mixtures of guesses whose values lie close together.
@@ -166,9 +167,10 @@ class ReducedSolution {
         }
         const Eigen::VectorXcd y = _factor.solve((2.0 * l) * _MY.col(i) + _DY.col(i));
         _Y.col(i) = y.normalized();
-        _MY.col(i) = _matrices.M * _Y.col(i);
-        _DY.col(i) = _matrices.D * _Y.col(i);
-        _KY.col(i) = _matrices.K * _Y.col(i);
+        const Eigen::VectorXcd all = _matrices.times(_Y.col(i));
+        _MY.col(i) = all.head(y.size());
+        _DY.col(i) = all.segment(y.size(), y.size());
+        _KY.col(i) = all.tail(y.size());
     }
 
     bool refine(Eigen::Index i, double distance, double enough) {
