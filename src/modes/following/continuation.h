@@ -1,7 +1,7 @@
 #pragma once
 
 #include "modes/following/pair_guess.h"
-#include "modes/following/reduced_model.h"
+#include "modes/following/reduced_pairs.h"
 #include "modes/following/symmetric_problem.h"
 
 #include <complex>
@@ -58,6 +58,7 @@ class Continuation {
         /// The same with fewer pairs, followed before, and the places of pairs there.
         std::map<double, FollowedSpeed> before;
         std::vector<std::optional<std::size_t>> places;
+        std::vector<NearbyFactors> nearby;
     };
     const SymmetricProblem &_problem;
     Start _start;

@@ -1,7 +1,6 @@
 #include "modes/following/reduced_pairs.h"
 
 #include "linalg/check.h"
-#include "linalg/dense_symmetric_factor.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -65,8 +64,9 @@ Group columns_by_rows(Eigen::MatrixXd sizes) {
 class ReducedSolution {
   public:
     ReducedSolution(const ReducedModel &model, double speed, std::vector<SymmetricPair> &pairs,
-                    const std::vector<const SymmetricPair *> &nearest)
-        : _matrices(model.at(speed)), _pairs(pairs), _nearest(nearest),
+                    const std::vector<const SymmetricPair *> &nearest,
+                    std::vector<NearbyFactors> &nearby)
+        : _matrices(model.at(speed)), _pairs(pairs), _nearest(nearest), _nearby(nearby),
           _Y(model.size(), std::ssize(pairs)), _grouped(pairs.size(), false),
           _upper(model.conjugates()) {
         for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -99,7 +99,7 @@ class ReducedSolution {
     const ReducedMatrices _matrices;
     std::vector<SymmetricPair> &_pairs;
     const std::vector<const SymmetricPair *> &_nearest;
-    linalg::DenseSymmetricFactor _factor;
+    std::vector<NearbyFactors> &_nearby;
     Eigen::MatrixXcd _Q;
     Eigen::MatrixXcd _Y, _MY, _DY, _KY; ///< coordinates, and what the matrices make of them
     Eigen::MatrixXcd _guesses;
@@ -153,19 +153,11 @@ class ReducedSolution {
         return energy / (derivative * std::min(1.0, distance));
     }
 
-    void factorize(Complex l) {
-        _Q = (l * l) * _matrices.M + l * _matrices.D + _matrices.K;
-        _factor.factorize(_Q);
+    [[nodiscard]] Eigen::VectorXcd slope(Eigen::Index i) {
+        return (2.0 * pair(i).value) * _MY.col(i) + _DY.col(i);
     }
 
-    void inverse_step(Eigen::Index i) {
-        const Complex l = pair(i).value;
-        try {
-            factorize(l);
-        } catch (const linalg::SolverError &) { // on the eigenvalue itself
-            factorize(l * (1 + 1e-14));
-        }
-        const Eigen::VectorXcd y = _factor.solve((2.0 * l) * _MY.col(i) + _DY.col(i));
+    void set(Eigen::Index i, const Eigen::VectorXcd &y) {
         _Y.col(i) = y.normalized();
         const Eigen::VectorXcd all = _matrices.times(_Y.col(i));
         _MY.col(i) = all.head(y.size());
@@ -173,11 +165,63 @@ class ReducedSolution {
         _KY.col(i) = all.tail(y.size());
     }
 
+    void inverse_step(Eigen::Index i) {
+        const Complex l = pair(i).value;
+        const auto factorize = [&](Complex value) {
+            _Q = (value * value) * _matrices.M + value * _matrices.D + _matrices.K;
+            _nearby[static_cast<std::size_t>(i)].factor.factorize(_Q);
+        };
+        try {
+            factorize(l);
+        } catch (const linalg::SolverError &) { // on the eigenvalue itself
+            factorize(l * (1 + 1e-14));
+        }
+        NearbyFactors &nearby = _nearby[static_cast<std::size_t>(i)];
+        set(i, nearby.factor.solve(slope(i)));
+        nearby.coordinates = _Y.col(i);
+    }
+
+    /// Residual inverse iteration (A. Neumaier, SIAM J. Numer. Anal. 22, 1985) with the factors of
+    /// another speed, along the pair there not at all: there they are next to singular. Linear
+    /// convergence, as fast as that speed is near; false where that is slow.
+    bool correct(Eigen::Index i, double distance, double enough, double &error) {
+        constexpr int most_steps = 3;
+        constexpr double near = 1e-4;
+        constexpr double fast = 1e-2;
+        const NearbyFactors &nearby = _nearby[static_cast<std::size_t>(i)];
+        if (nearby.factor.size() != _Y.rows() || nearby.coordinates.size() != _Y.rows())
+            return false;
+        for (int step = 0; step < most_steps && error < near; ++step) {
+            const Complex l = pair(i).value;
+            const Eigen::VectorXcd before = _Y.col(i);
+            const Eigen::VectorXcd along = slope(i);
+            Eigen::VectorXcd change =
+                nearby.factor.solve((l * l) * _MY.col(i) + l * _DY.col(i) + _KY.col(i));
+            change -= nearby.coordinates * (along.cwiseProduct(change).sum() /
+                                            along.cwiseProduct(nearby.coordinates).sum());
+            set(i, before - change);
+            const double last = error;
+            error = assess(i, distance);
+            if (error <= enough)
+                return true;
+            if (!(error <= last)) { // no better
+                set(i, before);
+                pair(i).value = l;
+                error = last;
+            }
+            if (!(error <= fast * last))
+                return false;
+        }
+        return false;
+    }
+
     bool refine(Eigen::Index i, double distance, double enough) {
         constexpr int most_steps = 6;
         const double settled = std::max(1e-12, enough); ///< the full problem finishes it
         double error = assess(i, distance);
         int step = 0;
+        if (!(error <= enough) && correct(i, distance, enough, error))
+            step = 1;
         for (; step < most_steps && !(error <= enough); ++step) {
             const double last = error;
             inverse_step(i);
@@ -208,8 +252,10 @@ class ReducedSolution {
 } // namespace
 
 bool solve_reduced(const ReducedModel &model, double speed, std::vector<SymmetricPair> &pairs,
-                   const std::vector<const SymmetricPair *> &nearest, int slowest) try {
-    ReducedSolution solution(model, speed, pairs, nearest);
+                   const std::vector<const SymmetricPair *> &nearest, int slowest,
+                   std::vector<NearbyFactors> &nearby) try {
+    nearby.resize(pairs.size());
+    ReducedSolution solution(model, speed, pairs, nearest, nearby);
     solution.unmix();
     return solution.refine(slowest);
 } catch (const linalg::SolverError &) {

@@ -166,15 +166,12 @@ void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Product
         const int *columns = A.column.data();
         const double *values = A.value.data();
         for (std::size_t r = 0; r < A.row.size(); ++r) {
-            double re = 0;
-            double im = 0;
+            Eigen::Array2d sum = Eigen::Array2d::Zero(); // real and imaginary part at once
             const int last = A.start[r + 1];
-            for (int p = A.start[r]; p < last; ++p) {
-                const Complex value = in[columns[p]];
-                re += values[p] * value.real();
-                im += values[p] * value.imag();
-            }
-            y(A.row[r]) += turned ? Complex(-im, re) : Complex(re, im);
+            for (int p = A.start[r]; p < last; ++p)
+                sum += values[p] * Eigen::Map<const Eigen::Array2d, Eigen::Aligned16>(
+                                       reinterpret_cast<const double *>(in + columns[p]));
+            y(A.row[r]) += turned ? Complex(-sum(1), sum(0)) : Complex(sum(0), sum(1));
         }
     };
     for (Eigen::VectorXcd *y : {&out.M, &out.D, &out.K, &out.D1, &out.K1})
