@@ -17,384 +17,365 @@ namespace {
 constexpr std::size_t longest_stride = 8;
 
 double largest_ratio(const model::Rotor &rotor) {
-  double ratio = 2; // a thin ring; less for any other body
-  for (const model::Disc &disc : rotor.discs)
-    if (disc.Ip >
-        ratio * disc.Id) // without Id: no bound, each speed is counted
-      ratio = disc.Id > 0 ? disc.Ip / disc.Id
-                          : std::numeric_limits<double>::infinity();
-  return ratio;
+    double ratio = 2; // a thin ring; less for any other body
+    for (const model::Disc &disc : rotor.discs)
+        if (disc.Ip > ratio * disc.Id) // without Id: no bound, each speed is counted
+            ratio = disc.Id > 0 ? disc.Ip / disc.Id : std::numeric_limits<double>::infinity();
+    return ratio;
 }
 
 bool mixed(const FollowedSpeed &at) {
-  return std::any_of(at.pairs.begin(), at.pairs.end(),
-                     [](const SymmetricPair &pair) { return pair.mixed; });
+    return std::any_of(at.pairs.begin(), at.pairs.end(),
+                       [](const SymmetricPair &pair) { return pair.mixed; });
 }
 
 /// Drops the pairs beyond the smallest that whirl.
 void drop_beyond(FollowedSpeed &at, int whirling) {
-  std::vector<double> sizes;
-  for (const SymmetricPair &pair : at.pairs)
-    if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
-      sizes.push_back(std::abs(pair.value));
-  if (std::ssize(sizes) <= whirling)
-    return;
-  std::sort(sizes.begin(), sizes.end());
-  const double last = sizes[static_cast<std::size_t>(whirling - 1)];
-  std::erase_if(at.pairs, [last](const auto &pair) {
-    return std::abs(pair.value) > last;
-  });
+    std::vector<double> sizes;
+    for (const SymmetricPair &pair : at.pairs)
+        if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
+            sizes.push_back(std::abs(pair.value));
+    if (std::ssize(sizes) <= whirling)
+        return;
+    std::sort(sizes.begin(), sizes.end());
+    const double last = sizes[static_cast<std::size_t>(whirling - 1)];
+    std::erase_if(at.pairs, [last](const auto &pair) { return std::abs(pair.value) > last; });
 }
 
 } // namespace
 
 Continuation::Continuation(const SymmetricProblem &problem,
-                           const assembly::Discretization &discretization,
-                           Start start)
-    : _problem(problem), _start(std::move(start)),
-      _fastest(largest_ratio(discretization.rotor())),
+                           const assembly::Discretization &discretization, Start start)
+    : _problem(problem), _start(std::move(start)), _fastest(largest_ratio(discretization.rotor())),
       _creep(discretization.rotor().shaft.internal_damping) {}
 
-std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
-    try {
-  constexpr int beyond =
-      4; // to place the circle among, and to leave room for it to shrink
-  const StartingPairs found = _start(speed, wanted + beyond);
-  FollowedSpeed out;
-  out.speed = speed;
-  for (const auto &[value, shape] : found.whirls) {
-    out.pairs.emplace_back();
-    out.pairs.back().value = value;
-    out.pairs.back().vector = _problem.from_form(shape);
-  }
-  for (const double value : found.real)
-    out.pairs.push_back(nearest_upper(_problem, speed, value));
-  std::optional<std::vector<SymmetricPair>> pairs =
-      pairs_near(_problem, speed, std::move(out.pairs), wanted);
-  if (!pairs)
-    return std::nullopt;
-  out.pairs = std::move(*pairs);
-  for (std::size_t i = 0; i < out.pairs.size(); ++i) {
-    out.pairs[i].solved = true;
-    for (std::size_t j = 0; j < i; ++j) // no vectors to go on from, but a space
-      if (std::norm(out.pairs[i].value - out.pairs[j].value) <
-          1e-10 * std::norm(out.pairs[i].value))
+std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const try {
+    constexpr int beyond = 4; // to place the circle among, and to leave room for it to shrink
+    const StartingPairs found = _start(speed, wanted + beyond);
+    FollowedSpeed out;
+    out.speed = speed;
+    for (const auto &[value, shape] : found.whirls) {
+        out.pairs.emplace_back();
+        out.pairs.back().value = value;
+        out.pairs.back().vector = _problem.from_form(shape);
+    }
+    for (const double value : found.real)
+        out.pairs.push_back(nearest_upper(_problem, speed, value));
+    std::optional<std::vector<SymmetricPair>> pairs =
+        pairs_near(_problem, speed, std::move(out.pairs), wanted);
+    if (!pairs)
         return std::nullopt;
-  }
-  drop_beyond(out, wanted + beyond);
-  out.radius = std::min(found.radius, widest_gap(out, wanted));
-  out.counted = out.radius > 0;
-  if (!out.counted || out.within(out.radius) < wanted)
-    return std::nullopt;
-  return out;
+    out.pairs = std::move(*pairs);
+    for (std::size_t i = 0; i < out.pairs.size(); ++i) {
+        out.pairs[i].solved = true;
+        for (std::size_t j = 0; j < i; ++j) // no vectors to go on from, but a space
+            if (std::norm(out.pairs[i].value - out.pairs[j].value) <
+                1e-10 * std::norm(out.pairs[i].value))
+                return std::nullopt;
+    }
+    drop_beyond(out, wanted + beyond);
+    out.radius = std::min(found.radius, widest_gap(out, wanted));
+    out.counted = out.radius > 0;
+    if (!out.counted || out.within(out.radius) < wanted)
+        return std::nullopt;
+    return out;
 } catch (const linalg::SolverError &) {
-  return std::nullopt; // that speed is solved alone
+    return std::nullopt; // that speed is solved alone
 }
 
 /// The reduced model of shapes at the speed where a run begins.
 void Continuation::begin_model(const FollowedSpeed &start) try {
-  if (!_reduces)
-    return;
-  if (!_model)
-    _model = std::make_unique<ReducedModel>(_problem);
-  if (roomy(start.pairs.size()))
-    _model->add_with_changes(start.speed, start.pairs);
-  if (_model->size() > 0)
-    return;
-  _model.reset();
-  _reduces = false;
-} catch (const linalg::SolverError &) {
-  // A pivot that happens to be zero: the model stays what it was.
-  if (_model->size() == 0)
+    if (!_reduces)
+        return;
+    if (!_model)
+        _model = std::make_unique<ReducedModel>(_problem);
+    if (roomy(start.pairs.size()))
+        _model->add_with_changes(start.speed, start.pairs);
+    if (_model->size() > 0)
+        return;
     _model.reset();
+    _reduces = false;
+} catch (const linalg::SolverError &) {
+    // A pivot that happens to be zero: the model stays what it was.
+    if (_model->size() == 0)
+        _model.reset();
 }
 
 /// Where shapes take most of the unknowns the full problem is as small.
 bool Continuation::roomy(std::size_t shapes) const {
-  return 2 * (_model->size() + 2 * static_cast<Eigen::Index>(shapes)) <
-         _problem.size();
+    return 2 * (_model->size() + 2 * static_cast<Eigen::Index>(shapes)) < _problem.size();
 }
 
 /// Coordinates of pairs known since before the model was widened.
 void Continuation::refresh(FollowedSpeed &at) const {
-  for (SymmetricPair &pair : at.pairs) {
-    const Eigen::Index known = pair.reduced.size();
-    const Eigen::Index size = _model ? _model->size() : 0;
-    if (known == 0 && size > 0)
-      pair.reduced = _model->coordinates(pair.vector);
-    else if (known != size)
-      pair.reduced.conservativeResizeLike(Eigen::VectorXcd::Zero(size));
-  }
+    for (SymmetricPair &pair : at.pairs) {
+        const Eigen::Index known = pair.reduced.size();
+        const Eigen::Index size = _model ? _model->size() : 0;
+        if (known == 0 && size > 0)
+            pair.reduced = _model->coordinates(pair.vector);
+        else if (known != size)
+            pair.reduced.conservativeResizeLike(Eigen::VectorXcd::Zero(size));
+    }
 }
 
 /// Pairs known before, and guesses of the others.
 bool Continuation::set_guesses(Run &run, FollowedSpeed &at) {
-  for (auto &[speed, node] : run.at)
-    refresh(node);
-  const auto before = run.before.find(at.speed);
-  if (before != run.before.end())
-    refresh(before->second);
-  for (std::size_t i = 0; i < run.places.size(); ++i)
-    at.pairs.push_back(before != run.before.end() && run.places[i]
-                           ? before->second.pairs[*run.places[i]]
-                           : guess(run.at, at.speed, i));
-  if (!_model)
+    for (auto &[speed, node] : run.at)
+        refresh(node);
+    const auto before = run.before.find(at.speed);
+    if (before != run.before.end())
+        refresh(before->second);
+    for (std::size_t i = 0; i < run.places.size(); ++i)
+        at.pairs.push_back(before != run.before.end() && run.places[i]
+                               ? before->second.pairs[*run.places[i]]
+                               : guess(run.at, at.speed, i));
+    if (!_model)
+        return true;
+    std::vector<SymmetricPair> reduced(at.pairs.size());
+    std::vector<const SymmetricPair *> neighbours;
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+        reduced[i].value = at.pairs[i].value;
+        reduced[i].reduced = at.pairs[i].reduced;
+        neighbours.push_back(&nearest(run.at, at.speed, i));
+    }
+    if (!solve_reduced(*_model, at.speed, reduced, neighbours, _wanted, run.nearby))
+        return false;
+    std::vector<SymmetricPair *> asked_for;
+    const std::vector<double> enough = enough_errors(reduced, _wanted);
+    for (std::size_t i = 0; i < reduced.size(); ++i)
+        if (enough[i] < counted_error)
+            asked_for.push_back(&reduced[i]);
+        else
+            reduced[i].rate = _model->rate(at.speed, reduced[i]);
+    _model->set_vectors(asked_for);
+    for (std::size_t i = 0; i < reduced.size(); ++i)
+        if (at.pairs[i].Mx.size() == 0)
+            at.pairs[i] = std::move(reduced[i]);
     return true;
-  std::vector<SymmetricPair> reduced(at.pairs.size());
-  std::vector<const SymmetricPair *> neighbours;
-  for (std::size_t i = 0; i < reduced.size(); ++i) {
-    reduced[i].value = at.pairs[i].value;
-    reduced[i].reduced = at.pairs[i].reduced;
-    neighbours.push_back(&nearest(run.at, at.speed, i));
-  }
-  if (!solve_reduced(*_model, at.speed, reduced, neighbours, _wanted,
-                     run.nearby))
-    return false;
-  std::vector<SymmetricPair *> asked_for;
-  const std::vector<double> enough = enough_errors(reduced, _wanted);
-  for (std::size_t i = 0; i < reduced.size(); ++i)
-    if (enough[i] < counted_error)
-      asked_for.push_back(&reduced[i]);
-  _model->set_vectors(asked_for);
-  for (std::size_t i = 0; i < reduced.size(); ++i)
-    if (at.pairs[i].Mx.size() == 0)
-      at.pairs[i] = std::move(reduced[i]);
-  return true;
 }
 
 std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
-  FollowedSpeed out;
-  out.speed = speed;
-  if (!set_guesses(run, out))
-    return std::nullopt;
-  std::vector<bool> solved;
-  for (SymmetricPair &pair : out.pairs)
-    solved.push_back(std::exchange(pair.solved, false));
-  std::optional<std::vector<SymmetricPair>> pairs =
-      pairs_near(_problem, speed, std::move(out.pairs), _wanted);
-  if (!pairs)
-    return std::nullopt;
-  out.pairs = std::move(*pairs);
-  learn(out);
-  for (std::size_t i = 0; i < solved.size(); ++i)
-    out.pairs[i].solved = out.pairs[i].solved || solved[i];
-  return out;
+    FollowedSpeed out;
+    out.speed = speed;
+    if (!set_guesses(run, out))
+        return std::nullopt;
+    std::vector<bool> solved;
+    for (SymmetricPair &pair : out.pairs)
+        solved.push_back(std::exchange(pair.solved, false));
+    std::optional<std::vector<SymmetricPair>> pairs =
+        pairs_near(_problem, speed, std::move(out.pairs), _wanted);
+    if (!pairs)
+        return std::nullopt;
+    out.pairs = std::move(*pairs);
+    learn(out);
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        out.pairs[i].solved = out.pairs[i].solved || solved[i];
+    return out;
 }
 
 /// Widens the model by shapes that were not in it.
 void Continuation::learn(FollowedSpeed &at) {
-  if (!_model)
-    return;
-  std::vector<Eigen::VectorXcd> shapes;
-  for (SymmetricPair &pair : at.pairs)
-    if (pair.solved) {
-      shapes.push_back(pair.vector);
-      pair.reduced.resize(0);
-    }
-  if (!shapes.empty() && roomy(shapes.size()))
-    _model->add(shapes);
-  refresh(at);
+    if (!_model)
+        return;
+    std::vector<Eigen::VectorXcd> shapes;
+    for (SymmetricPair &pair : at.pairs)
+        if (pair.solved) {
+            shapes.push_back(pair.vector);
+            pair.reduced.resize(0);
+        }
+    if (!shapes.empty() && roomy(shapes.size()))
+        _model->add(shapes);
+    refresh(at);
 }
 
-bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at,
-                           int wanted) const {
-  double fastest = _fastest + _creep * counted.radius;
-  for (const FollowedSpeed *end :
-       {&counted, static_cast<const FollowedSpeed *>(&at)})
-    for (const SymmetricPair &pair : end->pairs)
-      fastest = std::max(fastest, 2 * std::abs(pair.rate));
-  const double radius =
-      counted.radius - fastest * std::abs(at.speed - counted.speed);
-  if (at.within(radius) < wanted)
-    return false;
-  at.radius = std::max(at.radius, radius);
-  return true;
+bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
+    double fastest = _fastest + _creep * counted.radius;
+    for (const FollowedSpeed *end : {&counted, static_cast<const FollowedSpeed *>(&at)})
+        for (const SymmetricPair &pair : end->pairs)
+            fastest = std::max(fastest, 2 * std::abs(pair.rate));
+    const double radius = counted.radius - fastest * std::abs(at.speed - counted.speed);
+    if (at.within(radius) < wanted)
+        return false;
+    at.radius = std::max(at.radius, radius);
+    return true;
 }
 
-bool Continuation::count(const FollowedSpeed &counted, FollowedSpeed &at,
-                         int wanted) const {
-  const double radius = widest_gap(at, wanted);
-  if (radius == 0 ||
-      !same_number(_problem, counted, counted.radius, at, radius))
-    return false;
-  at.radius = radius;
-  at.counted = true;
-  return true;
+bool Continuation::count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
+    const double radius = widest_gap(at, wanted);
+    if (radius == 0 || !same_number(_problem, counted, counted.radius, at, radius))
+        return false;
+    at.radius = radius;
+    at.counted = true;
+    return true;
 }
 
 /// The first of the speeds up to `last` behind which something may be missing.
-std::size_t Continuation::complete(Run &run, const std::vector<double> &speeds,
-                                   std::size_t first, std::size_t last,
-                                   int wanted) const {
-  const auto node = [&](std::size_t k) {
-    const auto known = run.at.find(speeds[k]);
-    return known == run.at.end() ? nullptr : &known->second;
-  };
-  std::size_t counted = first;
-  for (std::size_t k = first + 1; k <= last; ++k) {
-    FollowedSpeed *at = node(k);
-    if (at == nullptr || (k < last && covered(*node(counted), *at, wanted)))
-      continue;
-    // A count farther on covers the speeds before it too.
-    std::size_t next = k < last ? std::min(2 * k - counted - 1, last) : last;
-    while (next > k && node(next) == nullptr)
-      --next;
-    if (!count(*node(counted), *node(next), wanted))
-      return counted;
-    for (std::size_t between = k; between < next; ++between)
-      if (FollowedSpeed *other = node(between);
-          other != nullptr && !covered(*node(next), *other, wanted) &&
-          !count(*node(next), *other, wanted))
-        return counted;
-    counted = next;
-    k = next;
-  }
-  return last;
+std::size_t Continuation::complete(Run &run, const std::vector<double> &speeds, std::size_t first,
+                                   std::size_t last, int wanted) const {
+    const auto node = [&](std::size_t k) {
+        const auto known = run.at.find(speeds[k]);
+        return known == run.at.end() ? nullptr : &known->second;
+    };
+    std::size_t counted = first;
+    for (std::size_t k = first + 1; k <= last; ++k) {
+        FollowedSpeed *at = node(k);
+        if (at == nullptr || (k < last && covered(*node(counted), *at, wanted)))
+            continue;
+        // A count farther on covers the speeds before it too.
+        std::size_t next = k < last ? std::min(2 * k - counted - 1, last) : last;
+        while (next > k && node(next) == nullptr)
+            --next;
+        if (!count(*node(counted), *node(next), wanted))
+            return counted;
+        for (std::size_t between = k; between < next; ++between)
+            if (FollowedSpeed *other = node(between); other != nullptr &&
+                                                      !covered(*node(next), *other, wanted) &&
+                                                      !count(*node(next), *other, wanted))
+                return counted;
+        counted = next;
+        k = next;
+    }
+    return last;
 }
 
 bool Continuation::bridged(Run &run, double from, double to, int depth) {
-  if (depth == 0)
-    return false;
-  const double middle = (from + to) / 2;
-  for (const double speed : {middle, to}) {
-    std::optional<FollowedSpeed> next = step(run, speed);
-    if (next && !mixed(*next))
-      run.at.insert_or_assign(next->speed, std::move(*next));
-    else if (!bridged(run, speed == to ? middle : from, speed, depth - 1))
-      return false;
-  }
-  return true;
+    if (depth == 0)
+        return false;
+    const double middle = (from + to) / 2;
+    for (const double speed : {middle, to}) {
+        std::optional<FollowedSpeed> next = step(run, speed);
+        if (next && !mixed(*next))
+            run.at.insert_or_assign(next->speed, std::move(*next));
+        else if (!bridged(run, speed == to ? middle : from, speed, depth - 1))
+            return false;
+    }
+    return true;
 }
 
-void Continuation::fill(Run &run, const std::vector<double> &speeds,
-                        std::size_t from, std::size_t to) {
-  if (to - from < 2)
-    return;
-  const std::size_t middle = (from + to) / 2;
-  if (std::optional<FollowedSpeed> between = step(run, speeds[middle]))
-    run.at.emplace(speeds[middle], std::move(*between));
-  fill(run, speeds, from, middle);
-  fill(run, speeds, middle, to);
+void Continuation::fill(Run &run, const std::vector<double> &speeds, std::size_t from,
+                        std::size_t to) {
+    if (to - from < 2)
+        return;
+    const std::size_t middle = (from + to) / 2;
+    if (std::optional<FollowedSpeed> between = step(run, speeds[middle]))
+        run.at.emplace(speeds[middle], std::move(*between));
+    fill(run, speeds, from, middle);
+    fill(run, speeds, middle, to);
 }
 
 /// A run from these pairs: what is known of them from a run with fewer pairs is
 /// taken over.
 Continuation::Run Continuation::joining(const FollowedSpeed &start) {
-  Run run;
-  run.places.resize(start.pairs.size());
-  for (Run &other : _before) {
-    const auto known = other.at.find(start.speed);
-    if (known == other.at.end())
-      continue;
-    const std::vector<SymmetricPair> &pairs = known->second.pairs;
-    for (std::size_t i = 0; i < start.pairs.size(); ++i)
-      for (std::size_t j = 0; j < pairs.size(); ++j)
-        if (std::norm(pairs[j].value - start.pairs[i].value) <
-            1e-20 * std::norm(pairs[j].value))
-          run.places[i] = j;
-    run.before = std::move(other.at);
-    other.at.clear();
+    Run run;
+    run.places.resize(start.pairs.size());
+    for (Run &other : _before) {
+        const auto known = other.at.find(start.speed);
+        if (known == other.at.end())
+            continue;
+        const std::vector<SymmetricPair> &pairs = known->second.pairs;
+        for (std::size_t i = 0; i < start.pairs.size(); ++i)
+            for (std::size_t j = 0; j < pairs.size(); ++j)
+                if (std::norm(pairs[j].value - start.pairs[i].value) <
+                    1e-20 * std::norm(pairs[j].value))
+                    run.places[i] = j;
+        run.before = std::move(other.at);
+        other.at.clear();
+        return run;
+    }
     return run;
-  }
-  return run;
 }
 
 /// The first speed that is left.
-std::size_t Continuation::run_from(const std::vector<double> &speeds,
-                                   std::size_t first, int wanted) {
-  std::optional<FollowedSpeed> start = begin(speeds[first], wanted);
-  if (!start)
-    return first + 1;
-  begin_model(*start);
-  Run run = joining(*start);
-  run.at.emplace(speeds[first], std::move(*start));
-  std::vector<std::size_t> solved{first};
-  for (std::size_t stride = 1; solved.back() + 1 < speeds.size();) {
-    const std::size_t from = solved.back();
-    const std::size_t to = std::min(from + stride, speeds.size() - 1);
-    std::optional<FollowedSpeed> next = step(run, speeds[to]);
-    const bool clear = next && !mixed(*next);
-    if (!clear && stride > 1) {
-      stride /= 2;
-      continue;
+std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_t first,
+                                   int wanted) {
+    std::optional<FollowedSpeed> start = begin(speeds[first], wanted);
+    if (!start)
+        return first + 1;
+    begin_model(*start);
+    Run run = joining(*start);
+    run.at.emplace(speeds[first], std::move(*start));
+    std::vector<std::size_t> solved{first};
+    for (std::size_t stride = 1; solved.back() + 1 < speeds.size();) {
+        const std::size_t from = solved.back();
+        const std::size_t to = std::min(from + stride, speeds.size() - 1);
+        std::optional<FollowedSpeed> next = step(run, speeds[to]);
+        const bool clear = next && !mixed(*next);
+        if (!clear && stride > 1) {
+            stride /= 2;
+            continue;
+        }
+        if (!clear && bridged(run, speeds[from], speeds[to], 4))
+            next.reset();
+        else if (!next)
+            break;
+        if (next) // mixed just there
+            run.at.insert_or_assign(next->speed, std::move(*next));
+        solved.push_back(to);
+        stride = std::min(2 * stride, longest_stride);
     }
-    if (!clear && bridged(run, speeds[from], speeds[to], 4))
-      next.reset();
-    else if (!next)
-      break;
-    if (next) // mixed just there
-      run.at.insert_or_assign(next->speed, std::move(*next));
-    solved.push_back(to);
-    stride = std::min(2 * stride, longest_stride);
-  }
-  for (std::size_t k = 1; k < solved.size(); ++k)
-    fill(run, speeds, solved[k - 1], solved[k]);
-  const std::size_t last = complete(run, speeds, first, solved.back(), wanted);
-  std::erase_if(run.at, [&](const auto &node) {
-    return std::abs(node.first - speeds[first]) >
-           std::abs(speeds[last] - speeds[first]);
-  });
-  run.before.clear();
-  _runs.push_back(std::move(run));
-  return last + 1;
+    for (std::size_t k = 1; k < solved.size(); ++k)
+        fill(run, speeds, solved[k - 1], solved[k]);
+    const std::size_t last = complete(run, speeds, first, solved.back(), wanted);
+    std::erase_if(run.at, [&](const auto &node) {
+        return std::abs(node.first - speeds[first]) > std::abs(speeds[last] - speeds[first]);
+    });
+    run.before.clear();
+    _runs.push_back(std::move(run));
+    return last + 1;
 }
 
 void Continuation::follow(const std::vector<double> &speeds, int wanted) {
-  constexpr int most_short = 3; // runs that come to nothing
-  if (speeds.size() < 3 || wanted == _wanted)
-    return;
-  _wanted = wanted;
-  _before = std::exchange(_runs, {});
-  int too_short = 0;
-  for (std::size_t next = 0; next < speeds.size() && too_short < most_short;) {
-    const std::size_t last = run_from(speeds, next, wanted);
-    too_short += last - next < 4 && last < speeds.size() ? 1 : 0;
-    next = last;
-  }
-  _before.clear();
+    constexpr int most_short = 3; // runs that come to nothing
+    if (speeds.size() < 3 || wanted == _wanted)
+        return;
+    _wanted = wanted;
+    _before = std::exchange(_runs, {});
+    int too_short = 0;
+    for (std::size_t next = 0; next < speeds.size() && too_short < most_short;) {
+        const std::size_t last = run_from(speeds, next, wanted);
+        too_short += last - next < 4 && last < speeds.size() ? 1 : 0;
+        next = last;
+    }
+    _before.clear();
 }
 
 const FollowedSpeed *Continuation::known(double speed) const {
-  for (const Run &run : _runs)
-    if (const auto found = run.at.find(speed); found != run.at.end())
-      return &found->second;
-  return nullptr;
+    for (const Run &run : _runs)
+        if (const auto found = run.at.find(speed); found != run.at.end())
+            return &found->second;
+    return nullptr;
 }
 
 const FollowedSpeed *Continuation::at(double speed, int wanted) {
-  for (Run &run : _runs) {
-    const auto above = run.at.lower_bound(speed);
-    if (above == run.at.end() ||
-        (above == run.at.begin() && above->first != speed))
-      continue;
-    const FollowedSpeed *here =
-        above->first == speed ? &above->second : between(run, speed);
-    return here != nullptr && here->within(here->radius) >= wanted ? here
-                                                                   : nullptr;
-  }
-  return nullptr;
+    for (Run &run : _runs) {
+        const auto above = run.at.lower_bound(speed);
+        if (above == run.at.end() || (above == run.at.begin() && above->first != speed))
+            continue;
+        const FollowedSpeed *here = above->first == speed ? &above->second : between(run, speed);
+        return here != nullptr && here->within(here->radius) >= wanted ? here : nullptr;
+    }
+    return nullptr;
 }
 
 /// At a speed inside a run.
 const FollowedSpeed *Continuation::between(Run &run, double speed) {
-  std::optional<FollowedSpeed> found = step(run, speed);
-  if (!found)
-    return nullptr;
-  const FollowedSpeed *low = nullptr;
-  const FollowedSpeed *high = nullptr;
-  for (const auto &[other, node] : run.at) {
-    if (node.counted && other < speed)
-      low = &node;
-    if (node.counted && other > speed && high == nullptr)
-      high = &node;
-  }
-  bool complete = false;
-  for (const FollowedSpeed *end : {low, high})
-    complete = (end != nullptr && covered(*end, *found, _wanted)) || complete;
-  for (const FollowedSpeed *end : {low, high})
-    complete = complete || (end != nullptr && count(*end, *found, _wanted));
-  return complete ? &run.at.emplace(speed, std::move(*found)).first->second
-                  : nullptr;
+    std::optional<FollowedSpeed> found = step(run, speed);
+    if (!found)
+        return nullptr;
+    const FollowedSpeed *low = nullptr;
+    const FollowedSpeed *high = nullptr;
+    for (const auto &[other, node] : run.at) {
+        if (node.counted && other < speed)
+            low = &node;
+        if (node.counted && other > speed && high == nullptr)
+            high = &node;
+    }
+    bool complete = false;
+    for (const FollowedSpeed *end : {low, high})
+        complete = (end != nullptr && covered(*end, *found, _wanted)) || complete;
+    for (const FollowedSpeed *end : {low, high})
+        complete = complete || (end != nullptr && count(*end, *found, _wanted));
+    return complete ? &run.at.emplace(speed, std::move(*found)).first->second : nullptr;
 }
 
 } // namespace whirl::modes

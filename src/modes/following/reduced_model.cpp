@@ -132,4 +132,12 @@ ReducedMatrices ReducedModel::at(double speed) const {
     return out;
 }
 
+std::complex<double> ReducedModel::rate(double speed, const SymmetricPair &pair) const {
+    const Eigen::VectorXcd &y = pair.reduced;
+    const std::complex<double> l = pair.value;
+    const auto form = [&y](const Eigen::MatrixXcd &A) { return y.cwiseProduct(A * y).sum(); };
+    const std::complex<double> change = form(_D1);
+    return -(l * change + form(_K1)) / (2.0 * l * form(_M) + form(_D) + speed * change);
+}
+
 } // namespace whirl::modes

@@ -39,6 +39,8 @@ class ReducedModel {
     void set_vectors(const std::vector<SymmetricPair *> &pairs) const;
 
     [[nodiscard]] ReducedMatrices at(double speed) const;
+    /// dl/dspeed of a pair at a speed from its value and coordinates.
+    [[nodiscard]] std::complex<double> rate(double speed, const SymmetricPair &pair) const;
 
   private:
     const SymmetricProblem &_problem;
