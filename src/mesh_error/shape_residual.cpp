@@ -6,8 +6,6 @@
 #include "results/formulation.h"
 #include "results/whirl.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,6 +19,52 @@ constexpr Complex i_unit(0, 1);
 
 /// The next function of either parity.
 constexpr int further_orders = 2;
+
+/// Further functions of an element of order 1, the most: 2 * (1 + further_orders) - 1.
+constexpr int most_further = 5;
+using Block = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_further, most_further>;
+
+/// L D L^T of a symmetric matrix in place, the pivots on the diagonal. Further functions vanish at
+/// the nodes and are far stiffer than the modes: no pivot comes near zero.
+void factorize(Block &A) {
+    for (Eigen::Index k = 0; k < A.rows(); ++k)
+        for (Eigen::Index j = k + 1; j < A.rows(); ++j) {
+            const Complex factor = A(j, k) / A(k, k);
+            for (Eigen::Index i = j; i < A.rows(); ++i)
+                A(i, j) -= A(i, k) * factor;
+            A(k, j) = factor;
+        }
+}
+
+/// r^H A^-1 r from these factors: above the diagonal L^T.
+template <class Vector> Complex inverse_form(const Block &factors, const Vector &r) {
+    Vector x = r;
+    const Eigen::Index n = factors.rows();
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = k + 1; i < n; ++i)
+            x(i) -= factors(k, i) * x(k);
+    for (Eigen::Index k = n - 1; k >= 0; --k) {
+        x(k) /= factors(k, k);
+        for (Eigen::Index i = k + 1; i < n; ++i)
+            x(k) -= factors(k, i) * x(i);
+    }
+    return r.dot(x);
+}
+
+/// A row of a real matrix times a complex vector.
+Complex product(const Eigen::SparseMatrix<double, Eigen::RowMajor> &A, Eigen::Index row,
+                const Eigen::VectorXcd &x) {
+    double re = 0;
+    double im = 0;
+    const int *columns = A.innerIndexPtr();
+    const double *values = A.valuePtr();
+    const Complex *in = x.data();
+    for (int p = A.outerIndexPtr()[row]; p < A.outerIndexPtr()[row + 1]; ++p) {
+        re += values[p] * in[columns[p]].real();
+        im += values[p] * in[columns[p]].imag();
+    }
+    return {re, im};
+}
 
 /// A block on the unknowns of an element as rows over those of the shaft.
 void add_rows(std::vector<Eigen::Triplet<double>> &entries, const Eigen::MatrixXd &block,
@@ -92,18 +136,21 @@ std::vector<assembly::Combination> ShapeResidual::own_motion(int span) const {
 double ShapeResidual::energy(const Eigen::VectorXcd &plane, Complex rate, double speed) const {
     const Complex squared = rate * rate;
     const Complex coupling = -i_unit * rate * speed;
-    const Eigen::VectorXcd residual =
-        squared * (_M * plane) + coupling * (_G * plane) + Eigen::VectorXcd(_K * plane);
-    Eigen::PartialPivLU<Eigen::MatrixXcd> Q2;
+    Block Q2; // its factors
+    Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_further, 1> r(_further);
     double sum = 0;
     for (std::size_t i = 0; i < _elements.size(); ++i) {
         const Element &e = _elements[i];
-        if (!e.like_last)
-            Q2.compute(squared * e.M2.cast<Complex>() + coupling * e.G2.cast<Complex>() +
-                       e.K2.cast<Complex>());
-        const Eigen::VectorXcd r =
-            residual.segment(static_cast<Eigen::Index>(i) * _further, _further);
-        sum += std::abs(r.dot(Q2.solve(r)));
+        if (!e.like_last) {
+            Q2 = squared * e.M2 + coupling * e.G2 + e.K2;
+            factorize(Q2);
+        }
+        for (int k = 0; k < _further; ++k) {
+            const Eigen::Index row = static_cast<Eigen::Index>(i) * _further + k;
+            r(k) = squared * product(_M, row, plane) + coupling * product(_G, row, plane) +
+                   product(_K, row, plane);
+        }
+        sum += std::abs(inverse_form(Q2, r));
     }
     return sum;
 }
@@ -113,7 +160,10 @@ double ShapeResidual::of(const modes::WhirlMode &mode, double speed) const {
     if (_elements.empty() || size == 0)
         return 0;
     const auto kinetic = [&](const Eigen::VectorXcd &plane) {
-        return size * size * std::abs(plane.dot(Eigen::VectorXcd(_mass * plane)));
+        double sum = 0;
+        for (Eigen::Index row = 0; row < plane.size(); ++row)
+            sum += (std::conj(plane(row)) * product(_mass, row, plane)).real();
+        return size * size * sum;
     };
     if (_form == results::Form::planar) {
         const bool positive = (mode.whirl == results::Whirl::forward) == (speed >= 0);

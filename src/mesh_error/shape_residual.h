@@ -36,7 +36,7 @@ class ShapeResidual {
     int _further = 0; ///< functions of an element
     std::vector<Element> _elements;
     Rows _M, _G, _K; ///< further functions of all elements over the unknowns of a plane
-    Eigen::SparseMatrix<double> _mass;
+    Rows _mass;
 
     [[nodiscard]] std::vector<assembly::Combination> own_motion(int span) const;
     [[nodiscard]] double energy(const Eigen::VectorXcd &plane, std::complex<double> rate,

@@ -1,6 +1,7 @@
 #include "linalg/complex_factors.h"
 
 #include "linalg/check.h"
+#include "linalg/dense_symmetric_factor.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -46,6 +47,28 @@ TEST(BandMatrix, singular_matrix_is_refused) {
     band(1, 1) = 4;
     band(2, 2) = 1;
     EXPECT_THROW((void)band.solve(Eigen::VectorXcd::Ones(3)), SolverError);
+}
+
+TEST(DenseSymmetricFactor, agrees_with_a_dense_solution) {
+    DenseSymmetricFactor factor;
+    for (const int size : {1, 2, 7, 30}) {
+        Eigen::MatrixXcd A(size, size);
+        Eigen::VectorXcd b(size);
+        for (int i = 0; i < size; ++i) {
+            b(i) = number(i, 3 * i + 1);
+            for (int j = 0; j <= i; ++j)
+                A(i, j) = A(j, i) = i == j ? 2.0 + 3.0 * number(i, j + 1) : number(i, j);
+        }
+        factor.factorize(A);
+        const Eigen::VectorXcd expected = A.fullPivLu().solve(b);
+        // Rounding times the condition, and the growth that pivots of any size leave.
+        EXPECT_LT((factor.solve(b) - expected).norm(), 1e-10 * expected.norm()) << size;
+    }
+}
+
+TEST(DenseSymmetricFactor, refuses_a_pivot_of_zero) {
+    DenseSymmetricFactor factor;
+    EXPECT_THROW(factor.factorize(Eigen::MatrixXcd::Zero(2, 2)), SolverError);
 }
 
 } // namespace

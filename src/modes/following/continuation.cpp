@@ -12,7 +12,8 @@ namespace whirl::modes {
 
 namespace {
 
-/// Speeds of a sweep from one that is solved by inverse iteration to the next at most.
+/// Speeds of a sweep from one that is solved by inverse iteration to the next
+/// at most.
 constexpr std::size_t longest_stride = 8;
 
 double largest_ratio(const model::Rotor &rotor) {
@@ -21,6 +22,24 @@ double largest_ratio(const model::Rotor &rotor) {
         if (disc.Ip > ratio * disc.Id) // without Id: no bound, each speed is counted
             ratio = disc.Id > 0 ? disc.Ip / disc.Id : std::numeric_limits<double>::infinity();
     return ratio;
+}
+
+bool mixed(const FollowedSpeed &at) {
+    return std::any_of(at.pairs.begin(), at.pairs.end(),
+                       [](const SymmetricPair &pair) { return pair.mixed; });
+}
+
+/// Drops the pairs beyond the smallest that whirl.
+void drop_beyond(FollowedSpeed &at, int whirling) {
+    std::vector<double> sizes;
+    for (const SymmetricPair &pair : at.pairs)
+        if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
+            sizes.push_back(std::abs(pair.value));
+    if (std::ssize(sizes) <= whirling)
+        return;
+    std::sort(sizes.begin(), sizes.end());
+    const double last = sizes[static_cast<std::size_t>(whirling - 1)];
+    std::erase_if(at.pairs, [last](const auto &pair) { return std::abs(pair.value) > last; });
 }
 
 } // namespace
@@ -43,7 +62,7 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     for (const double value : found.real)
         out.pairs.push_back(nearest_upper(_problem, speed, value));
     std::optional<std::vector<SymmetricPair>> pairs =
-        pairs_near(_problem, speed, std::move(out.pairs));
+        pairs_near(_problem, speed, std::move(out.pairs), wanted);
     if (!pairs)
         return std::nullopt;
     out.pairs = std::move(*pairs);
@@ -54,6 +73,7 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
                 1e-10 * std::norm(out.pairs[i].value))
                 return std::nullopt;
     }
+    drop_beyond(out, wanted + beyond);
     out.radius = std::min(found.radius, widest_gap(out, wanted));
     out.counted = out.radius > 0;
     if (!out.counted || out.within(out.radius) < wanted)
@@ -63,20 +83,109 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     return std::nullopt; // that speed is solved alone
 }
 
-std::optional<FollowedSpeed> Continuation::step(const Run &run, double speed) const {
+/// The reduced model of shapes at the speed where a run begins.
+void Continuation::begin_model(const FollowedSpeed &start) try {
+    if (!_reduces)
+        return;
+    if (!_model)
+        _model = std::make_unique<ReducedModel>(_problem);
+    if (roomy(start.pairs.size()))
+        _model->add_with_changes(start.speed, start.pairs);
+    if (_model->size() > 0)
+        return;
+    _model.reset();
+    _reduces = false;
+} catch (const linalg::SolverError &) {
+    // A pivot that happens to be zero: the model stays what it was.
+    if (_model->size() == 0)
+        _model.reset();
+}
+
+/// Where shapes take most of the unknowns the full problem is as small.
+bool Continuation::roomy(std::size_t shapes) const {
+    return 2 * (_model->size() + 2 * static_cast<Eigen::Index>(shapes)) < _problem.size();
+}
+
+/// Coordinates of pairs known since before the model was widened.
+void Continuation::refresh(FollowedSpeed &at) const {
+    for (SymmetricPair &pair : at.pairs) {
+        const Eigen::Index known = pair.reduced.size();
+        const Eigen::Index size = _model ? _model->size() : 0;
+        if (known == 0 && size > 0)
+            pair.reduced = _model->coordinates(pair.vector);
+        else if (known != size)
+            pair.reduced.conservativeResizeLike(Eigen::VectorXcd::Zero(size));
+    }
+}
+
+/// Pairs known before, and guesses of the others.
+bool Continuation::set_guesses(Run &run, FollowedSpeed &at) {
+    for (auto &[speed, node] : run.at)
+        refresh(node);
+    const auto before = run.before.find(at.speed);
+    if (before != run.before.end())
+        refresh(before->second);
+    for (std::size_t i = 0; i < run.places.size(); ++i)
+        at.pairs.push_back(before != run.before.end() && run.places[i]
+                               ? before->second.pairs[*run.places[i]]
+                               : guess(run.at, at.speed, i));
+    if (!_model)
+        return true;
+    std::vector<SymmetricPair> reduced(at.pairs.size());
+    std::vector<const SymmetricPair *> neighbours;
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+        reduced[i].value = at.pairs[i].value;
+        reduced[i].reduced = at.pairs[i].reduced;
+        neighbours.push_back(&nearest(run.at, at.speed, i));
+    }
+    if (!solve_reduced(*_model, at.speed, reduced, neighbours, _wanted, run.nearby))
+        return false;
+    std::vector<SymmetricPair *> asked_for;
+    const std::vector<double> enough = enough_errors(reduced, _wanted);
+    for (std::size_t i = 0; i < reduced.size(); ++i)
+        if (enough[i] < counted_error)
+            asked_for.push_back(&reduced[i]);
+        else
+            reduced[i].rate = _model->rate(at.speed, reduced[i]);
+    _model->set_vectors(asked_for);
+    for (std::size_t i = 0; i < reduced.size(); ++i)
+        if (at.pairs[i].Mx.size() == 0)
+            at.pairs[i] = std::move(reduced[i]);
+    return true;
+}
+
+std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
     FollowedSpeed out;
     out.speed = speed;
-    const auto before = run.before.find(speed);
-    for (std::size_t i = 0; i < run.places.size(); ++i)
-        out.pairs.push_back(before != run.before.end() && run.places[i]
-                                ? before->second.pairs[*run.places[i]]
-                                : guess(run.at, speed, i));
+    if (!set_guesses(run, out))
+        return std::nullopt;
+    std::vector<bool> solved;
+    for (SymmetricPair &pair : out.pairs)
+        solved.push_back(std::exchange(pair.solved, false));
     std::optional<std::vector<SymmetricPair>> pairs =
-        pairs_near(_problem, speed, std::move(out.pairs));
+        pairs_near(_problem, speed, std::move(out.pairs), _wanted);
     if (!pairs)
         return std::nullopt;
     out.pairs = std::move(*pairs);
+    learn(out);
+    for (std::size_t i = 0; i < solved.size(); ++i)
+        out.pairs[i].solved = out.pairs[i].solved || solved[i];
     return out;
+}
+
+/// Widens the model by shapes that were not in it.
+void Continuation::learn(FollowedSpeed &at) {
+    if (!_model)
+        return;
+    std::vector<Eigen::VectorXcd> shapes;
+    for (SymmetricPair &pair : at.pairs)
+        if (pair.solved) {
+            shapes.push_back(pair.vector);
+            pair.reduced.resize(0);
+        }
+    if (!shapes.empty() && roomy(shapes.size()))
+        _model->add(shapes);
+    refresh(at);
 }
 
 bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
@@ -129,13 +238,13 @@ std::size_t Continuation::complete(Run &run, const std::vector<double> &speeds, 
     return last;
 }
 
-bool Continuation::bridged(Run &run, double from, double to, int depth) const {
+bool Continuation::bridged(Run &run, double from, double to, int depth) {
     if (depth == 0)
         return false;
     const double middle = (from + to) / 2;
     for (const double speed : {middle, to}) {
         std::optional<FollowedSpeed> next = step(run, speed);
-        if (next)
+        if (next && !mixed(*next))
             run.at.insert_or_assign(next->speed, std::move(*next));
         else if (!bridged(run, speed == to ? middle : from, speed, depth - 1))
             return false;
@@ -144,7 +253,7 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) const {
 }
 
 void Continuation::fill(Run &run, const std::vector<double> &speeds, std::size_t from,
-                        std::size_t to) const {
+                        std::size_t to) {
     if (to - from < 2)
         return;
     const std::size_t middle = (from + to) / 2;
@@ -154,7 +263,8 @@ void Continuation::fill(Run &run, const std::vector<double> &speeds, std::size_t
     fill(run, speeds, middle, to);
 }
 
-/// A run from these pairs: what is known of them from a run with fewer pairs is taken over.
+/// A run from these pairs: what is known of them from a run with fewer pairs is
+/// taken over.
 Continuation::Run Continuation::joining(const FollowedSpeed &start) {
     Run run;
     run.places.resize(start.pairs.size());
@@ -181,19 +291,25 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
     std::optional<FollowedSpeed> start = begin(speeds[first], wanted);
     if (!start)
         return first + 1;
+    begin_model(*start);
     Run run = joining(*start);
     run.at.emplace(speeds[first], std::move(*start));
     std::vector<std::size_t> solved{first};
     for (std::size_t stride = 1; solved.back() + 1 < speeds.size();) {
         const std::size_t from = solved.back();
         const std::size_t to = std::min(from + stride, speeds.size() - 1);
-        if (std::optional<FollowedSpeed> next = step(run, speeds[to]))
-            run.at.insert_or_assign(next->speed, std::move(*next));
-        else if (stride > 1) {
+        std::optional<FollowedSpeed> next = step(run, speeds[to]);
+        const bool clear = next && !mixed(*next);
+        if (!clear && stride > 1) {
             stride /= 2;
             continue;
-        } else if (!bridged(run, speeds[from], speeds[to], 4))
+        }
+        if (!clear && bridged(run, speeds[from], speeds[to], 4))
+            next.reset();
+        else if (!next)
             break;
+        if (next) // mixed just there
+            run.at.insert_or_assign(next->speed, std::move(*next));
         solved.push_back(to);
         stride = std::min(2 * stride, longest_stride);
     }
@@ -242,7 +358,7 @@ const FollowedSpeed *Continuation::at(double speed, int wanted) {
 }
 
 /// At a speed inside a run.
-const FollowedSpeed *Continuation::between(Run &run, double speed) const {
+const FollowedSpeed *Continuation::between(Run &run, double speed) {
     std::optional<FollowedSpeed> found = step(run, speed);
     if (!found)
         return nullptr;

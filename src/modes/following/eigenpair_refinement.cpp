@@ -1,6 +1,7 @@
 #include "modes/following/eigenpair_refinement.h"
 
 #include "linalg/check.h"
+#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +18,22 @@ std::complex<double> plain_product(const Eigen::VectorXcd &a, const Eigen::Vecto
 
 } // namespace
 
+std::complex<double> nearest_root(std::complex<double> xMx, std::complex<double> xDx,
+                                  std::complex<double> xKx, std::complex<double> near) {
+    const std::complex<double> root = std::sqrt(xDx * xDx - 4.0 * xMx * xKx);
+    // Both without cancellation.
+    const std::complex<double> q =
+        -(xDx + (std::real(std::conj(xDx) * root) >= 0 ? root : -root)) / 2.0;
+    const std::complex<double> first = q / xMx;
+    const std::complex<double> second = xKx / q;
+    return std::norm(first - near) <= std::norm(second - near) ? first : second;
+}
+
 void EigenpairRefinement::multiply(const Eigen::VectorXcd &x) {
     _problem.multiply(x, _speed, _of);
     _xMx = plain_product(x, _of.M);
     _xDx = plain_product(x, _of.D);
     _xKx = plain_product(x, _of.K);
-}
-
-/// x^T Q(l) x = 0 at the l nearest the one given.
-std::complex<double> EigenpairRefinement::rayleigh(Complex near) const {
-    const Complex root = std::sqrt(_xDx * _xDx - 4.0 * _xMx * _xKx);
-    // Both without cancellation.
-    const Complex q = -(_xDx + (std::real(std::conj(_xDx) * root) >= 0 ? root : -root)) / 2.0;
-    const Complex first = q / _xMx;
-    const Complex second = _xKx / q;
-    return std::norm(first - near) <= std::norm(second - near) ? first : second;
 }
 
 double EigenpairRefinement::error(Complex l, double distance) {
@@ -55,7 +57,7 @@ void EigenpairRefinement::inverse_step(SymmetricPair &pair) {
     pair.vector = factorize(pair.value).solve(slope);
     pair.vector /= std::sqrt(pair.vector.cwiseAbs2().maxCoeff());
     multiply(pair.vector);
-    pair.value = rayleigh(pair.value);
+    pair.value = nearest_root(_xMx, _xDx, _xKx, pair.value);
     pair.solved = true;
 }
 
@@ -73,15 +75,14 @@ void EigenpairRefinement::fill(SymmetricPair &pair) const {
 
 void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
     multiply(pair.vector);
-    pair.value = rayleigh(pair.value);
+    pair.value = nearest_root(_xMx, _xDx, _xKx, pair.value);
     pair.solved = false;
     pair.error = error(pair.value, distance);
 }
 
-bool EigenpairRefinement::refine(SymmetricPair &pair, double distance) {
+bool EigenpairRefinement::refine(SymmetricPair &pair, double distance, double enough) {
     constexpr int most_steps = 8;
-    constexpr double enough = 1e-15;
-    constexpr double settled = 1e-13;
+    const double settled = std::max(enough, 1e-13);
     assess(pair, distance);
     for (int step = 0; step < most_steps && !(pair.error <= enough); ++step) {
         const double last = pair.error;
@@ -106,7 +107,7 @@ SymmetricPair EigenpairRefinement::nearest(Complex value) {
         pair.vector = factor.solve((2.0 * value) * _of.M + _of.D);
         pair.vector /= std::sqrt(pair.vector.cwiseAbs2().maxCoeff());
     }
-    (void)refine(pair, 1); // whether it has settled is seen by who asked
+    (void)refine(pair, 1, enough_error); // whether it has settled is seen by who asked
     return pair;
 }
 
@@ -135,6 +136,25 @@ double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t
         }
     }
     return std::sqrt(first * second);
+}
+
+std::vector<double> enough_errors(const std::vector<SymmetricPair> &pairs, int slowest) {
+    std::vector<double> out(pairs.size(), enough_error);
+    if (slowest >= std::ssize(pairs))
+        return out;
+    std::vector<double> frequencies;
+    for (const SymmetricPair &pair : pairs)
+        if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
+            frequencies.push_back(std::abs(pair.value.imag()));
+    if (slowest >= std::ssize(frequencies))
+        return out;
+    // Values of guesses: the next one may be among the slowest.
+    std::sort(frequencies.begin(), frequencies.end());
+    const double last = 1.001 * frequencies[static_cast<std::size_t>(slowest - 1)];
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (std::abs(pairs[i].value.imag()) > last)
+            out[i] = counted_error;
+    return out;
 }
 
 } // namespace whirl::modes

@@ -12,14 +12,26 @@ namespace whirl::modes {
 /// An eigenpair of a symmetric problem at one speed, with what the vector makes of the matrices.
 struct SymmetricPair {
     std::complex<double> value;      ///< l, 1/s
-    Eigen::VectorXcd vector;         ///< x
+    Eigen::VectorXcd vector;         ///< x; empty: a pair that is only counted
     std::complex<double> rate;       ///< dl/dspeed
     std::complex<double> derivative; ///< x^T Q'(l) x
     double error = 0;                ///< of l, relative: what the residual leaves
     double rounding = 0;             ///< of l, relative: what rounding of the entries can cause
     bool solved = false;             ///< by inverse iteration, not by a good guess alone
+    /// Its motion is shared with a pair near by, so that it is not said which of them it is.
+    bool mixed = false;
     Eigen::VectorXcd Mx, Kx;
+    Eigen::VectorXcd reduced; ///< coordinates in a reduced model; empty: not known
 };
+
+/// x^T Q(l) x = 0 at the l nearest the one given.
+[[nodiscard]] std::complex<double> nearest_root(std::complex<double> xMx, std::complex<double> xDx,
+                                                std::complex<double> xKx,
+                                                std::complex<double> near);
+
+/// Errors of values that are asked for, and of those that are only counted.
+constexpr double enough_error = 1e-13;
+constexpr double counted_error = 1e-8;
 
 /// Finds eigenpairs of the problem at one speed from guesses.
 class EigenpairRefinement {
@@ -36,8 +48,9 @@ class EigenpairRefinement {
 
     /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
     /// where the guess is good enough.
+    /// @param enough  the error to come down to
     /// @returns false where it does not settle
-    [[nodiscard]] bool refine(SymmetricPair &pair, double distance);
+    [[nodiscard]] bool refine(SymmetricPair &pair, double distance, double enough);
 
     /// The eigenpair nearest a value, from no vector.
     [[nodiscard]] SymmetricPair nearest(std::complex<double> value);
@@ -54,7 +67,6 @@ class EigenpairRefinement {
     Eigen::VectorXcd _residual;
 
     void multiply(const Eigen::VectorXcd &x);
-    [[nodiscard]] Complex rayleigh(Complex near) const;
     [[nodiscard]] double error(Complex l, double distance);
     [[nodiscard]] linalg::SymmetricFactor &factorize(Complex l);
     void inverse_step(SymmetricPair &pair);
@@ -64,5 +76,9 @@ class EigenpairRefinement {
 /// From an eigenvalue to the two next ones among these: product of the distances relative to it,
 /// each at most 1. (Next to two eigenvalues that nearly meet Q^-1 grows with both.)
 [[nodiscard]] double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i);
+
+/// The error to come down to of each: enough of the slowest, and of all without whirl.
+[[nodiscard]] std::vector<double> enough_errors(const std::vector<SymmetricPair> &pairs,
+                                                int slowest);
 
 } // namespace whirl::modes

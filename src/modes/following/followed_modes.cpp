@@ -27,7 +27,8 @@ GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem, const FollowedS
     GeneralSpectrum::Modes out;
     out.complete_radius = followed.radius;
     for (std::size_t i = 0; i < followed.pairs.size(); ++i)
-        if (std::abs(followed.pairs[i].value) < followed.radius)
+        if (followed.pairs[i].vector.size() > 0 && // else only counted
+            std::abs(followed.pairs[i].value) < followed.radius)
             sort_in(followed.pairs[i].value, mode_of(problem, followed, i), out);
     return out;
 }
@@ -40,7 +41,8 @@ std::vector<WhirlMode> modes_near(const SymmetricProblem &problem, double speed,
         pairs[i].value = planar ? guesses[i].rotating_value : guesses[i].eigenvalue;
         pairs[i].vector = problem.from_form(guesses[i].shape);
     }
-    std::optional<std::vector<SymmetricPair>> found = pairs_near(problem, speed, std::move(pairs));
+    std::optional<std::vector<SymmetricPair>> found =
+        pairs_near(problem, speed, std::move(pairs), static_cast<int>(guesses.size()));
     std::vector<WhirlMode> out;
     if (!found)
         return out;

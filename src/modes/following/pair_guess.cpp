@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 constexpr std::size_t points_between = 6;
 constexpr std::size_t points_beyond = 4;
 /// Cosine between a guess and what became of it, where all unknowns count alike.
-constexpr double alike = 0.8;
+constexpr double same_motion = 0.8;
 
 /// Known pairs at the speeds nearest to one, with the factors of a polynomial's values.
 struct Points {
@@ -25,15 +25,18 @@ struct Points {
     std::vector<double> factors;
 };
 
+/// A point of a polynomial.
+bool tells(const SymmetricPair &pair) { return pair.solved && !pair.mixed; }
+
 Points points_near(const std::map<double, FollowedSpeed> &known, double speed, std::size_t pair) {
     std::vector<const FollowedSpeed *> low;
     std::vector<const FollowedSpeed *> high;
     const auto above = known.lower_bound(speed);
     for (auto it = above; it != known.begin() && low.size() < points_between;)
-        if ((--it)->second.pairs[pair].solved)
+        if (tells((--it)->second.pairs[pair]))
             low.push_back(&it->second);
     for (auto it = above; it != known.end() && high.size() < points_between; ++it)
-        if (it->second.pairs[pair].solved && it->first != speed)
+        if (tells(it->second.pairs[pair]) && it->first != speed)
             high.push_back(&it->second);
     Points out;
     // From one side alone polynomials of high degree run away.
@@ -63,6 +66,7 @@ bool coincide(const std::vector<SymmetricPair> &pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (std::size_t j = i + 1; j < pairs.size(); ++j)
             if (std::norm(pairs[i].value - pairs[j].value) < 1e-14 * std::norm(pairs[i].value) &&
+                pairs[i].vector.size() > 0 && pairs[j].vector.size() > 0 &&
                 parallel(pairs[i].vector, pairs[j].vector, 0.999))
                 return true;
     return false;
@@ -81,19 +85,21 @@ bool upper(const SymmetricProblem &problem, SymmetricPair &pair, bool real) {
 }
 
 /// Refines guesses; false where one does not settle, or becomes another one's.
-bool refined(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> &pairs) try {
+bool refined(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> &pairs,
+             int slowest) try {
     EigenpairRefinement refinement(problem, speed);
     std::vector<double> distances;
     for (std::size_t i = 0; i < pairs.size(); ++i)
         distances.push_back(distance_from_others(pairs, i));
+    const std::vector<double> enough = enough_errors(pairs, slowest);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         SymmetricPair &pair = pairs[i];
-        if (pair.Mx.size() > 0)
-            continue; // known
+        if (pair.vector.size() == 0 || (pair.Mx.size() > 0 && pair.error <= enough[i]))
+            continue; // only counted, or known
         const bool real = problem.conjugates() && pair.value.imag() == 0;
         const Eigen::VectorXcd before = pair.vector;
-        if (!refinement.refine(pair, distances[i]) || !upper(problem, pair, real) ||
-            (pair.solved && !parallel(before, pair.vector, alike)))
+        if (!refinement.refine(pair, distances[i], enough[i]) || !upper(problem, pair, real) ||
+            (pair.solved && !parallel(before, pair.vector, same_motion)))
             return false;
     }
     return !coincide(pairs);
@@ -116,23 +122,31 @@ int FollowedSpeed::within(double size) const {
 SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
     const Points points = points_near(known, speed, i);
     const SymmetricPair &nearest = points.at.front()->pairs[i];
+    const auto member =
+        nearest.reduced.size() > 0 ? &SymmetricPair::reduced : &SymmetricPair::vector;
     SymmetricPair out;
     if (points.at.size() == 1) {
         out.value = nearest.value + nearest.rate * (speed - points.at.front()->speed);
-        out.vector = nearest.vector;
+        out.*member = nearest.*member;
         return out;
     }
-    const double length = nearest.vector.squaredNorm();
-    out.vector = points.factors[0] * nearest.vector;
+    const double length = (nearest.*member).squaredNorm();
+    Eigen::VectorXcd &sum = out.*member;
+    sum = points.factors[0] * nearest.*member;
     for (std::size_t k = 0; k < points.at.size(); ++k) {
         const SymmetricPair &pair = points.at[k]->pairs[i];
         out.value += points.factors[k] * pair.value;
         // Vectors are known but for a factor: all have the same part along the nearest.
         if (k > 0)
-            out.vector +=
-                (points.factors[k] * length / nearest.vector.dot(pair.vector)) * pair.vector;
+            sum +=
+                (points.factors[k] * length / (nearest.*member).dot(pair.*member)) * (pair.*member);
     }
     return out;
+}
+
+const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known, double speed,
+                             std::size_t i) {
+    return points_near(known, speed, i).at.front()->pairs[i];
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {
@@ -148,8 +162,10 @@ SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, doubl
 }
 
 std::optional<std::vector<SymmetricPair>> pairs_near(const SymmetricProblem &problem, double speed,
-                                                     std::vector<SymmetricPair> guesses) {
-    return refined(problem, speed, guesses) ? std::optional(std::move(guesses)) : std::nullopt;
+                                                     std::vector<SymmetricPair> guesses,
+                                                     int slowest) {
+    return refined(problem, speed, guesses, slowest) ? std::optional(std::move(guesses))
+                                                     : std::nullopt;
 }
 
 } // namespace whirl::modes

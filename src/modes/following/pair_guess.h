@@ -19,16 +19,23 @@ struct FollowedSpeed {
     [[nodiscard]] int within(double radius) const;
 };
 
-/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it.
+/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it: its
+/// coordinates where these are known, else its vector.
 /// @param known  by speed, at least one
 [[nodiscard]] SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed,
                                   std::size_t i);
 
+/// One of the pairs at the speed nearest to one among those that make guesses.
+[[nodiscard]] const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known,
+                                           double speed, std::size_t i);
+
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
 /// problem stay real, of two conjugates the upper one is meant.
+/// @param slowest  so many of those that whirl are asked for; others are only counted
 [[nodiscard]] std::optional<std::vector<SymmetricPair>>
-pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses);
+pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
+           int slowest);
 
 /// The eigenpair nearest a real number, of two conjugates the upper one.
 [[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,

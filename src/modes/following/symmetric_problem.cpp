@@ -160,36 +160,49 @@ Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vect
 }
 
 void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Products &out) const {
-    const auto times = [&](Part part, Eigen::VectorXcd &y, Complex factor) {
+    const Complex *in = x.data();
+    const auto times = [&](Part part, Eigen::VectorXcd &y, bool turned) {
         const Rows &A = _parts[static_cast<std::size_t>(part)];
-        const Complex *in = x.data();
+        const int *columns = A.column.data();
+        const double *values = A.value.data();
         for (std::size_t r = 0; r < A.row.size(); ++r) {
-            double re = 0;
-            double im = 0;
-            for (int p = A.start[r]; p < A.start[r + 1]; ++p) {
-                const Complex &value = in[A.column[static_cast<std::size_t>(p)]];
-                re += A.value[static_cast<std::size_t>(p)] * value.real();
-                im += A.value[static_cast<std::size_t>(p)] * value.imag();
-            }
-            y(A.row[r]) += Complex(factor.real() * re - factor.imag() * im,
-                                   factor.real() * im + factor.imag() * re);
+            Eigen::Array2d sum = Eigen::Array2d::Zero(); // real and imaginary part at once
+            const int last = A.start[r + 1];
+            for (int p = A.start[r]; p < last; ++p)
+                sum += values[p] * Eigen::Map<const Eigen::Array2d, Eigen::Aligned16>(
+                                       reinterpret_cast<const double *>(in + columns[p]));
+            y(A.row[r]) += turned ? Complex(-sum(1), sum(0)) : Complex(sum(0), sum(1));
         }
     };
     for (Eigen::VectorXcd *y : {&out.M, &out.D, &out.K, &out.D1, &out.K1})
         y->setZero(_size);
-    times(mass, out.M, 1);
-    times(damping, out.D, 1);
-    times(damping_turned, out.D, i_times);
-    times(gyroscopic, out.D1, i_times);
-    times(stiffness, out.K, 1);
-    times(stiffness_turned, out.K, i_times);
-    times(circulatory, out.K1, i_times);
+    times(mass, out.M, false);
+    times(damping, out.D, false);
+    times(damping_turned, out.D, true);
+    times(gyroscopic, out.D1, true);
+    times(stiffness, out.K, false);
+    times(stiffness_turned, out.K, true);
+    times(circulatory, out.K1, true);
     out.D += speed * out.D1;
-    out.K += speed * out.K1;
+    if (!_parts[circulatory].value.empty())
+        out.K += speed * out.K1;
+}
+
+Eigen::VectorXcd SymmetricProblem::times(Part part, const Eigen::VectorXcd &x) const {
+    const Rows &A = _parts[static_cast<std::size_t>(part)];
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        Complex sum = 0;
+        for (int p = A.start[r]; p < A.start[r + 1]; ++p)
+            sum += A.value[static_cast<std::size_t>(p)] * x(A.column[static_cast<std::size_t>(p)]);
+        out(A.row[r]) = sum;
+    }
+    return out;
 }
 
 double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
-    const Eigen::VectorXd size = x.cwiseAbs();
+    const Eigen::VectorXd sizes = x.cwiseAbs2().cwiseSqrt();
+    const double *size = sizes.data();
     const auto form = [&](Part part) {
         const Rows &A = _parts[static_cast<std::size_t>(part)];
         double sum = 0;
@@ -197,8 +210,8 @@ double SymmetricProblem::absolute_form(double l, double speed, const Eigen::Vect
             double row = 0;
             for (int p = A.start[r]; p < A.start[r + 1]; ++p)
                 row += std::abs(A.value[static_cast<std::size_t>(p)]) *
-                       size(A.column[static_cast<std::size_t>(p)]);
-            sum += row * size(A.row[r]);
+                       size[A.column[static_cast<std::size_t>(p)]];
+            sum += row * size[A.row[r]];
         }
         return sum;
     };

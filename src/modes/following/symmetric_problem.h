@@ -58,6 +58,9 @@ class SymmetricProblem {
     };
     void multiply(const Eigen::VectorXcd &x, double speed, Products &out) const;
 
+    /// One of the real matrices times a vector.
+    [[nodiscard]] Eigen::VectorXcd times(Part part, const Eigen::VectorXcd &x) const;
+
     /// |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|: what the entries add up to in x^T Q(l) x.
     [[nodiscard]] double absolute_form(double l, double speed, const Eigen::VectorXcd &x) const;
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace whirl::linalg {
+
+/// L D L^T of small full matrices that are complex and symmetric (not Hermitian). Rows are not
+/// exchanged: whoever solves with it looks at the residual.
+class DenseSymmetricFactor {
+  public:
+    /// The lower triangle counts.
+    /// @throws SolverError where a pivot is zero or not a number.
+    void factorize(const Eigen::MatrixXcd &A);
+
+    [[nodiscard]] Eigen::VectorXcd solve(const Eigen::VectorXcd &b) const;
+    [[nodiscard]] Eigen::Index size() const { return _inverse.size(); }
+
+  private:
+    Eigen::MatrixXd _re, _im;  ///< L
+    Eigen::VectorXcd _inverse; ///< of the pivots
+    Eigen::VectorXd _row_re, _row_im;
+};
+
+} // namespace whirl::linalg
