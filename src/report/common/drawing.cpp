@@ -91,7 +91,7 @@ Figure to_figure(const Drawing &drawing) {
         script +=
             fmt::format("set label {} at {},{} {} font ',{:.1f}' textcolor '{}' front\n",
                         plot_text(text.text), text.at.x, text.at.y - 0.35 * text.size,
-                        anchors[static_cast<int>(text.anchor)], 0.75 * text.size, text.colour);
+                        anchors[static_cast<int>(text.anchor)], text.size, text.colour);
     plots += "NaN notitle"; // a plot command needs at least one element
     script += "plot " + plots + "\n";
     return figure;
