@@ -1,6 +1,7 @@
 #include "report/common/gnuplot.h"
 
 #include "model/errors.h"
+#include "report/common/words.h"
 
 #include <fmt/format.h>
 
@@ -52,14 +53,35 @@ std::string read_all(int descriptor) {
 
 std::string terminal(const Figure &figure, PictureFormat format) {
     // pngcairo's time grows with the pixels: 1200 x 840 cost 0.07 s, the SVG 0.02 s.
-    // Sizes of letters are pixels in the SVG but points, of 4/3 pixels, in the PNG: scaled there, so
-    // that those that a figure gives itself are the same in both.
+    // Sizes of letters are pixels in the SVG but points, of 4/3 pixels, in the PNG: scaled there,
+    // so that those that a figure gives itself are the same in both.
     const bool svg = format == PictureFormat::svg;
     return fmt::format("set encoding utf8\nset terminal {} size {},{} background '#ffffff' "
                        "font '{},14' {} enhanced dashlength 1\n",
                        svg ? "svg" : "pngcairo", figure.width, figure.height,
                        svg ? "DejaVu Sans, Arial, sans-serif" : "DejaVu Sans",
                        svg ? "" : "fontscale 0.75");
+}
+
+/// The script with the powers of ten of its texts (those of plot_text) as they are written by hand:
+/// only here, for the units of the numbers may have been changed before.
+std::string with_powers_in_texts(const std::string &script) {
+    std::string out;
+    std::size_t from = 0;
+    while (from < script.size()) {
+        const std::size_t start = std::min(script.find('\'', from), script.size());
+        std::size_t end = start + 1;
+        while (end < script.size() && (script[end] != '\'' || script.compare(end, 2, "''") == 0))
+            end += script[end] == '\'' ? 2 : 1;
+        end = std::min(end, script.size());
+        out.append(script, from, start - from);
+        const std::string text = script.substr(start, end - start);
+        out += script.compare(end, 12, "' noenhanced") == 0 ? with_powers(text) : text;
+        if (end < script.size())
+            out += '\'';
+        from = end + 1;
+    }
+    return out;
 }
 
 /// posix_spawn of gnuplot with the three standard streams given; 0 or errno.
@@ -94,7 +116,7 @@ bool PlotJobs::start(const Figure &figure, PictureFormat format,
     const int input = nameless_file();
     const int errors = nameless_file();
     Job job{0, errors, file};
-    write_all(input, terminal(figure, format) + figure.script);
+    write_all(input, terminal(figure, format) + with_powers_in_texts(figure.script));
     const int status = spawn(job.process, input, file.string(), errors);
     close(input);
     if (status == 0) {

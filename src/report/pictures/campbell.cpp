@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/common/text_width.h"
 #include "report/pictures/campbell_panel.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
@@ -107,12 +108,24 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     std::vector<double> wanted;
     for (const End &end : ends)
         wanted.push_back(end.height);
-    const auto places = spread(wanted, 17 / panel.pixels_high, {0.015, 0.985});
+    const double border = 8 / panel.pixels_high; // half of a letter
+    // As far apart as the letters are high, or closer where they are too many.
+    const double gap =
+        std::min(15 / panel.pixels_high,
+                 (1 - 2 * border) / std::max(1.0, static_cast<double>(ends.size()) - 1));
+    const auto places = spread(wanted, gap, {border, 1 - border});
     std::string script;
-    for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t i = 0; i < ends.size(); ++i) {
         script += fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
-                              plot_text(ends[i].text), panel.across(last) + 0.012, places[i],
+                              plot_text(ends[i].text), panel.across(last) + 0.022, places[i],
                               ends[i].colour);
+        // From the end of the curve to a name that had to give way.
+        if (std::abs(places[i] - ends[i].height) * panel.pixels_high > 5)
+            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
+                                  "lc rgb '{}'\n",
+                                  panel.across(last) + 0.001, ends[i].height,
+                                  panel.across(last) + 0.02, places[i], ends[i].colour);
+    }
     return script;
 }
 
@@ -177,10 +190,9 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
             .push_back({crossing.speed * rpm, crossing.frequency * hertz});
         if (crossing.frequency * hertz < named_above)
             continue;
-        const std::string text = fmt::format("{:.0f} rpm", crossing.speed * rpm);
-        const auto box =
-            placer.place(x, y, (7.2 * static_cast<double>(text.size()) + 4) / panel.pixels_wide,
-                         17 / panel.pixels_high);
+        const std::string text = short_speed(crossing.speed * rpm) + " rpm";
+        const auto box = placer.place(x, y, (text_width(text, 10) + 8) / panel.pixels_wide,
+                                      17 / panel.pixels_high);
         if (!box) {
             ++unnamed;
             continue;

@@ -19,7 +19,7 @@ result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
   if (!lagging)
     for (let n = time.length - 1; n > 0; --n)
       if (Math.abs(y[n] - y[n - 1]) > 180) y[n - 1] = null;
-  traces.push({x: time, y, yaxis: "y2", mode: "lines", name: `${b.coordinates[j]} of ${i + 1}`,
+  traces.push({x: time, y, yaxis: "y2", mode: "lines", name: b.coordinates[j] + (result.balancers.length > 1 ? ", " + (b.name || "balancer " + (i + 1)) : ""),
     line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}});
 }));
 // Without balancers: the stations, over time and beside the steady response over speed.
