@@ -264,7 +264,9 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
         axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
     std::string plots = curve_plots(panel, result, first);
     if (panel.damping) {
-        plots += "0 with lines lw 1 lc rgb '#555555' notitle, ";
+        // The limit of stability, as far as there are curves and not through their names.
+        script += fmt::format("set arrow from {},0 to {},0 nohead back lw 1 lc rgb '#555555'\n",
+                              panel.x.low, end > panel.x.low ? end : panel.x.high);
     } else {
         script +=
             multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
@@ -296,9 +298,15 @@ std::vector<Panel> panels_of(const CampbellResult &result) {
     Range x = range_of(result.speeds);
     x = {x.low * rpm, (x.high + label_strip * (x.high - x.low)) * rpm};
     std::vector<Panel> panels{{"full", false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
-    const double spin = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
-    if (spin > 0 && spin < 0.22 * highest)
-        panels.push_back({"low", false, x, {0, 1.35 * spin}});
+    // Where what happens at the spin speed is low down, or all crossings are, that part alone.
+    double reach = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
+    double crossed = 0;
+    for (const auto &crossing : result.crossings)
+        crossed = std::max(crossed, crossing.frequency * hertz);
+    if (crossed > 0 && crossed < 0.3 * reach)
+        reach = 1.5 * crossed;
+    if (reach > 0 && reach < 0.22 * highest)
+        panels.push_back({"low", false, x, {0, 1.35 * reach}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
         const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);

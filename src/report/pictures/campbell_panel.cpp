@@ -33,12 +33,15 @@ std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double h
         return here && next ? std::optional(std::abs(*next - *here)) : std::nullopt;
     };
     std::vector<bool> sprung(speeds, false);
-    for (std::size_t i = 0; i + 1 < speeds; ++i) {
-        const auto size = step(i);
-        const auto before = i > 0 ? step(i - 1) : std::nullopt;
-        const auto after = step(i + 1);
-        sprung[i] = size && before && after && *size > seen * highest &&
-                    *size > more * std::max(*before, *after);
+    const auto large = [&](std::size_t i) { return step(i).value_or(0) > seen * highest; };
+    for (std::size_t i = 1; i + 1 < speeds; ++i) {
+        if (!large(i) || large(i - 1))
+            continue;
+        const std::size_t run = large(i + 1) ? 2 : 1; // there and back with one point between
+        const auto before = step(i - 1);
+        const auto after = step(i + run);
+        for (std::size_t k = i; before && after && k < i + run; ++k)
+            sprung[k] = !large(i + run) && *step(k) > more * std::max(*before, *after);
     }
     return sprung;
 }

@@ -95,8 +95,7 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
     const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
     figure.script += panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80 * pixel);
     figure.script += outline_data(scene.rotor, 1) +
-                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"
-                     "set ytics -1,1,1\n" +
+                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
                      fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
     double largest = 0; // rad/s
     for (const ModeShape &mode : result.modes)
@@ -110,8 +109,12 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
         const std::string name = "m" + std::to_string(m);
         const bool last = m + columns >= count;
         const ModeCurves curves = mode_curves(mode);
+        // An orbit aslant reaches farther than its parts along x and y.
+        double reach = 1.25;
+        for (const double value : curves.envelope)
+            reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
         figure.script +=
-            mode_data(name, result, curves) +
+            fmt::format("set yrange [{}:{}]\n", -reach, reach) + mode_data(name, result, curves) +
             panel_margins(left, right, (top - 175) * pixel, top * pixel) +
             fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
                         plot_text(mode_heading(mode, largest) +

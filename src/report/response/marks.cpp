@@ -161,6 +161,14 @@ std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t st
     return points;
 }
 
+/// The place before the first of three, on a curve that turns on as it does between them.
+std::complex<double> beyond(std::complex<double> first, std::complex<double> second,
+                            std::complex<double> third) {
+    const std::complex<double> step = second - first;
+    const std::complex<double> turn = step / (third - second);
+    return first - step * turn / std::abs(turn);
+}
+
 /// A curve without corners through the points, four pieces between neighbours: a loop is known at
 /// some twenty places, which straight lines would make a polygon. Cubic, with the root of the
 /// distances as parameter (centripetal Catmull-Rom), which neither overshoots nor makes loops.
@@ -174,9 +182,9 @@ std::vector<PlotPoint> smooth(const std::vector<PlotPoint> &points) {
         return points;
     std::vector<PlotPoint> out;
     for (std::size_t k = 0; k + 1 < p.size(); ++k) {
-        // Beyond the ends: their neighbours mirrored.
-        const std::complex<double> q[4] = {k > 0 ? p[k - 1] : 2.0 * p[k] - p[k + 1], p[k], p[k + 1],
-                                           k + 2 < p.size() ? p[k + 2] : 2.0 * p[k + 1] - p[k]};
+        const std::complex<double> q[4] = {
+            k > 0 ? p[k - 1] : beyond(p[0], p[1], p[2]), p[k], p[k + 1],
+            k + 2 < p.size() ? p[k + 2] : beyond(p[k + 1], p[k], p[k - 1])};
         double t[4] = {0, 0, 0, 0};
         for (int i = 0; i < 3; ++i)
             t[i + 1] = t[i] + std::sqrt(std::abs(q[i + 1] - q[i]));
