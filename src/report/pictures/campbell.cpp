@@ -40,6 +40,16 @@ bool has_growth(const CampbellResult &result) {
     });
 }
 
+/// Where a motion grows at one speed and at neither neighbour: a band as narrow as that is no line.
+std::vector<PlotPoint> lone_growth(const Panel &panel, const CampbellResult &result) {
+    std::vector<PlotPoint> points;
+    for (const CampbellMode &mode : result.modes)
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            if (grows(mode, i) && !(i > 0 && grows(mode, i - 1)) && !grows(mode, i + 1))
+                points.push_back({result.speeds[i] * rpm, panel.value(mode, i)});
+    return points;
+}
+
 std::string curve_data(const Panel &panel, const CampbellResult &result) {
     std::string data;
     for (const Whirl sense : senses) {
@@ -49,10 +59,11 @@ std::string curve_data(const Panel &panel, const CampbellResult &result) {
                            }));
         data += data_block(name + "_points", {markers(panel, result, sense)});
     }
-    return data + data_block(panel.name + "unstable",
-                             stretches(panel, result, [](const auto &mode, std::size_t i) {
-                                 return grows(mode, i) && grows(mode, i + 1);
-                             }));
+    return data + data_block(panel.name + "lone", {lone_growth(panel, result)}) +
+           data_block(panel.name + "unstable",
+                      stretches(panel, result, [](const auto &mode, std::size_t i) {
+                          return grows(mode, i) && grows(mode, i + 1);
+                      }));
 }
 
 /// Plot elements, each followed by a comma; `key` adds the legend entries.
@@ -60,7 +71,9 @@ std::string curve_plots(const Panel &panel, const CampbellResult &result, bool k
     std::string plots;
     if (has_growth(result)) {
         plots +=
-            fmt::format("${}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ", panel.name);
+            fmt::format("${0}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ${0}lone with "
+                        "points pt 7 ps 1.4 lc rgb '#60E0208A' notitle, ",
+                        panel.name);
         if (key)
             plots += "keyentry with lines lw 9 lc rgb '#60E0208A' title 'unstable', ";
     }

@@ -6,10 +6,10 @@ result.modes.forEach((m, k) => {
 });
 const count = result.modes.length, layout = {height: 120 + 190 * count, xaxis: axis("z (m)", {anchor: count > 1 ? "y" + count : "y"}), annotations: []};
 result.modes.forEach((m, k) => {
-  const top = 1 - k / count, bottom = 1 - (k + 0.8) / count;
+  const top = 1 - (k + 0.14) / count, bottom = 1 - (k + 0.84) / count; // the name above
   layout["yaxis" + (k ? k + 1 : "")] = axis("", {domain: [bottom, top], range: [-1.2, 1.2], dtick: 1});
-  layout.annotations.push({xref: "paper", yref: "paper", x: 0.01, y: top, xanchor: "left", yanchor: "top", showarrow: false,
+  layout.annotations.push({xref: "paper", yref: "paper", x: 0, y: top, xanchor: "left", yanchor: "bottom", showarrow: false,
     text: `<b>${m.label}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
-      (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"});
+      (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later")});
 });
 draw(traces, layout);
