@@ -43,6 +43,10 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint &point) {
         return std::abs(point.x - 30 * rpm) < 1e-9;
     })) << "the point between is drawn";
+    // So at the end of the range.
+    result.modes[0].frequency = {100., 101., 102., 103., 104., 105., 30.};
+    ASSERT_EQ(stretches(panel, result, all).size(), 1U);
+    EXPECT_EQ(stretches(panel, result, all)[0].size(), 6U);
     // A steep line is none that springs: each step is no more than twice that before.
     result.modes[0].frequency = {1., 2., 4., 8., 16., 32., 64.};
     EXPECT_EQ(stretches(panel, result, all).size(), 1U);

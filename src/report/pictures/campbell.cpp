@@ -256,9 +256,11 @@ std::string axes(const Panel &panel, bool first, bool last) {
                               panel.x.low / rpm, panel.x.high / rpm);
     else
         script += "unset x2tics\nunset x2label\n";
-    if (written_factor("frequency")) // long numbers would push the name of the axis out
-        script +=
-            panel.y.high >= 2e4 && !panel.damping ? "set format y '%.0s%c'\n" : "set format y\n";
+    // Long numbers would push the name of the axis out, which is then not drawn at all.
+    const double longest = written_factor("frequency") ? 2e4 : 1e6;
+    script += panel.y.high >= longest && !panel.damping
+                  ? "set format y '%.1s%c'\nset format y2 '%.1s%c'\n"
+                  : "set format y\nset format y2\n";
     if (panel.damping)
         return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
                         "set ylabel 'Logarithmic decrement'\n";

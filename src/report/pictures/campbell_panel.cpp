@@ -34,14 +34,15 @@ std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double h
     };
     std::vector<bool> sprung(speeds, false);
     const auto large = [&](std::size_t i) { return step(i).value_or(0) > seen * highest; };
-    for (std::size_t i = 1; i + 1 < speeds; ++i) {
-        if (!large(i) || large(i - 1))
+    for (std::size_t i = 0; i + 1 < speeds; ++i) {
+        if (!large(i) || (i > 0 && large(i - 1)))
             continue;
         const std::size_t run = large(i + 1) ? 2 : 1; // there and back with one point between
-        const auto before = step(i - 1);
-        const auto after = step(i + run);
-        for (std::size_t k = i; before && after && k < i + run; ++k)
-            sprung[k] = !large(i + run) && *step(k) > more * std::max(*before, *after);
+        const auto before = i > 0 ? step(i - 1) : std::nullopt;
+        const auto after = step(i + run); // one of them is missing at an end of the range
+        const double usual = std::max(before.value_or(0), after.value_or(0));
+        for (std::size_t k = i; (before || after) && k < i + run; ++k)
+            sprung[k] = !large(i + run) && *step(k) > more * usual;
     }
     return sprung;
 }

@@ -177,9 +177,11 @@ std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
         const std::string name = fmt::format("{}{}", soft ? "soft" : "stiff", drawn);
         const LineStyle style = series_style(static_cast<std::size_t>(drawn++));
         data += data_block(name, {points});
-        plots += fmt::format("${} with lines lw 2 dt {} lc rgb '{}' title '{}, {} rpm', ", name,
-                             style.dash, style.colour, curve_name(curve.whirl, curve.number),
-                             readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6));
+        plots += fmt::format(
+            "${} with lines lw 2 dt {} lc rgb '{}' title {}, ", name, style.dash, style.colour,
+            plot_text(
+                fmt::format("{}, {} rpm", curve_name(curve.whirl, curve.number),
+                            readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
     }
     const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
     const double left = soft ? map_left : 0.54;

@@ -84,7 +84,7 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
         }
     const bool flat = high <= low;
     const double centre = flat ? low : 0; // of a growth that does not change
-    const double reach = std::max(1.0, 0.2 * std::abs(centre));
+    const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
     text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
     if (flat)
         text += fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,

@@ -11,11 +11,11 @@ function springs(mode) {
   const step = i => i < 0 || i + 1 >= speeds.length || mode.frequency[i] === null || mode.frequency[i + 1] === null ? null
     : Math.abs(mode.frequency[i + 1] - mode.frequency[i]);
   const large = i => step(i) > 0.04 * highest, sprung = speeds.map(() => false);
-  for (let i = 1; i + 1 < speeds.length; ++i) {
+  for (let i = 0; i + 1 < speeds.length; ++i) {
     if (!large(i) || large(i - 1)) continue;
     const run = large(i + 1) ? 2 : 1, before = step(i - 1), after = step(i + run);
-    if (before === null || after === null) continue;
-    for (let k = i; k < i + run; ++k) sprung[k] = !large(i + run) && step(k) > 5 * Math.max(before, after);
+    if (before === null && after === null) continue;
+    for (let k = i; k < i + run; ++k) sprung[k] = !large(i + run) && step(k) > 5 * Math.max(before || 0, after || 0);
   }
   return sprung;
 }
