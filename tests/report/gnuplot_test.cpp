@@ -63,6 +63,24 @@ TEST_F(GnuplotTest, SizesOfLettersAreTheSameInBothFormats) {
     }
 }
 
+// A point of size 2 is 13 pixels wide in a PNG of gnuplot's cairo terminal; so it is in the SVG,
+// whose points are circles of radius 1 scaled.
+TEST_F(GnuplotTest, PointsOfAnSvgAreAsLargeAsThoseOfAPng) {
+    Figure figure;
+    figure.script = "set label 'ps 7' at graph 0.5,0.5\nplot '-' with points pt 7 ps 2 notitle\n"
+                    "1 0\n2 1\ne\n";
+    PlotJobs jobs;
+    if (!jobs.start(figure, PictureFormat::svg, folder / "a.svg"))
+        GTEST_SKIP() << "gnuplot is not installed";
+    jobs.finish();
+    const std::string svg = content_of(folder / "a.svg");
+    const std::size_t at = svg.find(" scale(");
+    ASSERT_NE(at, std::string::npos);
+    const double pixels = 2 * std::stod(svg.substr(at + 7));
+    EXPECT_NEAR(pixels, 13, 2) << "the line around it apart";
+    EXPECT_NE(svg.find("ps 7"), std::string::npos) << "a text is left as it is";
+}
+
 TEST_F(GnuplotTest, PowersOfTenOfTextsAreRaisedAndThoseOfDataLeft) {
     Figure figure;
     figure.script = "$d << EOD\n1 1e-05\nEOD\nset label " + plot_text("it's 2e+07 N/m") +

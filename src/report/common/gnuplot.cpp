@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
@@ -63,9 +64,34 @@ std::string terminal(const Figure &figure, PictureFormat format) {
                        svg ? "" : "fontscale 0.75");
 }
 
-/// The script with the powers of ten of its texts (those of plot_text) as they are written by hand:
-/// only here, for the units of the numbers may have been changed before.
-std::string with_powers_in_texts(const std::string &script) {
+/// Commands, without texts, whose points have the sizes they have in a PNG: gnuplot draws a point
+/// of size 2 in an SVG 24 pixels wide, in a PNG 13, and the figures keep their labels off the
+/// latter.
+std::string with_points_as_in_png(const std::string &commands) {
+    constexpr double png_over_svg = 13.0 / 24.0;
+    constexpr std::string_view word = " ps ";
+    std::string out;
+    std::size_t from = 0;
+    for (std::size_t at = commands.find(word); at != std::string::npos;
+         at = commands.find(word, from)) {
+        const char *number = commands.c_str() + at + word.size();
+        char *end = nullptr;
+        const double size = std::strtod(number, &end);
+        out.append(commands, from, at + word.size() - from);
+        from = at + word.size();
+        if (end == number)
+            continue;
+        out += fmt::format("{:.4g}", png_over_svg * size);
+        from += static_cast<std::size_t>(end - number);
+    }
+    return out.append(commands, from);
+}
+
+/// The script as it is handed over: its points as in with_points_as_in_png, where it is for an SVG,
+/// and the powers of ten of its texts (those of plot_text) as they are written by hand: only here,
+/// for the units of the numbers may have been changed before.
+std::string handed_over(const std::string &script, PictureFormat format) {
+    const bool svg = format == PictureFormat::svg;
     std::string out;
     std::size_t from = 0;
     while (from < script.size()) {
@@ -74,7 +100,8 @@ std::string with_powers_in_texts(const std::string &script) {
         while (end < script.size() && (script[end] != '\'' || script.compare(end, 2, "''") == 0))
             end += script[end] == '\'' ? 2 : 1;
         end = std::min(end, script.size());
-        out.append(script, from, start - from);
+        const std::string commands = script.substr(from, start - from);
+        out += svg ? with_points_as_in_png(commands) : commands;
         const std::string text = script.substr(start, end - start);
         out += script.compare(end, 12, "' noenhanced") == 0 ? with_powers(text) : text;
         if (end < script.size())
@@ -116,7 +143,7 @@ bool PlotJobs::start(const Figure &figure, PictureFormat format,
     const int input = nameless_file();
     const int errors = nameless_file();
     Job job{0, errors, file};
-    write_all(input, terminal(figure, format) + with_powers_in_texts(figure.script));
+    write_all(input, terminal(figure, format) + handed_over(figure.script, format));
     const int status = spawn(job.process, input, file.string(), errors);
     close(input);
     if (status == 0) {
