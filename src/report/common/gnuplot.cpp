@@ -64,11 +64,11 @@ std::string terminal(const Figure &figure, PictureFormat format) {
                        svg ? "" : "fontscale 0.75");
 }
 
-/// Commands, without texts, whose points have the sizes they have in a PNG: gnuplot draws a point
-/// of size 2 in an SVG 24 pixels wide, in a PNG 13, and the figures keep their labels off the
-/// latter.
+/// Commands, without texts, whose points have about the sizes they have in a PNG: gnuplot draws a
+/// point of size 2 in an SVG 24 pixels wide, in a PNG 13, and the figures keep their labels off the
+/// latter. A little larger, for the lines of hollow ones are thinner there.
 std::string with_points_as_in_png(const std::string &commands) {
-    constexpr double png_over_svg = 13.0 / 24.0;
+    constexpr double png_over_svg = 1.25 * 13.0 / 24.0;
     constexpr std::string_view word = " ps ";
     std::string out;
     std::size_t from = 0;

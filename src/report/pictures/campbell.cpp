@@ -289,7 +289,7 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
-                                  panel.top + 78 * pixel)
+                                  panel.top + 84 * pixel)
                     : "unset key\n";
     plots.resize(plots.size() - 2);
     if (first)

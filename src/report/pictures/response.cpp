@@ -238,7 +238,7 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         logarithmic_axis(amplitude) +
         panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
         panel_axes(result, "Amplitude (µm)", false) + marks.before +
-        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) +
+        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) + marks.after +
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
         panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +

@@ -67,6 +67,16 @@ LabelPlacer occupied(const BodePanel &panel, const std::vector<std::vector<PlotP
     return placer;
 }
 
+/// A line from a mark to its label where this stands so far away that it could be another's.
+std::string leader(const LabelPlacer::Box &box, double x, double y, const BodePanel &panel) {
+    const double to_x = std::clamp(x, box.x, box.x + box.width);
+    const double to_y = std::clamp(y, box.y, box.y + box.height);
+    if (std::hypot((to_x - x) * panel.pixels_wide, (to_y - y) * panel.pixels_high) < 18)
+        return "";
+    return fmt::format("from graph {},{} to graph {},{} nohead lw 0.6 lc rgb '#999999'", x, y, to_x,
+                       to_y);
+}
+
 } // namespace
 
 std::optional<std::size_t> largest_station(const ResponseResult &result) {
@@ -97,6 +107,7 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
     std::vector<PlotPoint> tops;
     std::vector<PlotPoint> halves;
     int unnamed = 0;
+    int arrow = 500;
     for (const ResponsePeak *peak : peaks_of(result, station)) {
         const double value = peak->value * micrometres;
         tops.push_back({peak->speed * rpm, value});
@@ -108,10 +119,15 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
                                       (text_width(text, label_size) + 8) / panel.pixels_wide,
                                       15 / panel.pixels_high);
         unnamed += box ? 0 : 1;
-        if (box)
-            marks.before +=
-                fmt::format("set label {} at graph {},{} left font ',{}'\n", plot_text(text),
-                            box->x, box->y + box->height / 2, label_size);
+        if (!box)
+            continue;
+        marks.before += fmt::format("set label {} at graph {},{} left font ',{}'\n",
+                                    plot_text(text), box->x, box->y + box->height / 2, label_size);
+        const std::string line = leader(*box, at.x(peak->speed * rpm), at.y(value), panel);
+        if (!line.empty()) { // numbered, for the trip speed is an arrow too
+            marks.before += fmt::format("set arrow {} {}\n", ++arrow, line);
+            marks.after += fmt::format("unset arrow {}\n", arrow);
+        }
     }
     if (unnamed > 0)
         marks.before += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.04 "
@@ -230,6 +246,7 @@ std::string polar_peaks(const ResponseResult &result, std::size_t station, doubl
     LabelPlacer placer;
     std::vector<PlotPoint> tops;
     std::string script;
+    int unnamed = 0;
     for (const PlotPoint &point : polar_points(result, station))
         placer.block({(point.x / range + 1) / 2 - 3 / pixels,
                       (*point.y / range + 1) / 2 - 3 / pixels, 6 / pixels, 6 / pixels});
@@ -238,12 +255,21 @@ std::string polar_peaks(const ResponseResult &result, std::size_t station, doubl
         const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
         tops.push_back(top);
         const std::string text = short_speed(peak->speed * rpm) + " rpm";
+        if (size < 0.12 * range) { // amid all loops
+            ++unnamed;
+            continue;
+        }
         const auto box = placer.place((top.x / range + 1) / 2, (*top.y / range + 1) / 2,
                                       (text_width(text, label_size) + 8) / pixels, 15 / pixels);
+        unnamed += box ? 0 : 1;
         if (box)
             script += fmt::format("set label {} at graph {},{} left font ',{}' front\n",
                                   plot_text(text), box->x, box->y + box->height / 2, label_size);
     }
+    if (unnamed > 0)
+        script += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.025 left "
+                              "font ',{}' textcolor '#555555'\n",
+                              unnamed, label_size);
     return script + data_block("tops", {tops});
 }
 
