@@ -39,15 +39,43 @@ double largest_radius(const model::Rotor &rotor) {
     return radius;
 }
 
+/// Where the name of a callout stands.
+struct PlacedName {
+    double x, half, baseline;
+    [[nodiscard]] double top() const { return baseline - text_size; }
+    [[nodiscard]] double bottom() const { return baseline + 4; }
+};
+
+/// From a name to its part, with gaps where other names stand in the way.
+void draw_leader(Drawing &drawing, const Callout &callout, double name_end,
+                 const std::vector<PlacedName> &names) {
+    std::vector<std::pair<double, double>> in_the_way;
+    for (const PlacedName &name : names)
+        if (std::abs(name.x - callout.x) < name.half + 2)
+            in_the_way.emplace_back(name.top(), name.bottom());
+    std::sort(in_the_way.begin(), in_the_way.end());
+    double from = std::min(name_end, callout.y);
+    const double to = std::max(name_end, callout.y);
+    const auto piece = [&](double end) {
+        if (end - from > 0.5)
+            drawing.shapes.push_back(
+                stroke({{callout.x, from}, {callout.x, end}}, "#AAAAAA", 0.8, false));
+    };
+    for (const auto &[above, below] : in_the_way) {
+        if (below <= from || above >= to)
+            continue;
+        piece(above);
+        from = std::max(from, below);
+    }
+    piece(to);
+}
+
 /// Callouts in as few rows as keep them apart, with a thin line to their parts. Rows grow away
 /// from the rotor: upwards for `direction` -1. @returns the number of rows.
 int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start, double direction) {
     std::stable_sort(callouts.begin(), callouts.end(),
                      [](const Callout &a, const Callout &b) { return a.x < b.x; });
-    struct Placed {
-        double x, half, baseline;
-    };
-    std::vector<Placed> names;
+    std::vector<PlacedName> names;
     std::vector<double> row_ends;
     for (const Callout &callout : callouts) {
         const double half = text_width(callout.text, text_size) / 2;
@@ -63,32 +91,9 @@ int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start,
         drawing.texts.push_back(
             {{x, names.back().baseline}, callout.text, text_size, Anchor::middle, "#222222"});
     }
-    for (std::size_t i = 0; i < callouts.size(); ++i) {
-        const Callout &callout = callouts[i];
-        // Piece by piece from the name to the part, with gaps where other names stand in the way.
-        std::vector<std::pair<double, double>> in_the_way;
-        const auto top = [](const Placed &name) { return name.baseline - text_size; };
-        const auto bottom = [](const Placed &name) { return name.baseline + 4; };
-        for (const Placed &name : names)
-            if (std::abs(name.x - callout.x) < name.half + 2)
-                in_the_way.emplace_back(top(name), bottom(name));
-        std::sort(in_the_way.begin(), in_the_way.end());
-        const double name_end = direction < 0 ? bottom(names[i]) : top(names[i]);
-        double from = std::min(name_end, callout.y);
-        const double to = std::max(name_end, callout.y);
-        const auto piece = [&](double end) {
-            if (end - from > 0.5)
-                drawing.shapes.push_back(
-                    stroke({{callout.x, from}, {callout.x, end}}, "#AAAAAA", 0.8, false));
-        };
-        for (const auto &[above, below] : in_the_way) {
-            if (below <= from || above >= to)
-                continue;
-            piece(above);
-            from = std::max(from, below);
-        }
-        piece(to);
-    }
+    for (std::size_t i = 0; i < callouts.size(); ++i)
+        draw_leader(drawing, callouts[i], direction < 0 ? names[i].bottom() : names[i].top(),
+                    names);
     return static_cast<int>(row_ends.size());
 }
 
