@@ -280,8 +280,8 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         fmt::format("mass {0} {5} ({1})    centre of mass z = {2} {6}    Id = {3} {7}    "
-                     "Ip = {4} {7}    {8} rotor",
+         fmt::format("mass {0} {5} ({1}) · centre of mass z = {2} {6} · Id = {3} {7} · "
+                     "Ip = {4} {7} · {8} rotor",
                      readable(result.mass * kilograms), shaft_mass_text(result),
                      readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
                      readable(result.Ip * inertia_si), unit_name("mass", "kg"),
