@@ -116,14 +116,20 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
     const double pixel = 1.0 / figure.height;
     const std::vector<double> speeds = scaled(map.speeds, rpm);
     const double length = scene.rotor.shaft.length() * metres;
+    // A speed alone has no area: its colours go up to the edge of the panel, 1 rpm higher.
+    std::vector<double> drawn_speeds = speeds;
+    auto drawn = map.criterion;
+    if (speeds.size() == 1) {
+        drawn_speeds.push_back(speeds.front() + 1);
+        drawn.push_back(drawn.front());
+    }
     figure.script =
         figure_head("Where along the shaft auto-balancers work: " + title_of(scene),
                     "green: balances; orange: does not; dark: as strongly as a free rigid body",
                     figure.height) +
-        palette + matrix_block("one", scaled(map.z, metres), speeds, map.criterion) +
+        palette + matrix_block("one", scaled(map.z, metres), drawn_speeds, drawn) +
         matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
                      map.pair_value) +
-        // A speed alone has no area.
         (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
         contour("$two", "$twoline") +
         fmt::format("unset colorbox\nset xrange [0:{}]\nset format x ''\n", length) +
