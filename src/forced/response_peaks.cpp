@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace whirl::forced {
@@ -123,8 +124,9 @@ Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
 
 /// Of the speeds looked at those that a picture needs: a quantity has changed, or some way is made.
 std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, double to) {
-    constexpr double seen = 0.03; // of a value
-    constexpr double steps = 300; // at least, over the range
+    constexpr double seen = 0.03;   // of a value
+    constexpr double turned = 0.15; // of a phase, rad: at a peak the value stands still
+    constexpr double steps = 300;   // at least, over the range
     std::vector<PeakSearch::Sample> out;
     // A curve without limit is drawn up to 3e-4 beside it.
     const auto without_limit = [&](double speed) {
@@ -138,7 +140,9 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
             continue;
         bool tells = out.empty() || s.speed - out.back().speed > (to - from) / steps;
         for (std::size_t i = 0; !tells && i < s.value.size(); ++i)
-            tells = std::abs(s.value[i] - out.back().value[i]) > seen * s.value[i];
+            tells = std::abs(s.value[i] - out.back().value[i]) > seen * s.value[i] ||
+                    std::abs(std::remainder(s.phase[i] - out.back().phase[i],
+                                            2 * std::numbers::pi)) > turned;
         if (tells)
             out.push_back(s);
     }

@@ -87,9 +87,34 @@ constexpr int figure_height = 380;
 constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.19, panel_top = 0.8;
 constexpr double rows_from = 0.4, rows_to = 3.9;
 
+/// Speeds of the marks, rpm. Logarithmic where the highest is so much higher than the lowest that
+/// this would stand at the edge with its neighbours on it.
+struct MarksAxis {
+    Range x;
+    bool logarithmic = false;
+    /// Fraction of the panel.
+    [[nodiscard]] double across(double speed) const {
+        return logarithmic ? std::log(speed / x.low) / std::log(x.high / x.low)
+                           : (speed - x.low) / (x.high - x.low);
+    }
+};
+
+MarksAxis axis_of(const model::Case &scene, const CriticalResult &result) {
+    constexpr double wide = 100;
+    double highest = scene.operation ? scene.operation->to * rpm : 0;
+    double lowest = HUGE_VAL;
+    for (const auto &critical : result.critical_speeds) {
+        highest = std::max(highest, critical.speed * rpm);
+        lowest = std::min(lowest, critical.speed * rpm);
+    }
+    if (lowest > 0 && lowest < HUGE_VAL && highest > wide * lowest)
+        return {{lowest / 2, 2 * highest}, true};
+    return {{0, highest > 0 ? 1.06 * highest : 1}, false};
+}
+
 /// The speeds beside their marks: above, else below, else farther away; those that find no place
 /// are counted.
-std::string speed_labels(const CriticalResult &result, Range x) {
+std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
     constexpr double size = 10;
     constexpr double wide = (panel_right - panel_left) * figure_width;
     constexpr double high = (panel_top - panel_bottom) * figure_height;
@@ -97,9 +122,9 @@ std::string speed_labels(const CriticalResult &result, Range x) {
     std::string script;
     int unnamed = 0;
     for (const CriticalSpeed &critical : result.critical_speeds) {
-        const std::string text = fmt::format("{:.0f}", critical.speed * rpm);
-        const double width = (text_width(text, size) + 6) / wide;
-        const double across = (critical.speed * rpm - x.low) / (x.high - x.low);
+        const std::string text = short_speed(critical.speed * rpm);
+        const double width = (text_width(with_powers(text), size) + 6) / wide;
+        const double across = axis.across(critical.speed * rpm);
         bool placed = false;
         for (const double off : {0.33, -0.33, 0.52, -0.52}) { // of the distance of the rows
             const double y = row_of(critical.whirl) + off;
@@ -107,9 +132,9 @@ std::string speed_labels(const CriticalResult &result, Range x) {
             placed = placer.take({across - width / 2, up - 6 / high, width, 12 / high});
             if (!placed)
                 continue;
-            script += fmt::format(
-                "set label '{}' at graph {},{} center font ',{}' textcolor '{}'\n", text, across,
-                up, size, critical.damping.heavy() ? heavy_colour : "#000000");
+            script += fmt::format("set label {} at graph {},{} center font ',{}' textcolor '{}'\n",
+                                  plot_text(text), across, up, size,
+                                  critical.damping.heavy() ? heavy_colour : "#000000");
             break;
         }
         unnamed += placed ? 0 : 1;
@@ -126,21 +151,20 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
     Figure figure;
     figure.width = figure_width;
     figure.height = figure_height;
-    double highest = scene.operation ? scene.operation->to * rpm : 0;
-    for (const auto &critical : result.critical_speeds)
-        highest = std::max(highest, critical.speed * rpm);
-    const Range x{0, highest > 0 ? 1.06 * highest : 1};
+    const MarksAxis axis = axis_of(scene, result);
+    const Range &x = axis.x;
     figure.script =
         figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
         panel_margins(panel_left, panel_right, panel_bottom, panel_top) +
-        fmt::format("set xrange [0:{}]\nset yrange [{}:{}]\n"
+        (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
+        fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
                     "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
                     "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
                     "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                    x.high, rows_from, rows_to) +
+                    x.low, x.high, rows_from, rows_to) +
         operation_band(scene, x);
     std::string plots = "NaN notitle" + operation_key(scene, x);
-    figure.script += speed_labels(result, x);
+    figure.script += speed_labels(result, axis);
     std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {

@@ -131,8 +131,8 @@ void add_hodograph(results::CompositeCurves &curves, const closed_form::Composit
     }
 }
 
-/// Ball and imbalance masses scaled together, so that the capacity stays: n m/M_s from 0 to 0.2, or
-/// past the case's own value, but short of a rotor of nothing else.
+/// Ball and imbalance masses scaled together, so that the capacity stays: n m/M_s from 0 to ten
+/// times the case's own value or 0.2, and past that value, but short of a rotor of nothing else.
 results::CompositeCurves composite_curves(const Parts &parts, std::complex<double> D,
                                           const std::optional<results::Interval> &anisotropy) {
     constexpr int steps = 100;
@@ -140,7 +140,8 @@ results::CompositeCurves composite_curves(const Parts &parts, std::complex<doubl
     const double added = 1 + parts.imbalance.mass / ball_mass; // (n m + m0)/(n m)
     const auto composite = composite_rotor(parts.rest, parts.balls, parts.imbalance, D);
     const double own = ball_mass / composite.mass;
-    const double widest = std::min(std::max(0.2, 1.25 * own), std::max(own, 0.9 / added));
+    const double widest =
+        std::min(std::max(std::min(0.2, 10 * own), 1.25 * own), std::max(own, 0.9 / added));
     results::CompositeCurves curves;
     for (int i = 0; i <= steps; ++i) {
         const double m = widest * i / steps;

@@ -23,6 +23,13 @@ std::string content_of(const fs::path &path) {
     return text.str();
 }
 
+std::size_t count(const std::string &text, const std::string &part) {
+    std::size_t number = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++number;
+    return number;
+}
+
 /// A command line behind the case, without what every run has.
 struct Drawn {
     std::string command;
@@ -76,8 +83,13 @@ class CasePictures : public testing::TestWithParam<std::string> {
             if (file.path().extension() != ".svg")
                 continue;
             ++pictures;
-            for (const std::string &fault : whirl::tests::layout_faults(content_of(file.path())))
+            const std::string svg = content_of(file.path());
+            for (const std::string &fault : whirl::tests::layout_faults(svg))
                 ADD_FAILURE() << what << ", " << file.path().filename().string() << ": " << fault;
+            // gnuplot leaves out the name of an axis that has no room beside its numbers.
+            if (what == "campbell")
+                EXPECT_EQ(count(svg, "Whirl frequency (Hz)"),
+                          count(svg, "Whirl frequency (cycles/min)"));
         }
         return pictures;
     }

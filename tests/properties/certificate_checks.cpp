@@ -131,7 +131,7 @@ void check_whirl_speeds(const modes::Spectrum &spectrum, bool followed, const De
         const double stated = followed ? mode.residual : 0;
         // Where two eigenvalues nearly meet a dense LU leaves a few times that in the reference.
         const double each = mode.rounding + (followed ? 0 : mode.residual);
-        const double rounding = (followed ? 2 : 10) * each + 4 * epsilon;
+        const double rounding = 2 * each + 4 * epsilon;
         const Complex whole = dense.next_to(value, (2 * stated + rounding) * size);
         out.numbers.push_back({followed ? "whirl speed, followed" : "whirl speed, solved", number,
                                spectrum.speed, std::abs(whole - value) / size, stated, rounding});

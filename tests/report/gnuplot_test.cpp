@@ -3,14 +3,24 @@
 #include "model/errors.h"
 #include "report/common/drawing.h"
 #include "sample_results.h"
+#include "support/svg_texts.h"
 
+#include <fmt/format.h>
 #include <pugixml.hpp>
 
 #include <cstdlib>
 
 namespace whirl::report {
 
-class GnuplotTest : public ScratchFolder {};
+class GnuplotTest : public ScratchFolder {
+  protected:
+    static double height_of(const std::string &text, const std::string &svg) {
+        for (const auto &box : whirl::tests::svg_texts(svg))
+            if (box.text == text)
+                return box.corners[2].y - box.corners[0].y;
+        return 0;
+    }
+};
 
 TEST_F(GnuplotTest, WickedTitleIsShownLetterByLetter) {
     Figure figure;
@@ -27,6 +37,64 @@ TEST_F(GnuplotTest, WickedTitleIsShownLetterByLetter) {
     std::string shown = wicked_title;
     shown[shown.find('\n')] = ' ';
     EXPECT_NE(all.find(shown), std::string::npos) << all;
+}
+
+// The sizes of letters that a figure gives are those of the letters it gives none for, in a PNG as
+// in an SVG: 14 is the size of both. Equal pictures to the last byte.
+TEST_F(GnuplotTest, SizesOfLettersAreTheSameInBothFormats) {
+    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png}) {
+        std::vector<std::string> pictures;
+        for (const char *size : {"", "font ',14'", "font ',9'"}) {
+            PlotJobs jobs;
+            const Figure figure{fmt::format("set label 'amplitude' at 0,0 {}\nplot x\n", size)};
+            if (!jobs.start(figure, format, folder / "picture"))
+                GTEST_SKIP() << "gnuplot is not installed";
+            jobs.finish();
+            pictures.push_back(content_of(folder / "picture"));
+        }
+        // An SVG names every size that is given; its letters are compared, not its bytes.
+        if (format == PictureFormat::svg)
+            for (std::string &picture : pictures)
+                picture = whirl::tests::svg_texts(picture).empty()
+                              ? ""
+                              : fmt::format("{:.3f}", height_of("amplitude", picture));
+        EXPECT_EQ(pictures[0], pictures[1]);
+        EXPECT_NE(pictures[0], pictures[2]);
+    }
+}
+
+// A point of size 2 is 13 pixels wide in a PNG of gnuplot's cairo terminal; in the SVG, whose
+// points are circles of radius 1 scaled, not much more.
+TEST_F(GnuplotTest, PointsOfAnSvgAreAsLargeAsThoseOfAPng) {
+    Figure figure;
+    figure.script = "set label 'ps 7' at graph 0.5,0.5\nplot '-' with points pt 7 ps 2 notitle\n"
+                    "1 0\n2 1\ne\n";
+    PlotJobs jobs;
+    if (!jobs.start(figure, PictureFormat::svg, folder / "a.svg"))
+        GTEST_SKIP() << "gnuplot is not installed";
+    jobs.finish();
+    const std::string svg = content_of(folder / "a.svg");
+    const std::size_t at = svg.find(" scale(");
+    ASSERT_NE(at, std::string::npos);
+    const double pixels = 2 * std::stod(svg.substr(at + 7));
+    EXPECT_GE(pixels, 13);
+    EXPECT_LE(pixels, 4.0 / 3 * 13);
+    EXPECT_NE(svg.find("ps 7"), std::string::npos) << "a text is left as it is";
+}
+
+TEST_F(GnuplotTest, PowersOfTenOfTextsAreRaisedAndThoseOfDataLeft) {
+    Figure figure;
+    figure.script = "$d << EOD\n1 1e-05\nEOD\nset label " + plot_text("it's 2e+07 N/m") +
+                    " at graph 0.5,0.5\nset label 'left: 3e+08' at graph 0.5,0.3\nplot $d\n";
+    PlotJobs jobs;
+    if (!jobs.start(figure, PictureFormat::svg, folder / "a.svg"))
+        GTEST_SKIP() << "gnuplot is not installed";
+    jobs.finish();
+    std::string all;
+    for (const auto &box : whirl::tests::svg_texts(content_of(folder / "a.svg")))
+        all += box.text + "\n";
+    EXPECT_NE(all.find("it's 2·10⁷ N/m"), std::string::npos) << all;
+    EXPECT_NE(all.find("left: 3e+08"), std::string::npos) << "no text of plot_text: " << all;
 }
 
 TEST_F(GnuplotTest, ScriptErrorIsAFailureInGnuplotsWords) {

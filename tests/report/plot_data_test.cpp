@@ -1,12 +1,16 @@
+#include "report/pictures/campbell_panel.h"
 #include "report/pictures/figures.h"
 #include "report/pictures/mode_curves.h"
 #include "report/pictures/style.h"
+#include "report/response/marks.h"
 #include "results/campbell.h"
 #include "results/modes.h"
 #include "results/response.h"
 #include "sample_results.h"
 
+#include <complex>
 #include <random>
+#include <sstream>
 
 namespace whirl::report {
 
@@ -18,6 +22,73 @@ TEST(PlotData, GrowingModesAreThoseBeyondTheirOwnError) {
     EXPECT_TRUE(grows(mode, 2)) << "2/110 of the modulus against an error of 1e-3";
     mode.error[2] = 1e-1;
     EXPECT_FALSE(grows(mode, 2)) << "within its error";
+}
+
+// A line that springs between two speeds, from 100 to 30 and back, is two lines and a point
+// between.
+TEST(PlotData, SprungFrequenciesAreNotJoined) {
+    results::CampbellResult result = sample_campbell();
+    results::CampbellMode mode = result.modes[0];
+    result.speeds = {0, 10, 20, 30, 40, 50, 60};
+    mode.frequency = {100., 101., 102., 30., 103., 104., 105.};
+    mode.whirl.assign(7, results::Whirl::forward);
+    result.modes = {mode};
+    const Panel panel{"p", false, {0, 60}, {0, 20}};
+    const auto all = [](const auto &, std::size_t) { return true; };
+    const auto lines = stretches(panel, result, all);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].size(), 3U);
+    EXPECT_EQ(lines[1].size(), 3U);
+    const auto points = markers(panel, result, results::Whirl::forward);
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const PlotPoint &point) {
+        return std::abs(point.x - 30 * rpm) < 1e-9;
+    })) << "the point between is drawn";
+    // So at the end of the range.
+    result.modes[0].frequency = {100., 101., 102., 103., 104., 105., 30.};
+    ASSERT_EQ(stretches(panel, result, all).size(), 1U);
+    EXPECT_EQ(stretches(panel, result, all)[0].size(), 6U);
+    // A steep line is none that springs: each step is no more than twice that before.
+    result.modes[0].frequency = {1., 2., 4., 8., 16., 32., 64.};
+    EXPECT_EQ(stretches(panel, result, all).size(), 1U);
+}
+
+TEST(PlotData, NumbersOfPicturesAreWrittenAsByHand) {
+    EXPECT_EQ(with_powers("2e+07 N/m | 1e+10, 1.25e-09"), "2·10⁷ N/m | 10¹⁰, 1.25·10⁻⁹");
+    EXPECT_EQ(with_powers("11e+06 and 0.1e+06"), "11·10⁶ and 0.1·10⁶");
+    EXPECT_EQ(with_powers("stage 2e, 1e+x, e-07"), "stage 2e, 1e+x, e-07");
+    EXPECT_EQ(short_speed(3.7699), "3.77");
+    EXPECT_EQ(short_speed(12345.6), "12346");
+    EXPECT_EQ(with_powers(short_speed(161403231)), "1.614·10⁸");
+}
+
+// One pole: the response runs through a circle. At 16 places around it, as many as a search for
+// peaks looks at, straight lines lie up to 1 - cos(pi/16) = 2 % of the radius inside; the curve
+// drawn an eighth of that at most.
+TEST(PlotData, PolarLoopsAreRound) {
+    results::ResponseResult result;
+    result.nodes.resize(1);
+    result.curves.values.resize(1);
+    result.curves.phases.resize(1);
+    constexpr double radius = 1e-3;
+    for (int i = 1; i < 16; ++i) { // the circle about -i radius, from near rest to far above
+        const std::complex<double> place =
+            radius * std::complex<double>(0, 1) * (std::polar(1.0, -2 * pi * i / 16) - 1.0);
+        result.curves.speeds.push_back(10 * i);
+        result.curves.values[0].push_back(std::abs(place));
+        result.curves.phases[0].push_back(std::arg(place));
+    }
+    result.speeds = result.curves.speeds;
+    result.nodes[0].amplitude = result.curves.values[0];
+    result.nodes[0].phase = result.curves.phases[0];
+    const std::string script = polar_figure(sample_case(), result).script;
+    const std::size_t from = script.find("$p0 << EOD\n");
+    ASSERT_NE(from, std::string::npos);
+    std::istringstream data(script.substr(from + 11, script.find("EOD", from + 11) - from - 11));
+    int points = 0;
+    for (double x = 0, y = 0; data >> x >> y; ++points)
+        EXPECT_NEAR(std::hypot(x, y + radius * micrometres), radius * micrometres,
+                    0.0025 * radius * micrometres);
+    EXPECT_GT(points, 40);
 }
 
 TEST(PlotData, SpreadKeepsGapOrderAndRange) {

@@ -1,4 +1,5 @@
 #include "model/errors.h"
+#include "report/common/text_width.h"
 #include "report/pictures/figures.h"
 #include "results/accuracy.h"
 #include "results/campbell.h"
@@ -196,6 +197,49 @@ TEST(SceneDrawing, ShowsImbalances) {
     EXPECT_EQ(text("imbalance 1: 12 g mm"), 1);
     EXPECT_EQ(text("blade: 2000 g mm"), 1);
     EXPECT_EQ(text("imbalance 3: 0 g mm"), 0);
+}
+
+// Four parts at one place have their names above one another; the line of none goes through the
+// name of another.
+TEST(SceneDrawing, LinesGoRoundOtherNames) {
+    model::Case scene = sample_case();
+    for (const char *name : {"impeller", "a balance disc", "nut"}) {
+        scene.rotor.discs.push_back(scene.rotor.discs.front());
+        scene.rotor.discs.back().name = name;
+    }
+    const Drawing drawing = show_drawing(scene, results::ShowResult{});
+    int lines = 0;
+    for (const DrawShape &shape : drawing.shapes) {
+        if (shape.stroke != "#AAAAAA") // of the lines to the names
+            continue;
+        ++lines;
+        ASSERT_EQ(shape.points.size(), 2U);
+        const auto [low, high] = std::minmax(shape.points[0].y, shape.points[1].y);
+        for (const DrawText &text : drawing.texts) {
+            if (text.text.find("kg") == std::string::npos)
+                continue;
+            const bool beside =
+                std::abs(shape.points[0].x - text.at.x) > text_width(text.text, text.size) / 2;
+            const bool apart = high < text.at.y - 0.75 * text.size || low > text.at.y;
+            EXPECT_TRUE(beside || apart) << text.text;
+        }
+    }
+    EXPECT_GE(lines, 4);
+}
+
+// A shaft that only connects its parts has no mass worth a number.
+TEST(SceneDrawing, SaysThatAShaftIsMassless) {
+    results::ShowResult result;
+    result.mass = 12;
+    const auto heading_of = [&](double shaft_mass) {
+        result.shaft_mass = shaft_mass;
+        std::string all;
+        for (const DrawText &text : show_drawing(sample_case(), result).texts)
+            all += text.text + "\n";
+        return all;
+    };
+    EXPECT_NE(heading_of(6.4e-8).find("massless shaft"), std::string::npos);
+    EXPECT_NE(heading_of(3.5).find("shaft 3.5 kg"), std::string::npos);
 }
 
 } // namespace whirl::report

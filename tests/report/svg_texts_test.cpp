@@ -71,4 +71,17 @@ TEST(SvgTexts, FaultsAreTextsOutsideAndOnEachOther) {
         << "inside its upright frame only";
 }
 
+TEST(SvgTexts, NumbersAsProgramsWriteThemAreFaults) {
+    const auto faults = [](const std::string &text) {
+        return layout_faults(svg("<text x=\"20\" y=\"50\" font-size=\"10\">" + text + "</text>"))
+            .size();
+    };
+    EXPECT_EQ(faults("2e+07 N/m"), 1U);
+    EXPECT_EQ(faults("1e-16"), 1U);
+    EXPECT_EQ(faults("-0"), 1U);
+    EXPECT_EQ(faults("2·10⁷ N/m"), 0U);
+    EXPECT_EQ(faults("-0.5"), 0U);
+    EXPECT_EQ(faults("stage-01"), 0U);
+}
+
 } // namespace whirl::tests

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -143,6 +144,12 @@ bool separated_by_a_side(const TextBox &one, const TextBox &other, double gap) {
     return false;
 }
 
+/// "1e+07", or a zero with a sign.
+bool has_program_number(const std::string &text) {
+    static const std::regex power("[0-9]e[+-][0-9]|(^|[^0-9.])[-−]0(?![0-9.])");
+    return std::regex_search(text, power);
+}
+
 } // namespace
 
 std::vector<TextBox> svg_texts(const std::string &svg) {
@@ -184,6 +191,9 @@ std::vector<std::string> layout_faults(const std::string &svg) {
     std::vector<std::string> faults;
     const std::vector<TextBox> boxes = svg_texts(svg);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (has_program_number(boxes[i].text))
+            faults.push_back(
+                fmt::format("\"{}\" has a number as programs write it", boxes[i].text));
         const auto outside = [&](const Corner &corner) {
             return corner.x < left - slack || corner.x > left + width + slack ||
                    corner.y < top - slack || corner.y > top + height + slack;

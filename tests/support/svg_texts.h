@@ -22,7 +22,7 @@ struct TextBox {
 [[nodiscard]] std::vector<TextBox> svg_texts(const std::string &svg);
 
 /// Texts that leave the frame of the picture and pairs that lie on each other, by more than a
-/// pixel, each as a sentence.
+/// pixel, and numbers as programs write them (2e+07, -0), each as a sentence.
 [[nodiscard]] std::vector<std::string> layout_faults(const std::string &svg);
 
 } // namespace whirl::tests

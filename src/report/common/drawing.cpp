@@ -1,6 +1,7 @@
 #include "report/common/drawing.h"
 
 #include "report/common/html.h"
+#include "report/common/words.h"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -32,7 +33,7 @@ void add_text(pugi::xml_node parent, const DrawText &text) {
     node.append_attribute("font-size") = fmt::format("{}", text.size).c_str();
     node.append_attribute("text-anchor") = anchors[static_cast<int>(text.anchor)];
     node.append_attribute("fill") = text.colour.c_str();
-    node.text().set(printable(text.text).c_str());
+    node.text().set(printable(with_powers(text.text)).c_str());
 }
 
 } // namespace
@@ -88,10 +89,9 @@ Figure to_figure(const Drawing &drawing) {
     static constexpr const char *anchors[] = {"left", "center", "right"};
     for (const DrawText &text : drawing.texts)
         // gnuplot centres a label on its point, so the baseline moves up by a third of the size.
-        script +=
-            fmt::format("set label {} at {},{} {} font ',{:.1f}' textcolor '{}' front\n",
-                        plot_text(text.text), text.at.x, text.at.y - 0.35 * text.size,
-                        anchors[static_cast<int>(text.anchor)], 0.75 * text.size, text.colour);
+        script += fmt::format("set label {} at {},{} {} font ',{:.1f}' textcolor '{}' front\n",
+                              plot_text(text.text), text.at.x, text.at.y - 0.35 * text.size,
+                              anchors[static_cast<int>(text.anchor)], text.size, text.colour);
     plots += "NaN notitle"; // a plot command needs at least one element
     script += "plot " + plots + "\n";
     return figure;

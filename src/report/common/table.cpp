@@ -98,6 +98,16 @@ Texts texts_of(const std::vector<ShownColumn> &columns, const std::string &missi
     return table;
 }
 
+namespace {
+
+/// A number that a browser would break behind the hyphen of "1.2e-05".
+bool breaks_at_its_exponent(const std::string &text) {
+    return text.find("e-") != std::string::npos &&
+           text.find_first_not_of("0123456789.e+-") == std::string::npos;
+}
+
+} // namespace
+
 std::string page_table(const Texts &table) {
     pugi::xml_document document;
     pugi::xml_node box = document.append_child("div");
@@ -108,8 +118,12 @@ std::string page_table(const Texts &table) {
     for (const auto &row : table) {
         const bool first = &row == &table.front();
         pugi::xml_node line = (first ? head : body).append_child("tr");
-        for (const std::string &text : row)
-            line.append_child(first ? "th" : "td").text().set(printable(text).c_str());
+        for (const std::string &text : row) {
+            pugi::xml_node cell = line.append_child(first ? "th" : "td");
+            if (!first && breaks_at_its_exponent(text))
+                cell.append_attribute("class") = "number";
+            cell.text().set(printable(text).c_str());
+        }
     }
     return markup(document);
 }

@@ -31,6 +31,8 @@ int width_of(unsigned letter) {
         return 0; // marks that stand on another letter
     if (letter >= 0x400 && letter < 0x530)
         return letter < 0x430 ? 880 : 780; // Cyrillic: most are narrower
+    if (letter >= 0x2070 && letter <= 0x2079)
+        return 401; // raised digits
     if (letter >= 0x2e80)
         return 1000;                     // a square
     return letter >= 0x2100 ? 840 : 790; // arrows and signs; Greek, but for psi and omega

@@ -19,6 +19,37 @@ std::string readable(double value, int digits) {
     return std::abs(rounded) < long_number ? fmt::format("{:.0f}", rounded) : text; // 1230
 }
 
+std::string short_speed(double value) {
+    return std::abs(value) < 1000 || std::abs(value) >= 1e6 ? readable(value, 4)
+                                                            : fmt::format("{:.0f}", value);
+}
+
+std::string with_powers(const std::string &text) {
+    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    const auto digit = [&](std::size_t i) {
+        return i < text.size() && text[i] >= '0' && text[i] <= '9';
+    };
+    std::string out;
+    for (std::size_t i = 0; i < text.size();) {
+        const bool sign = i + 1 < text.size() && (text[i + 1] == '+' || text[i + 1] == '-');
+        if (text[i] != 'e' || i == 0 || !digit(i - 1) || !sign || !digit(i + 2) || !digit(i + 3)) {
+            out += text[i++];
+            continue;
+        }
+        // Of 1e+07 the power alone: the 1 stands at the start or behind what is no number.
+        if (out.back() == '1' && (i < 2 || !(digit(i - 2) || text[i - 2] == '.')))
+            out.pop_back();
+        else
+            out += "·";
+        out += text[i + 1] == '-' ? "10⁻" : "10";
+        for (i += 2; digit(i) && text[i] == '0' && digit(i + 1);)
+            ++i;
+        for (; digit(i); ++i)
+            out += raised[text[i] - '0'];
+    }
+    return out;
+}
+
 std::string joined(const std::vector<std::string> &texts, const std::string &between) {
     return fmt::format("{}", fmt::join(texts, between));
 }

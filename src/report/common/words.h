@@ -17,6 +17,10 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 
 /// Number for readers, at most `digits` significant digits; without a power of ten below 1e6.
 [[nodiscard]] std::string readable(double value, int digits = 5);
+/// For pictures: numbers with a power of ten as they are written by hand, "2·10⁷" for "2e+07".
+[[nodiscard]] std::string with_powers(const std::string &text);
+/// A speed in rpm or the like beside a mark: "17", "3.77", "12346", "1.614e+08".
+[[nodiscard]] std::string short_speed(double value);
 /// The texts one after another, with something between them.
 [[nodiscard]] std::string joined(const std::vector<std::string> &texts, const std::string &between);
 

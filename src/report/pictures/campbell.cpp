@@ -1,5 +1,6 @@
 #include "report/pictures/figures.h"
 
+#include "report/common/text_width.h"
 #include "report/pictures/campbell_panel.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
@@ -39,6 +40,16 @@ bool has_growth(const CampbellResult &result) {
     });
 }
 
+/// Where a motion grows at one speed and at neither neighbour: a band as narrow as that is no line.
+std::vector<PlotPoint> lone_growth(const Panel &panel, const CampbellResult &result) {
+    std::vector<PlotPoint> points;
+    for (const CampbellMode &mode : result.modes)
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            if (grows(mode, i) && !(i > 0 && grows(mode, i - 1)) && !grows(mode, i + 1))
+                points.push_back({result.speeds[i] * rpm, panel.value(mode, i)});
+    return points;
+}
+
 std::string curve_data(const Panel &panel, const CampbellResult &result) {
     std::string data;
     for (const Whirl sense : senses) {
@@ -48,10 +59,11 @@ std::string curve_data(const Panel &panel, const CampbellResult &result) {
                            }));
         data += data_block(name + "_points", {markers(panel, result, sense)});
     }
-    return data + data_block(panel.name + "unstable",
-                             stretches(panel, result, [](const auto &mode, std::size_t i) {
-                                 return grows(mode, i) && grows(mode, i + 1);
-                             }));
+    return data + data_block(panel.name + "lone", {lone_growth(panel, result)}) +
+           data_block(panel.name + "unstable",
+                      stretches(panel, result, [](const auto &mode, std::size_t i) {
+                          return grows(mode, i) && grows(mode, i + 1);
+                      }));
 }
 
 /// Plot elements, each followed by a comma; `key` adds the legend entries.
@@ -59,7 +71,9 @@ std::string curve_plots(const Panel &panel, const CampbellResult &result, bool k
     std::string plots;
     if (has_growth(result)) {
         plots +=
-            fmt::format("${}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ", panel.name);
+            fmt::format("${0}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ${0}lone with "
+                        "points pt 7 ps 1.4 lc rgb '#60E0208A' notitle, ",
+                        panel.name);
         if (key)
             plots += "keyentry with lines lw 9 lc rgb '#60E0208A' title 'unstable', ";
     }
@@ -107,12 +121,24 @@ std::string end_labels(const Panel &panel, const model::Case &scene, const Campb
     std::vector<double> wanted;
     for (const End &end : ends)
         wanted.push_back(end.height);
-    const auto places = spread(wanted, 17 / panel.pixels_high, {0.015, 0.985});
+    const double border = 8 / panel.pixels_high; // half of a letter
+    // As far apart as the letters are high, or closer where they are too many.
+    const double gap =
+        std::min(15 / panel.pixels_high,
+                 (1 - 2 * border) / std::max(1.0, static_cast<double>(ends.size()) - 1));
+    const auto places = spread(wanted, gap, {border, 1 - border});
     std::string script;
-    for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t i = 0; i < ends.size(); ++i) {
         script += fmt::format("set label {} at graph {},{} left font ',11' textcolor '{}'\n",
-                              plot_text(ends[i].text), panel.across(last) + 0.012, places[i],
+                              plot_text(ends[i].text), panel.across(last) + 0.022, places[i],
                               ends[i].colour);
+        // From the end of the curve to a name that had to give way.
+        if (std::abs(places[i] - ends[i].height) * panel.pixels_high > 5)
+            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
+                                  "lc rgb '{}'\n",
+                                  panel.across(last) + 0.001, ends[i].height,
+                                  panel.across(last) + 0.02, places[i], ends[i].colour);
+    }
     return script;
 }
 
@@ -177,10 +203,9 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
             .push_back({crossing.speed * rpm, crossing.frequency * hertz});
         if (crossing.frequency * hertz < named_above)
             continue;
-        const std::string text = fmt::format("{:.0f} rpm", crossing.speed * rpm);
-        const auto box =
-            placer.place(x, y, (7.2 * static_cast<double>(text.size()) + 4) / panel.pixels_wide,
-                         17 / panel.pixels_high);
+        const std::string text = short_speed(crossing.speed * rpm) + " rpm";
+        const auto box = placer.place(x, y, (text_width(text, 10) + 8) / panel.pixels_wide,
+                                      17 / panel.pixels_high);
         if (!box) {
             ++unnamed;
             continue;
@@ -231,9 +256,11 @@ std::string axes(const Panel &panel, bool first, bool last) {
                               panel.x.low / rpm, panel.x.high / rpm);
     else
         script += "unset x2tics\nunset x2label\n";
-    if (written_factor("frequency")) // long numbers would push the name of the axis out
-        script +=
-            panel.y.high >= 2e4 && !panel.damping ? "set format y '%.0s%c'\n" : "set format y\n";
+    // Long numbers would push the name of the axis out, which is then not drawn at all.
+    const double longest = written_factor("frequency") ? 2e4 : 1e6;
+    script += panel.y.high >= longest && !panel.damping
+                  ? "set format y '%.1s%c'\nset format y2 '%.1s%c'\n"
+                  : "set format y\nset format y2\n";
     if (panel.damping)
         return script + "set ytics mirror\nunset y2tics\nunset y2label\n"
                         "set ylabel 'Logarithmic decrement'\n";
@@ -252,7 +279,9 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
         axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
     std::string plots = curve_plots(panel, result, first);
     if (panel.damping) {
-        plots += "0 with lines lw 1 lc rgb '#555555' notitle, ";
+        // The limit of stability, as far as there are curves and not through their names.
+        script += fmt::format("set arrow from {},0 to {},0 nohead back lw 1 lc rgb '#555555'\n",
+                              panel.x.low, end > panel.x.low ? end : panel.x.high);
     } else {
         script +=
             multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
@@ -260,7 +289,7 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
-                                  panel.top + 78 * pixel)
+                                  panel.top + 84 * pixel)
                     : "unset key\n";
     plots.resize(plots.size() - 2);
     if (first)
@@ -284,9 +313,15 @@ std::vector<Panel> panels_of(const CampbellResult &result) {
     Range x = range_of(result.speeds);
     x = {x.low * rpm, (x.high + label_strip * (x.high - x.low)) * rpm};
     std::vector<Panel> panels{{"full", false, x, {0, highest > 0 ? 1.05 * highest : 1}}};
-    const double spin = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
-    if (spin > 0 && spin < 0.22 * highest)
-        panels.push_back({"low", false, x, {0, 1.35 * spin}});
+    // Where what happens at the spin speed is low down, or all crossings are, that part alone.
+    double reach = result.speeds.empty() ? 0 : result.speeds.back() * hertz;
+    double crossed = 0;
+    for (const auto &crossing : result.crossings)
+        crossed = std::max(crossed, crossing.frequency * hertz);
+    if (crossed > 0 && crossed < 0.3 * reach)
+        reach = 1.5 * crossed;
+    if (reach > 0 && reach < 0.22 * highest)
+        panels.push_back({"low", false, x, {0, 1.35 * reach}});
     if (largest_decrement > 1e-9 || smallest_decrement < -1e-9) {
         const double top = 1.08 * std::min(largest_decrement, log_dec_limit);
         const double bottom = 1.35 * std::max(smallest_decrement, -log_dec_limit);

@@ -16,16 +16,59 @@ std::optional<double> Panel::value(const CampbellMode &mode, std::size_t i) cons
     return value && !damping ? *value * hertz : value;
 }
 
+namespace {
+
+/// Which steps between neighbouring speeds are no line of a motion: its frequency springs by far
+/// more than before and after. Of an anisotropic rotor a motion has two frequencies, whirl and
+/// twice the spin speed less whirl, of which the larger share is drawn; and between the given
+/// speeds two motions may have exchanged their places.
+std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double highest) {
+    constexpr double seen = 0.04; // of the highest frequency
+    constexpr double more = 5;
+    const auto step = [&](std::size_t i) -> std::optional<double> {
+        if (i + 1 >= speeds)
+            return std::nullopt;
+        const auto here = entry(mode.frequency, i);
+        const auto next = entry(mode.frequency, i + 1);
+        return here && next ? std::optional(std::abs(*next - *here)) : std::nullopt;
+    };
+    std::vector<bool> sprung(speeds, false);
+    const auto large = [&](std::size_t i) { return step(i).value_or(0) > seen * highest; };
+    for (std::size_t i = 0; i + 1 < speeds; ++i) {
+        if (!large(i) || (i > 0 && large(i - 1)))
+            continue;
+        const std::size_t run = large(i + 1) ? 2 : 1; // there and back with one point between
+        const auto before = i > 0 ? step(i - 1) : std::nullopt;
+        const auto after = step(i + run); // one of them is missing at an end of the range
+        const double usual = std::max(before.value_or(0), after.value_or(0));
+        for (std::size_t k = i; (before || after) && k < i + run; ++k)
+            sprung[k] = !large(i + run) && *step(k) > more * usual;
+    }
+    return sprung;
+}
+
+double highest_frequency(const CampbellResult &result) {
+    double highest = 0;
+    for (const CampbellMode &mode : result.modes)
+        for (const auto &frequency : mode.frequency)
+            highest = std::max(highest, frequency.value_or(0));
+    return highest;
+}
+
+} // namespace
+
 std::vector<std::vector<PlotPoint>>
 stretches(const Panel &panel, const CampbellResult &result,
           const std::function<bool(const CampbellMode &, std::size_t)> &belongs) {
     std::vector<std::vector<PlotPoint>> lines;
+    const double highest = highest_frequency(result);
     for (const CampbellMode &mode : result.modes) {
+        const std::vector<bool> sprung = springs(mode, result.speeds.size(), highest);
         std::vector<PlotPoint> line;
         for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
             const auto here = panel.value(mode, i);
             const auto next = panel.value(mode, i + 1);
-            if (here && next && belongs(mode, i)) {
+            if (here && next && !sprung[i] && belongs(mode, i)) {
                 if (line.empty())
                     line.push_back({result.speeds[i] * rpm, here});
                 line.push_back({result.speeds[i + 1] * rpm, next});
@@ -42,13 +85,16 @@ stretches(const Panel &panel, const CampbellResult &result,
 
 std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
     std::vector<PlotPoint> points;
+    const double highest = highest_frequency(result);
     const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const CampbellMode &mode = result.modes[m];
+        const std::vector<bool> sprung = springs(mode, result.speeds.size(), highest);
         for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
             const auto value = panel.value(mode, i);
-            const bool lone = (i == 0 || !panel.value(mode, i - 1)) &&
-                              (i + 1 >= result.speeds.size() || !panel.value(mode, i + 1));
+            const bool lone =
+                (i == 0 || sprung[i - 1] || !panel.value(mode, i - 1)) &&
+                (i + 1 >= result.speeds.size() || sprung[i] || !panel.value(mode, i + 1));
             if (value && mode.whirl[i] == sense && (lone || (i + m * step / 3) % step == step / 2))
                 points.push_back({result.speeds[i] * rpm, value});
         }

@@ -151,11 +151,12 @@ std::string map_panel(const model::Case &scene, const CriticalMap &map, double p
                  "number in the table'";
     return data + panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) +
            fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
-                       "set format x '10^{{%L}}'\nset format y '%g'\n"
+                       "set format x '10^{{%L}}'\nset format y '{}'\n"
                        "set xlabel 'Stiffness of the supports (N/m)'\n"
                        "set ylabel 'Critical speed (rpm)'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
                        "set key at screen 0.5,{} center center horizontal samplen 3 font ',10'\n",
-                       x.low, x.high, y.low, y.high, 1 - 84 * pixel) +
+                       x.low, x.high, y.low, y.high, y.high < 1e6 ? "%g" : "10^{%L}",
+                       1 - 84 * pixel) +
            operation_band(scene, y, SpeedAxis::y) + labels + "plot " + plots +
            "\nunset label\nunset object\nunset arrow\nunset logscale\nset format\n";
 }
@@ -176,20 +177,23 @@ std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
         const std::string name = fmt::format("{}{}", soft ? "soft" : "stiff", drawn);
         const LineStyle style = series_style(static_cast<std::size_t>(drawn++));
         data += data_block(name, {points});
-        plots += fmt::format("${} with lines lw 2 dt {} lc rgb '{}' title '{}, {} rpm', ", name,
-                             style.dash, style.colour, curve_name(curve.whirl, curve.number),
-                             readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6));
+        plots += fmt::format(
+            "${} with lines lw 2 dt {} lc rgb '{}' title {}, ", name, style.dash, style.colour,
+            plot_text(
+                fmt::format("{}, {} rpm", curve_name(curve.whirl, curve.number),
+                            readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
     }
     const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
     const double left = soft ? map_left : 0.54;
     return data + panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
-           fmt::format("set title 'Shapes at the {} end, {} N/m' font ',12' offset 0,1.3\n"
+           fmt::format("set title {} font ',12' offset 0,1.3\n"
                        "set xrange [{}:{}]\nset yrange [-1.25:1.25]\nset ytics -1,1,1\n"
                        "set xlabel 'z (m)'\nset ylabel ''\n"
                        "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n"
                        "plot {}$bearings with points pt 9 ps 1.4 lc rgb '#555555' notitle\n",
-                       soft ? "soft" : "stiff",
-                       readable(soft ? map.stiffness.front() : map.stiffness.back(), 4),
+                       plot_text(fmt::format(
+                           "Shapes at the {} end, {} N/m", soft ? "soft" : "stiff",
+                           readable(soft ? map.stiffness.front() : map.stiffness.back(), 4))),
                        -0.03 * length, 1.03 * length, left + 0.2075, 204 * pixel, plots);
 }
 

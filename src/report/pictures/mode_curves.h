@@ -24,6 +24,7 @@ struct ModeCurves {
 [[nodiscard]] ModeCurves mode_curves(const results::ModeShape &mode);
 
 /// "1F · 13.97 Hz · forward", with the damping ratio where there is damping.
-[[nodiscard]] std::string mode_heading(const results::ModeShape &mode);
+/// @param largest  modulus of the eigenvalues drawn together, rad/s: what rounding is measured by
+[[nodiscard]] std::string mode_heading(const results::ModeShape &mode, double largest);
 
 } // namespace whirl::report

@@ -64,11 +64,14 @@ ModeCurves mode_curves(const ModeShape &mode) {
     return curves;
 }
 
-std::string mode_heading(const ModeShape &mode) {
+std::string mode_heading(const ModeShape &mode, double largest) {
     const double modulus = std::abs(mode.eigenvalue);
     const double frequency = std::abs(mode.eigenvalue.imag());
     std::string heading = mode.label.empty() ? "" : mode.label + " · ";
-    heading += frequency > 1e-9 * modulus ? readable(frequency * hertz) + " Hz" : "no oscillation";
+    // What is left of zero by rounding, beside its real part or the other modes, is no frequency.
+    heading += frequency > std::max(1e-9 * modulus, 1e-12 * largest)
+                   ? readable(frequency * hertz) + " Hz"
+                   : "no oscillation";
     const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
     if (std::abs(ratio) > 1e-9)
         heading += " · damping ratio " + readable(ratio, 3);
@@ -92,9 +95,11 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
     const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
     figure.script += panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80 * pixel);
     figure.script += outline_data(scene.rotor, 1) +
-                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset yrange [-1.25:1.25]\n"
-                     "set ytics -1,1,1\n" +
+                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
                      fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
+    double largest = 0; // rad/s
+    for (const ModeShape &mode : result.modes)
+        largest = std::max(largest, std::abs(mode.eigenvalue));
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const ModeShape &mode = result.modes[m];
         const double left = columns == 1 || m % 2 == 0 ? 0.05 : 0.545;
@@ -104,11 +109,15 @@ Figure modes_figure(const model::Case &scene, const ModesResult &result) {
         const std::string name = "m" + std::to_string(m);
         const bool last = m + columns >= count;
         const ModeCurves curves = mode_curves(mode);
+        // An orbit aslant reaches farther than its parts along x and y.
+        double reach = 1.25;
+        for (const double value : curves.envelope)
+            reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
         figure.script +=
-            mode_data(name, result, curves) +
+            fmt::format("set yrange [{}:{}]\n", -reach, reach) + mode_data(name, result, curves) +
             panel_margins(left, right, (top - 175) * pixel, top * pixel) +
             fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
-                        plot_text(mode_heading(mode) +
+                        plot_text(mode_heading(mode, largest) +
                                   (curves.at_one_instant ? " · y at the same instant" : "")),
                         last ? "set xlabel 'z (m)'" : "unset xlabel");
         figure.script += curves_over_outline(name);

@@ -26,15 +26,44 @@ std::string curve(const std::string &name, const std::vector<double> &speeds,
 }
 
 /// Points of the steady motions with this stability, apart from or with colliding pendulums.
-std::string motion_points(const std::string &name, const results::PendulumBalance &of, bool stable,
-                          bool collision) {
+std::vector<PlotPoint> motion_points(const results::PendulumBalance &of, bool stable,
+                                     bool collision) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < of.states.size(); ++i)
         for (const auto &state : of.states[i])
             if (state.stable == stable && state.collision == collision &&
                 state.ratio < 1.2 * highest)
                 points.push_back({of.speeds[i] * rpm, state.ratio});
-    return data_block(name, {points});
+    return points;
+}
+
+/// The steady motions, kind by kind, those that there are: a legend names nothing else.
+struct Motions {
+    std::string data;
+    std::string plots; ///< each followed by a comma
+};
+Motions motions_of(const results::PendulumBalance &balancer) {
+    struct Kind {
+        bool stable, collision;
+        const char *look, *title;
+    };
+    static constexpr Kind kinds[] = {
+        {true, false, "pt 7 ps 0.7 lc rgb '#007D5A'", "flexible, stable"},
+        {false, false, "pt 6 ps 0.8 lw 1.3 lc rgb '#D55E00'", "flexible, unstable"},
+        {true, true, "pt 5 ps 0.6 lc rgb '#3C97CF'", "stable, pendulums collide"},
+        {false, true, "pt 2 ps 0.6 lc rgb '#A8527F'", "unstable, pendulums collide"}};
+    Motions motions;
+    int number = 0;
+    for (const Kind &kind : kinds) {
+        const std::vector<PlotPoint> points = motion_points(balancer, kind.stable, kind.collision);
+        if (points.empty())
+            continue;
+        const std::string name = fmt::format("motions{}", ++number);
+        motions.data += data_block(name, {points});
+        motions.plots +=
+            fmt::format("${} with points {} title '{}', ", name, kind.look, kind.title);
+    }
+    return motions;
 }
 
 } // namespace
@@ -45,6 +74,7 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
     figure.height = 620;
     const double pixel = 1.0 / figure.height;
     const Range x = range_of(balancer.speeds);
+    const Motions motions = motions_of(balancer);
     const std::vector<std::optional<double>> approximate(balancer.approximate.begin(),
                                                          balancer.approximate.end());
     figure.script =
@@ -54,11 +84,7 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
                                 readable(balancer.z, 4), readable(balancer.rho, 4)),
                     figure.height) +
         curve("approximate", balancer.speeds, approximate) +
-        curve("planar", balancer.speeds, balancer.planar) +
-        motion_points("stable", balancer, true, false) +
-        motion_points("unstable", balancer, false, false) +
-        motion_points("collided", balancer, true, true) +
-        motion_points("collided_unstable", balancer, false, true) +
+        curve("planar", balancer.speeds, balancer.planar) + motions.data +
         panel_margins(0.075, 0.74, 70 * pixel, 1 - 75 * pixel) +
         operation_band(scene, {x.low * rpm, x.high * rpm}) +
         fmt::format(
@@ -70,14 +96,11 @@ Figure pendulum_figure(const model::Case &scene, const results::PendulumBalance 
             "set label 'threshold' at first {3:.9g},{4} left offset 0.5,0 textcolor '#5B2A86'\n"
             "plot $approximate with lines lw 2 dt (12,5) lc rgb '#7A7A7A' title 'planar, small "
             "angles', $planar with lines lw 2 lc rgb '#B77F00' title 'planar, exact', "
-            "$stable with points pt 7 ps 0.7 lc rgb '#007D5A' title 'flexible, stable', "
-            "$unstable with points pt 6 ps 0.8 lw 1.3 lc rgb '#D55E00' title 'flexible, unstable', "
-            "$collided with points pt 5 ps 0.6 lc rgb '#3C97CF' title 'stable, pendulums collide', "
-            "$collided_unstable with points pt 2 ps 0.6 lc rgb '#A8527F' title 'unstable, "
-            "pendulums collide', {5:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
+            "{7}{5:.6g} with lines dt (2,4) lc rgb '#007D5A' title 'fast rotation "
             "1/(1 + ρ)'{6}\nunset multiplot\n",
             x.low * rpm, x.high * rpm, highest, balancer.threshold * balancer.omega_0 * rpm,
-            0.95 * highest, balancer.limit, operation_key(scene, {x.low * rpm, x.high * rpm}));
+            0.95 * highest, balancer.limit, operation_key(scene, {x.low * rpm, x.high * rpm}),
+            motions.plots);
     return figure;
 }
 

@@ -93,7 +93,8 @@ std::string best_marks(const std::vector<double> &z, double low, double high) {
     for (const double at : z)
         out +=
             fmt::format("set arrow from first {0:.9g},{1:.9g} to first {0:.9g},{2:.9g} nohead lw "
-                        "2 dt (8,4) lc rgb '#5B2A86' front\n",
+                        "4 lc rgb '#FFFFFF' front\nset arrow from first {0:.9g},{1:.9g} to first "
+                        "{0:.9g},{2:.9g} nohead lw 2 dt (8,4) lc rgb '#5B2A86' front\n",
                         at, low, high);
     return out;
 }
@@ -102,7 +103,8 @@ std::string place_text(const results::BestPlace &place) {
     std::string text;
     for (const double z : place.z)
         text += (text.empty() ? "z = " : " and ") + readable(z, 4);
-    return text + fmt::format(" m: {:.0f} % of the speeds", 100 * place.share);
+    return text + (place.share > 0 ? fmt::format(" m: {:.0f} % of the speeds", 100 * place.share)
+                                   : std::string(" m, the least bad"));
 }
 
 } // namespace
@@ -114,14 +116,20 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
     const double pixel = 1.0 / figure.height;
     const std::vector<double> speeds = scaled(map.speeds, rpm);
     const double length = scene.rotor.shaft.length() * metres;
+    // A speed alone has no area: its colours go up to the edge of the panel, 1 rpm higher.
+    std::vector<double> drawn_speeds = speeds;
+    auto drawn = map.criterion;
+    if (speeds.size() == 1) {
+        drawn_speeds.push_back(speeds.front() + 1);
+        drawn.push_back(drawn.front());
+    }
     figure.script =
         figure_head("Where along the shaft auto-balancers work: " + title_of(scene),
                     "green: balances; orange: does not; dark: as strongly as a free rigid body",
                     figure.height) +
-        palette + matrix_block("one", scaled(map.z, metres), speeds, map.criterion) +
+        palette + matrix_block("one", scaled(map.z, metres), drawn_speeds, drawn) +
         matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
                      map.pair_value) +
-        // A speed alone has no area.
         (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
         contour("$two", "$twoline") +
         fmt::format("unset colorbox\nset xrange [0:{}]\nset format x ''\n", length) +
@@ -141,11 +149,13 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
             "(m)'\nset label 1 {} at graph 0,1.03 left\nset label 2 {} at screen 0.575,{} left\n"
             "set label 4 {} at screen 0.575,{} left\n",
             length, plot_text(fmt::format("two planes at {} rpm", readable(map.pair_speed * rpm))),
-            plot_text("cross: best two over all speeds,"), 1 - 665 * pixel,
-            plot_text(place_text(map.best_pair)), 1 - 685 * pixel) +
+            plot_text(map.best_pair.share > 0 ? "cross: best two over all speeds,"
+                                              : "no two balance at any of the speeds; cross:"),
+            1 - 665 * pixel, plot_text(place_text(map.best_pair)), 1 - 685 * pixel) +
         (map.best_pair.z.size() == 2
-             ? fmt::format("set label 3 '' at first {:.9g},{:.9g} point pt 2 ps 2 lw 2 lc rgb "
-                           "'#5B2A86' front\n",
+             ? fmt::format("set label 3 '' at first {0:.9g},{1:.9g} point pt 7 ps 2.6 lc rgb "
+                           "'#FFFFFF' front\nset label 5 '' at first {0:.9g},{1:.9g} point pt 2 "
+                           "ps 2 lw 2 lc rgb '#5B2A86' front\n",
                            map.best_pair.z[0] * metres, map.best_pair.z[1] * metres)
              : "") +
         heat_plot("two") + "\nunset multiplot\n";

@@ -83,22 +83,29 @@ std::string draw(const std::string &panel, const std::vector<Curve> &curves, boo
     return data + "plot " + plots + further + "\n";
 }
 
-/// Logarithmic axis over the curves, at most six powers of ten down from the largest value, so that
-/// the start from rest does not squeeze the peaks.
+/// Logarithmic axis over the curves, at most three powers of ten down from the largest value of the
+/// smallest of them and six from that of all, so that the start from rest does not squeeze the
+/// peaks; with room for the names of these.
 Range logarithmic_range(const std::vector<Curve> &curves) {
     double high = 0;
     double low = HUGE_VAL;
-    for (const Curve &curve : curves)
+    double smallest = HUGE_VAL; // of the largest values
+    for (const Curve &curve : curves) {
+        double largest = 0;
         for (const PlotPoint &point : curve.points)
             if (point.y) {
-                high = std::max(high, *point.y);
+                largest = std::max(largest, *point.y);
                 low = std::min(low, *point.y);
             }
+        high = std::max(high, largest);
+        if (largest > 0)
+            smallest = std::min(smallest, largest);
+    }
     if (high <= 0)
-        high = low = 1;
-    low = std::max(low, 1e-6 * high);
-    return {std::pow(10, std::floor(std::log10(low))),
-            std::pow(10, std::floor(std::log10(high)) + 1)};
+        high = low = smallest = 1;
+    low = std::max({low, 1e-3 * smallest, 1e-6 * high});
+    const double power = std::pow(10, std::floor(std::log10(high)) + 1);
+    return {std::pow(10, std::floor(std::log10(low))), high > 0.5 * power ? 2 * power : power};
 }
 
 std::string logarithmic_axis(const std::vector<Curve> &curves) {
@@ -225,13 +232,13 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     const double pixel = 1.0 / figure.height;
     figure.script =
         figure_head("Unbalance response: " + title_of(scene),
-                    fmt::format("{} nodes drawn of {}", nodes, result.nodes.size()),
+                    fmt::format("{} stations drawn of {}", nodes, result.nodes.size()),
                     figure.height) +
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
         logarithmic_axis(amplitude) +
         panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
         panel_axes(result, "Amplitude (µm)", false) + marks.before +
-        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) +
+        draw("a", amplitude, true, marks.plots + operation_key(scene, x)) + marks.after +
         "unset label\nunset logscale y\nset format y '%g'\n"
         "set yrange [-190:190]\nset ytics 90\n" +
         panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +

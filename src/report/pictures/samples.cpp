@@ -85,7 +85,7 @@ std::string marks_of(const SampledAnswer &answer) {
         text += fmt::format("set arrow {} from first {:.9g},graph 0 to first {:.9g},graph 1 nohead "
                             "front lw 1.8 lc rgb '#D55E00'\n",
                             number, quantile.value * factor, quantile.value * factor);
-        text += fmt::format("set label {} '{} %' at first {:.9g},graph 1.05 center font ',9' "
+        text += fmt::format("set label {} '{} %' at first {:.9g},graph 1.05 center font ',11' "
                             "textcolor '#B04E00'\n",
                             number, readable(100 * quantile.share), quantile.value * factor);
     }
@@ -111,10 +111,10 @@ std::string panel_of(const model::Case &scene, const SampledAnswer &answer, std:
         answer.unit == "rad/s" ? operation_band(scene, {low - margin, high + margin}) : "";
     return data_block(name, {bars}) + marks_of(answer) + operation +
            fmt::format(
-               "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',10' offset 0,0.4\n"
-               "set ylabel 'samples' font ',10' offset 1.5,0\n"
+               "set title {} font ',12' offset 0,0.2\nset xlabel '{}' font ',11' offset 0,0.4\n"
+               "set ylabel 'samples' font ',11' offset 1.5,0\n"
                "set xrange [{:.9g}:{:.9g}]\nset yrange [0:{}]\n"
-               "set xtics {:.9g} font ',9'\nset ytics font ',9'\nset boxwidth {:.9g}\n",
+               "set xtics {:.9g} font ',11'\nset ytics font ',11'\nset boxwidth {:.9g}\n",
                plot_text(answer.name), axis_of(answer), low - margin, high + margin, 1.08 * most,
                step_of(high - low), histogram.width) +
            fmt::format("plot ${} using 1:2 with boxes lc rgb '#3C97CF' fs transparent solid "

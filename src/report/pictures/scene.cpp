@@ -1,6 +1,7 @@
 #include "report/pictures/figures.h"
 
 #include "balancers/kind.h"
+#include "report/common/text_width.h"
 #include "report/pictures/scene_parts.h"
 #include "report/pictures/shaft_outline.h"
 #include "report/pictures/style.h"
@@ -16,7 +17,6 @@ namespace whirl::report {
 namespace {
 
 constexpr double text_size = 13; ///< pixels
-constexpr double letter = 7.3;   ///< mean width of a letter at that size, pixels
 constexpr double line = 17;      ///< from text line to text line, pixels
 
 /// A name with the place it points to.
@@ -39,14 +39,46 @@ double largest_radius(const model::Rotor &rotor) {
     return radius;
 }
 
+/// Where the name of a callout stands.
+struct PlacedName {
+    double x, half, baseline;
+    [[nodiscard]] double top() const { return baseline - text_size; }
+    [[nodiscard]] double bottom() const { return baseline + 4; }
+};
+
+/// From a name to its part, with gaps where other names stand in the way.
+void draw_leader(Drawing &drawing, const Callout &callout, double name_end,
+                 const std::vector<PlacedName> &names) {
+    std::vector<std::pair<double, double>> in_the_way;
+    for (const PlacedName &name : names)
+        if (std::abs(name.x - callout.x) < name.half + 2)
+            in_the_way.emplace_back(name.top(), name.bottom());
+    std::sort(in_the_way.begin(), in_the_way.end());
+    double from = std::min(name_end, callout.y);
+    const double to = std::max(name_end, callout.y);
+    const auto piece = [&](double end) {
+        if (end - from > 0.5)
+            drawing.shapes.push_back(
+                stroke({{callout.x, from}, {callout.x, end}}, "#AAAAAA", 0.8, false));
+    };
+    for (const auto &[above, below] : in_the_way) {
+        if (below <= from || above >= to)
+            continue;
+        piece(above);
+        from = std::max(from, below);
+    }
+    piece(to);
+}
+
 /// Callouts in as few rows as keep them apart, with a thin line to their parts. Rows grow away
 /// from the rotor: upwards for `direction` -1. @returns the number of rows.
 int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start, double direction) {
     std::stable_sort(callouts.begin(), callouts.end(),
                      [](const Callout &a, const Callout &b) { return a.x < b.x; });
+    std::vector<PlacedName> names;
     std::vector<double> row_ends;
     for (const Callout &callout : callouts) {
-        const double half = letter * static_cast<double>(callout.text.size()) / 2;
+        const double half = text_width(callout.text, text_size) / 2;
         const double x =
             std::clamp(callout.x, half + 4, std::max(half + 4, sheet_width - half - 4));
         std::size_t row = 0;
@@ -55,12 +87,13 @@ int draw_callouts(Drawing &drawing, std::vector<Callout> callouts, double start,
         if (row == row_ends.size())
             row_ends.push_back(0);
         row_ends[row] = x + half + 12;
-        const double y = start + direction * line * static_cast<double>(row);
-        drawing.shapes.push_back(
-            stroke({{callout.x, callout.y}, {callout.x, direction < 0 ? y + 4 : y - text_size}},
-                   "#AAAAAA", 0.8, false));
-        drawing.texts.push_back({{x, y}, callout.text, text_size, Anchor::middle, "#222222"});
+        names.push_back({x, half, start + direction * line * static_cast<double>(row)});
+        drawing.texts.push_back(
+            {{x, names.back().baseline}, callout.text, text_size, Anchor::middle, "#222222"});
     }
+    for (std::size_t i = 0; i < callouts.size(); ++i)
+        draw_leader(drawing, callouts[i], direction < 0 ? names[i].bottom() : names[i].top(),
+                    names);
     return static_cast<int>(row_ends.size());
 }
 
@@ -223,6 +256,18 @@ Drawing scene_drawing(const model::Case &scene) {
     return drawing;
 }
 
+namespace {
+
+/// "shaft 12 kg", and of one that only connects, so light that it counts as none, no number.
+std::string shaft_mass_text(const results::ShowResult &result) {
+    return result.shaft_mass < 1e-6 * result.mass
+               ? "massless shaft"
+               : fmt::format("shaft {} {}", readable(result.shaft_mass * kilograms),
+                             unit_name("mass", "kg"));
+}
+
+} // namespace
+
 Drawing show_drawing(const model::Case &scene, const results::ShowResult &result) {
     Drawing drawing = scene_drawing(scene);
     const double head = 68;
@@ -235,13 +280,12 @@ Drawing show_drawing(const model::Case &scene, const results::ShowResult &result
     drawing.texts.push_back({{sheet_width / 2, 28}, title_of(scene), 20});
     drawing.texts.push_back(
         {{sheet_width / 2, 52},
-         fmt::format(
-             "mass {0} {5} (shaft {1} {5})    centre of mass z = {2} {6}    Id = {3} {7}    "
-             "Ip = {4} {7}    {8} rotor",
-             readable(result.mass * kilograms), readable(result.shaft_mass * kilograms),
-             readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
-             readable(result.Ip * inertia_si), unit_name("mass", "kg"), unit_name("length", "m"),
-             unit_name("inertia", "kg m²"), result.type),
+         fmt::format("mass {0} {5} ({1}) · centre of mass z = {2} {6} · Id = {3} {7} · "
+                     "Ip = {4} {7} · {8} rotor",
+                     readable(result.mass * kilograms), shaft_mass_text(result),
+                     readable(result.center_of_mass * metres), readable(result.Id * inertia_si),
+                     readable(result.Ip * inertia_si), unit_name("mass", "kg"),
+                     unit_name("length", "m"), unit_name("inertia", "kg m²"), result.type),
          14,
          Anchor::middle,
          "#555555"});

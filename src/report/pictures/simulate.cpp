@@ -43,7 +43,9 @@ std::vector<Curve> amplitude_curves(const SimulateResult &result) {
     }
     for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
-            curves.push_back({"without balls",
+            curves.push_back({result.balancers.size() > 1
+                                  ? "without balls, " + place_text(b.name, b.z)
+                                  : "without balls",
                               {{{time.front(), b.reference * micrometres},
                                 {time.back(), b.reference * micrometres}}}});
     return curves;
@@ -82,9 +84,11 @@ std::vector<Curve> angle_curves(const SimulateResult &result) {
     for (std::size_t i = 0; i < result.balancers.size(); ++i)
         for (std::size_t j = 0; j < result.balancers[i].angles.size(); ++j, ++number) {
             const std::vector<double> &angles = result.series.angles[number];
+            const results::BalancerMotion &balancer = result.balancers[i];
+            const std::string of =
+                balancer.name.empty() ? "balancer " + std::to_string(i + 1) : balancer.name;
             const std::string name =
-                result.balancers[i].coordinates.at(j) +
-                (result.balancers.size() > 1 ? " of " + std::to_string(i + 1) : "");
+                balancer.coordinates.at(j) + (result.balancers.size() > 1 ? ", " + of : "");
             if (curves.size() < most_curves)
                 curves.push_back({name, lagging ? relative_speed(result.series, angles)
                                                 : wrapped(result.series.time, angles)});

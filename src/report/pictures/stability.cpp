@@ -55,9 +55,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         points.push_back({result.speeds[i] * rpm, result.growth[i]});
     // Ends are exact, so the curve may start and stop there even between grid speeds.
-    const Range x{result.speeds.front() * rpm, result.speeds.size() > 1
-                                                   ? result.speeds.back() * rpm
-                                                   : result.speeds.front() * rpm + 1};
+    const bool one = result.speeds.size() == 1; // a point amid its panel
+    const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
     std::string text = data_block("growth", {points}) + operation_band(scene, x);
     if (result.family)
         text += shaded(result.family->unstable, shade_some);
@@ -72,7 +71,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
             ", NaN with boxes fs solid fc rgb '{}' title 'unstable with some arrangement'",
             shade_some);
     if (!result.critical_speeds.empty())
-        keys += ", NaN with lines dt 2 lw 1.3 lc rgb '#0072B2' title 'critical, balls held'";
+        keys += fmt::format(", NaN with lines dt 2 lw 1.3 lc rgb '#0072B2' title '{}'",
+                            scene.rotor.balancers.empty() ? "critical" : "critical, balls held");
     if (!result.additional_speeds.empty())
         keys += ", NaN with lines dt 4 lw 1.3 lc rgb '#D55E00' title 'additional speed'";
     double low = HUGE_VAL; // of the speeds with an answer
@@ -83,14 +83,18 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
             high = std::max(high, growth);
         }
     const bool flat = high <= low;
+    const double centre = flat ? low : 0; // of a growth that does not change
+    const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
     text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
     if (flat)
-        text += "set yrange [-1:1]\n";
+        text += fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
+                            std::max(0.0, centre) + reach);
     return text +
            "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
-           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n"
-           "plot $growth using 1:2 with lines lw 2 lc rgb '#222222' title 'growth'" +
+           "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
+           fmt::format("plot $growth using 1:2 with {} lw 2 lc rgb '#222222' title 'growth'",
+                       one ? "points pt 7" : "lines") +
            keys + operation_key(scene, x) +
            "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
 }

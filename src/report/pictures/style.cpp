@@ -34,7 +34,12 @@ LineStyle series_style(std::size_t index) {
                                                   {"", "#3C97CF", "(12,5)", 8},
                                                   {"", "#000000", "(3,4)", 11},
                                                   {"", "#7A7A7A", "(14,5,3,5)", 12}}};
-    return styles[index % styles.size()];
+    // A second round differs from the first in dashes and markers.
+    LineStyle style = styles[index % styles.size()];
+    const LineStyle &further = styles[(index + 5 * (index / styles.size())) % styles.size()];
+    style.dash = further.dash;
+    style.point = further.point;
+    return style;
 }
 
 std::string plot_number(std::optional<double> value) {

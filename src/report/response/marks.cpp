@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace whirl::report {
 
@@ -37,7 +38,7 @@ std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::si
 
 /// "2951 rpm, AF 12.3"
 std::string peak_text(const ResponsePeak &peak) {
-    const std::string speed = fmt::format("{:.0f} rpm", peak.speed * rpm);
+    const std::string speed = short_speed(peak.speed * rpm) + " rpm";
     return peak.amplification ? fmt::format("{}, AF {}", speed, readable(*peak.amplification, 3))
                               : speed;
 }
@@ -64,6 +65,16 @@ LabelPlacer occupied(const BodePanel &panel, const std::vector<std::vector<PlotP
                 placer.block(
                     {at.x(point.x) - width / 2, at.y(*point.y) - height / 2, width, height});
     return placer;
+}
+
+/// A line from a mark to its label where this stands so far away that it could be another's.
+std::string leader(const LabelPlacer::Box &box, double x, double y, const BodePanel &panel) {
+    const double to_x = std::clamp(x, box.x, box.x + box.width);
+    const double to_y = std::clamp(y, box.y, box.y + box.height);
+    if (std::hypot((to_x - x) * panel.pixels_wide, (to_y - y) * panel.pixels_high) < 18)
+        return "";
+    return fmt::format("from graph {},{} to graph {},{} nohead lw 0.6 lc rgb '#999999'", x, y, to_x,
+                       to_y);
 }
 
 } // namespace
@@ -96,6 +107,7 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
     std::vector<PlotPoint> tops;
     std::vector<PlotPoint> halves;
     int unnamed = 0;
+    int arrow = 500;
     for (const ResponsePeak *peak : peaks_of(result, station)) {
         const double value = peak->value * micrometres;
         tops.push_back({peak->speed * rpm, value});
@@ -107,10 +119,15 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
                                       (text_width(text, label_size) + 8) / panel.pixels_wide,
                                       15 / panel.pixels_high);
         unnamed += box ? 0 : 1;
-        if (box)
-            marks.before +=
-                fmt::format("set label {} at graph {},{} left font ',{}'\n", plot_text(text),
-                            box->x, box->y + box->height / 2, label_size);
+        if (!box)
+            continue;
+        marks.before += fmt::format("set label {} at graph {},{} left font ',{}'\n",
+                                    plot_text(text), box->x, box->y + box->height / 2, label_size);
+        const std::string line = leader(*box, at.x(peak->speed * rpm), at.y(value), panel);
+        if (!line.empty()) { // numbered, for the trip speed is an arrow too
+            marks.before += fmt::format("set arrow {} {}\n", ++arrow, line);
+            marks.after += fmt::format("unset arrow {}\n", arrow);
+        }
     }
     if (unnamed > 0)
         marks.before += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.04 "
@@ -160,6 +177,52 @@ std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t st
     return points;
 }
 
+/// The place before the first of three, on a curve that turns on as it does between them.
+std::complex<double> beyond(std::complex<double> first, std::complex<double> second,
+                            std::complex<double> third) {
+    const std::complex<double> step = second - first;
+    const std::complex<double> turn = step / (third - second);
+    return first - step * turn / std::abs(turn);
+}
+
+/// A curve without corners through the points, four pieces between neighbours: a loop is known at
+/// some twenty places, which straight lines would make a polygon. Cubic, with the root of the
+/// distances as parameter (centripetal Catmull-Rom), which neither overshoots nor makes loops.
+std::vector<PlotPoint> smooth(const std::vector<PlotPoint> &points) {
+    constexpr int pieces = 4;
+    std::vector<std::complex<double>> p;
+    for (const PlotPoint &point : points)
+        if (const std::complex<double> here(point.x, *point.y); p.empty() || here != p.back())
+            p.push_back(here);
+    if (p.size() < 3)
+        return points;
+    std::vector<PlotPoint> out;
+    for (std::size_t k = 0; k + 1 < p.size(); ++k) {
+        const std::complex<double> q[4] = {
+            k > 0 ? p[k - 1] : beyond(p[0], p[1], p[2]), p[k], p[k + 1],
+            k + 2 < p.size() ? p[k + 2] : beyond(p[k + 1], p[k], p[k - 1])};
+        double t[4] = {0, 0, 0, 0};
+        for (int i = 0; i < 3; ++i)
+            t[i + 1] = t[i] + std::sqrt(std::abs(q[i + 1] - q[i]));
+        for (int i = 0; i < pieces; ++i) {
+            const double at = t[1] + (t[2] - t[1]) * i / pieces;
+            std::complex<double> level[3];
+            const auto between = [&](const std::complex<double> &a, const std::complex<double> &b,
+                                     double from, double to) {
+                return ((to - at) * a + (at - from) * b) / (to - from);
+            };
+            for (int j = 0; j < 3; ++j) // Barry and Goldman's pyramid
+                level[j] = between(q[j], q[j + 1], t[j], t[j + 1]);
+            const std::complex<double> a = between(level[0], level[1], t[0], t[2]);
+            const std::complex<double> b = between(level[1], level[2], t[1], t[3]);
+            const std::complex<double> place = between(a, b, t[1], t[2]);
+            out.push_back({place.real(), place.imag()});
+        }
+    }
+    out.push_back({p.back().real(), p.back().imag()});
+    return out;
+}
+
 /// Circles of round amplitudes with their numbers along the direction of -45 degrees.
 std::string rings(double largest) {
     const double power = std::pow(10, std::floor(std::log10(largest)));
@@ -183,6 +246,7 @@ std::string polar_peaks(const ResponseResult &result, std::size_t station, doubl
     LabelPlacer placer;
     std::vector<PlotPoint> tops;
     std::string script;
+    int unnamed = 0;
     for (const PlotPoint &point : polar_points(result, station))
         placer.block({(point.x / range + 1) / 2 - 3 / pixels,
                       (*point.y / range + 1) / 2 - 3 / pixels, 6 / pixels, 6 / pixels});
@@ -190,13 +254,22 @@ std::string polar_peaks(const ResponseResult &result, std::size_t station, doubl
         const double size = peak->value * micrometres;
         const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
         tops.push_back(top);
-        const std::string text = fmt::format("{:.0f} rpm", peak->speed * rpm);
+        const std::string text = short_speed(peak->speed * rpm) + " rpm";
+        if (size < 0.12 * range) { // amid all loops
+            ++unnamed;
+            continue;
+        }
         const auto box = placer.place((top.x / range + 1) / 2, (*top.y / range + 1) / 2,
                                       (text_width(text, label_size) + 8) / pixels, 15 / pixels);
+        unnamed += box ? 0 : 1;
         if (box)
             script += fmt::format("set label {} at graph {},{} left font ',{}' front\n",
                                   plot_text(text), box->x, box->y + box->height / 2, label_size);
     }
+    if (unnamed > 0)
+        script += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.025 left "
+                              "font ',{}' textcolor '#555555'\n",
+                              unnamed, label_size);
     return script + data_block("tops", {tops});
 }
 
@@ -219,7 +292,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
         const LineStyle style = series_style(i);
         const auto &node = result.nodes[drawn[i]];
         names.push_back(place_text(node.name, node.z));
-        data += data_block(fmt::format("p{}", i), {polar_points(result, drawn[i])});
+        data += data_block(fmt::format("p{}", i), {smooth(polar_points(result, drawn[i]))});
         plots += fmt::format(", $p{} with lines lc rgb '{}' lw 1.8 dt {} title {}", i, style.colour,
                              style.dash, plot_text(names.back()));
     }
@@ -232,9 +305,9 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
     const double pixel = 1.0 / figure.height;
     figure.script =
         figure_head("Polar plot: " + title_of(scene),
-                    fmt::format("amplitude (µm) at the angle of the phase of x, from {:.0f} to "
-                                "{:.0f} rpm",
-                                result.speeds.front() * rpm, result.speeds.back() * rpm),
+                    fmt::format("amplitude (µm) at the angle of the phase of x, from {} to {} rpm",
+                                short_speed(result.speeds.front() * rpm),
+                                short_speed(result.speeds.back() * rpm)),
                     figure.height) +
         panel_margins(room.left, room.right, 1 - 730 * pixel, 1 - (730 - pixels) * pixel) +
         fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb '#BBBBBB'\n"

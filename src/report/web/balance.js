@@ -54,4 +54,4 @@ draw(traces, {height: 480 + 70 * rows.length, shapes, barmode: "group", bargap: 
   yaxis: axis("", {type: "category", domain: [0.52, 1], categoryorder: "array",
     categoryarray: (result.simulated.length ? ["motions in time"] : []).concat(rows.map(r => r.name).reverse())}),
   yaxis2: axis(result.rigid ? "Eigenvalues × mass" : "Eigenvalues (1/kg)", {domain: [0, 0.46], range: [-1.05 * top, 1.05 * top],
-    tickvals: ticks.map(fold), ticktext: ticks.map(t => t === 0 ? "0" : t.toPrecision(1).replace("-", "−"))})});
+    tickvals: ticks.map(fold), ticktext: ticks.map(t => t === 0 ? "0" : short(t, 1).replace("-", "−"))})});

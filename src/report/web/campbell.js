@@ -5,13 +5,29 @@ const hover = (m, i) => `<b>${m.label}</b> at ${short(speeds[i], 7)} rpm<br>freq
   `<br>real part ${short(m.real[i], 5)} 1/s<br>damping ratio ${short(m.damping_ratio[i], 5)}, log. decrement ${short(m.log_dec[i], 5)}` +
   `<br>${m.whirl[i]} whirl, forward share ${short(m.forward_fraction[i], 4)}` +
   `<br>error ${short(m.error[i], 2)}, residual ${short(m.residual[i], 2)}`;
+// Steps that are no line of the motion, by the rule of the picture (campbell_panel.cpp): its frequency springs.
+const highest = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => f || 0)));
+function springs(mode) {
+  const step = i => i < 0 || i + 1 >= speeds.length || mode.frequency[i] === null || mode.frequency[i + 1] === null ? null
+    : Math.abs(mode.frequency[i + 1] - mode.frequency[i]);
+  const large = i => step(i) > 0.04 * highest, sprung = speeds.map(() => false);
+  for (let i = 0; i + 1 < speeds.length; ++i) {
+    if (!large(i) || large(i - 1)) continue;
+    const run = large(i + 1) ? 2 : 1, before = step(i - 1), after = step(i + run);
+    if (before === null && after === null) continue;
+    for (let k = i; k < i + run; ++k) sprung[k] = !large(i + run) && step(k) > 5 * Math.max(before || 0, after || 0);
+  }
+  return sprung;
+}
 function stretches(mode, values, panel) {
+  const sprung = springs(mode);
   let from = 0;
   for (let i = 1; i <= speeds.length; ++i) {
     if (i < speeds.length && mode.whirl[i] === mode.whirl[from]) continue;
-    const sense = mode.whirl[from], s = look[sense], x = [], y = [], text = [];
-    for (let k = from; k <= Math.min(i, speeds.length - 1); ++k) {
+    const sense = mode.whirl[from], s = look[sense], x = [], y = [], text = [], end = Math.min(i, speeds.length - 1);
+    for (let k = from; k <= end; ++k) {
       x.push(speeds[k]); y.push(values[k]); text.push(hover(mode, k));
+      if (sprung[k] && k < end) { x.push(speeds[k]); y.push(null); text.push(""); }
     }
     traces.push({x, y, text, hoverinfo: "text", mode: "lines+markers", name: sense, legendgroup: sense,
       showlegend: !named[sense], yaxis: panel, line: {color: s.color, dash: s.dash, width: 2},
@@ -52,7 +68,10 @@ multiples.forEach(k => {
 if (result.crossings.length) traces.push({x: result.crossings.map(c => c.speed * rpm), y: result.crossings.map(c => c.frequency * hertz),
   text: result.crossings.map(c => `crossing of ${result.modes[c.mode].label} with ${c.multiple}×<br>${short(c.speed * rpm, 9)} rpm = ${short(c.speed, 10)} rad/s`),
   hoverinfo: "text", mode: "markers", name: "crossing", marker: {symbol: "circle-open", size: 13, color: result.crossings.map(c => c.heavily_damped ? heavy : "#000"), line: {width: 2}}});
+// Decrements above 6.3 (damping ratio 0.7) would flatten all others; a double click shows them.
+const decrements = result.modes.flatMap(m => m.log_dec.filter(d => d !== null)), ceiling = 1.08 * Math.min(6.3, Math.max(0, ...decrements));
+const decrementRange = [Math.min(1.35 * Math.max(-6.3, Math.min(0, ...decrements)), -0.04 * ceiling), Math.max(ceiling, 0.02)];
 draw(traces, {annotations: notes, height: damped ? 860 : 620,
   xaxis: axis("Spin speed (rpm)", {anchor: damped ? "y2" : "y", range: [speeds[0], speeds[last] + 0.05 * (speeds[last] - speeds[0]) || 1]}),
   yaxis: axis("Whirl frequency (Hz)", {range: [0, top], domain: damped ? [0.38, 1] : [0, 1]}),
-  ...(damped ? {yaxis2: axis("Logarithmic decrement", {domain: [0, 0.3]})} : {})});
+  ...(damped ? {yaxis2: axis("Logarithmic decrement", {domain: [0, 0.3], range: decrementRange})} : {})});

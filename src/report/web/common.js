@@ -9,13 +9,22 @@ const colours = ["#0072B2", "#D55E00", "#007D5A", "#A8527F", "#B77F00", "#3C97CF
 const dashes = ["solid", "dash", "dot", "dashdot"];
 const short = (value, digits) => value === null || value === undefined ? "–" : Number(value.toPrecision(digits)).toString();
 const axis = (title, more) => Object.assign({title: {text: title}, gridcolor: "#E4E4E4", zerolinecolor: "#999",
-  linecolor: "#333", mirror: true, ticks: "outside"}, more || {});
+  linecolor: "#333", mirror: true, ticks: "outside", exponentformat: "power", minexponent: 5}, more || {});
+// Limits of a logarithmic axis, as in the pictures: three powers of ten down from the largest value of the smallest curve, six from that
+// of all, so that the start from rest does not squeeze the peaks. A double click shows all.
+function logarithmicRange(curves) {
+  const largest = curves.map(curve => Math.max(0, ...curve.filter(v => v !== null && isFinite(v)))).filter(v => v > 0);
+  const all = curves.flat().filter(v => v > 0);
+  if (!largest.length || !all.length) return undefined;
+  const low = Math.max(all.reduce((a, b) => Math.min(a, b)), 1e-3 * Math.min(...largest), 1e-6 * Math.max(...largest));
+  return [Math.floor(Math.log10(low)), Math.log10(2 * Math.max(...largest))];
+}
 // A light band over the operating speeds, and a line at the trip speed, where spin speed goes to the right.
 function operating(layout) {
   const at = result.operation, across = (from, to, more) => Object.assign({type: "rect", xref: "x", yref: "paper", layer: "below",
     x0: from * rpm, x1: to * rpm, y0: 0, y1: 1, line: {width: 0}}, more);
   if (!at || !layout.xaxis || !layout.xaxis.title.text.startsWith("Spin speed")) return {};
-  const name = (speed, text, anchor) => ({x: speed * rpm, xref: "x", y: 0, yref: "paper", xanchor: anchor, yanchor: "bottom", text,
+  const name = (speed, text, anchor) => ({x: speed * rpm, xref: "x", y: 1, yref: "paper", xanchor: anchor, yanchor: "top", text,
     showarrow: false, textangle: -90, font: {size: 11, color: "#7A5200"}});
   const shapes = [across(at.from, at.to, {fillcolor: "#E3EFDA"})], names = [name(at.from, "operating speeds", "left")];
   if (at.trip !== null) {
@@ -26,6 +35,6 @@ function operating(layout) {
 }
 function draw(traces, layout, place = "plot") {
   Plotly.newPlot(place, traces, Object.assign({margin: {l: 75, r: 30, t: 30, b: 60}, height: 620,
-    hovermode: "closest", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
+    hovermode: "closest", separators: ".", plot_bgcolor: "#fff", paper_bgcolor: "#fff",
     legend: {orientation: "h", y: 1.02, yanchor: "bottom"}}, layout, operating(layout)), {responsive: true, displaylogo: false});
 }

@@ -4,4 +4,5 @@ const traces = Object.keys(look).map(sense => {
     text: list.map(c => `${sense}: ${short(c.speed, 10)} rad/s = ${short(c.speed * rpm, 10)} rpm<br>error ${short(c.error, 2)}`),
     marker: {color: list.map(c => c.heavily_damped ? heavy : look[sense].color), symbol: look[sense].symbol, size: 13, line: {width: 2}}};
 }).filter(t => t.x.length);
-draw(traces, {height: 300, xaxis: axis("Spin speed (rpm)", {rangemode: "tozero"}), yaxis: axis("", {type: "category"}), margin: {l: 90, r: 30, t: 30, b: 60}});
+const all = result.critical_speeds.map(c => c.speed), spread = all.length > 0 && Math.min(...all) > 0 && Math.max(...all) > 100 * Math.min(...all);
+draw(traces, {height: 300, xaxis: axis("Spin speed (rpm)", spread ? {type: "log", dtick: 1} : {rangemode: "tozero"}), yaxis: axis("", {type: "category"}), margin: {l: 90, r: 30, t: 30, b: 60}});

@@ -19,9 +19,10 @@ result.balancers.forEach((b, i) => b.angles.forEach((_, j) => {
   if (!lagging)
     for (let n = time.length - 1; n > 0; --n)
       if (Math.abs(y[n] - y[n - 1]) > 180) y[n - 1] = null;
-  traces.push({x: time, y, yaxis: "y2", mode: "lines", name: `${b.coordinates[j]} of ${i + 1}`,
+  traces.push({x: time, y, yaxis: "y2", mode: "lines", name: b.coordinates[j] + (result.balancers.length > 1 ? ", " + (b.name || "balancer " + (i + 1)) : ""),
     line: {color: colours[k % 8], dash: dashes[Math.floor(k / 8) % 4], width: 1.5}});
 }));
+const changing = Math.max(...result.series.speed) - Math.min(...result.series.speed) > 1e-9 * Math.max(...result.series.speed.map(Math.abs));
 // Without balancers: the stations, over time and beside the steady response over speed.
 result.stations.forEach((s, k) => {
   const name = (s.name ? s.name + ", " : "") + `z = ${short(s.z * metres, 4)} m`, line = {color: colours[k % 8], width: 1.5};
@@ -29,13 +30,16 @@ result.stations.forEach((s, k) => {
   traces.push({...common, x: time, y: micro(result.series.amplitude[k]), name, line, hovertemplate: "%{x:.6g} s: %{y:.5g} µm<extra>" + name + "</extra>"});
   traces.push({mode: "markers", legendgroup: "s" + k, showlegend: false, x: [s.peak_time], y: [s.peak * micrometres], marker: {color: line.color, size: 8},
     hovertemplate: "peak at %{x:.6g} s: %{y:.6g} µm<extra>" + name + "</extra>"});
+  if (!changing) return; // over one speed there is nothing to see
   traces.push({...common, x: result.series.speed.map(v => v * rpm), y: micro(result.series.amplitude[k]), name, showlegend: false, line, xaxis: "x2", yaxis: "y2",
     hovertemplate: "%{x:.6g} rpm: %{y:.5g} µm<extra>" + name + "</extra>"});
   if (result.steady.speeds.length > 0)
     traces.push({...common, x: result.steady.speeds.map(v => v * rpm), y: micro(result.steady.amplitude[k]), showlegend: false,
       line: {color: line.color, dash: "dot", width: 1}, xaxis: "x2", yaxis: "y2", hovertemplate: "steady, %{x:.6g} rpm: %{y:.5g} µm<extra>" + name + "</extra>"});
 });
-if (result.stations.length > 0)
+if (result.stations.length > 0 && !changing)
+  draw(traces, {height: 480, xaxis: axis("Time (s)"), yaxis: axis("Amplitude (µm)", {rangemode: "tozero"})});
+else if (result.stations.length > 0)
   draw(traces, {height: 820, grid: {rows: 2, columns: 1, pattern: "independent"}, xaxis: axis("Time (s)"), yaxis: axis("Amplitude (µm)", {rangemode: "tozero"}),
     xaxis2: axis("Spin speed (rpm)"), yaxis2: axis("Amplitude, steady dotted (µm)", {rangemode: "tozero"})});
 else
