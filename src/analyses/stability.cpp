@@ -159,19 +159,6 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
     return out;
 }
 
-/// The longest run of speeds that a Hill series describes.
-std::vector<double> described(const std::vector<double> &speeds,
-                              const stability::StabilityModel &model) {
-    std::vector<double> forward;
-    std::vector<double> backward;
-    for (const double speed : speeds)
-        if (std::abs(speed) >= model.from)
-            (speed < 0 ? backward : forward).push_back(speed);
-    if (model.from == 0) // rest is among them: one run
-        return speeds;
-    return forward.size() >= backward.size() ? forward : backward;
-}
-
 /// Beyond two, each ball or ring of a balancer adds a pair of roots for each of its coordinates,
 /// one of them 0, that the motion of the rotor does not see.
 int neutral_pairs(const model::Rotor &rotor) {
@@ -182,27 +169,6 @@ int neutral_pairs(const model::Rotor &rotor) {
             pairs += (masses - 2) * static_cast<int>(kind->coordinates().size()) / masses;
     }
     return pairs;
-}
-
-/// Speeds at which the Hill series does not settle, and all slower ones, are given up.
-void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
-                       stability::StabilityModel &model) {
-    if (model.form != results::Form::hill)
-        return;
-    double unsettled = -1;
-    for (const double speed : grid)
-        try {
-            (void)at(speed);
-        } catch (const stability::NotSettled &) {
-            unsettled = std::max(unsettled, std::abs(speed));
-        }
-    if (unsettled < 0)
-        return;
-    model.from = std::numeric_limits<double>::infinity();
-    for (const double speed : grid)
-        if (std::abs(speed) > unsettled)
-            model.from = std::min(model.from, std::abs(speed));
-    grid = described(grid, model);
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.

@@ -148,4 +148,36 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
     result.ends = std::move(found.ends);
 }
 
+std::vector<double> described(const std::vector<double> &speeds,
+                              const stability::StabilityModel &model) {
+    std::vector<double> forward;
+    std::vector<double> backward;
+    for (const double speed : speeds)
+        if (std::abs(speed) >= model.from)
+            (speed < 0 ? backward : forward).push_back(speed);
+    if (model.from == 0) // rest is among them: one run
+        return speeds;
+    return forward.size() >= backward.size() ? forward : backward;
+}
+
+void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
+                       stability::StabilityModel &model) {
+    if (model.form != results::Form::hill)
+        return;
+    double unsettled = -1;
+    for (const double speed : grid)
+        try {
+            (void)at(speed);
+        } catch (const stability::NotSettled &) {
+            unsettled = std::max(unsettled, std::abs(speed));
+        }
+    if (unsettled < 0)
+        return;
+    model.from = std::numeric_limits<double>::infinity();
+    for (const double speed : grid)
+        if (std::abs(speed) > unsettled)
+            model.from = std::min(model.from, std::abs(speed));
+    grid = described(grid, model);
+}
+
 } // namespace whirl::analyses

@@ -39,4 +39,13 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
                         results::Form form, const stability::MotionsAt &at,
                         const std::vector<double> &grid, results::StabilityResult &result);
 
+/// The longest run of speeds that a Hill series describes.
+[[nodiscard]] std::vector<double> described(const std::vector<double> &speeds,
+                                            const stability::StabilityModel &model);
+
+/// Speeds at which the Hill series does not settle, and all slower ones, are given up: of the grid
+/// the longest run of those that are left stays.
+void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
+                       stability::StabilityModel &model);
+
 } // namespace whirl::analyses

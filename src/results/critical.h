@@ -19,7 +19,7 @@ struct CriticalSpeed {
     double real = 0;  ///< 1/s, of the synchronous eigenvalue
     double error = 0; ///< relative estimate
     double residual = 0;
-    Damping damping; ///< of the synchronous eigenvalue; empty: the speed is that without damping
+    Damping damping;  ///< of the synchronous eigenvalue; empty: the speed is that without damping
     std::string mode; ///< name of its line in the Campbell diagram; empty: not known
     ErrorParts error_parts{}; ///< of `error`
 };

@@ -64,7 +64,7 @@ struct ResponsePeak {
     /// Name of the line of the Campbell diagram that is nearest to resonance there; empty: none is
     /// near, or not known.
     std::string mode;
-    ErrorParts error_parts{};           ///< of `error`
+    ErrorParts error_parts{}; ///< of `error`
 };
 
 /// The curves with points wherever they bend, to draw: a list over the speeds for each station,

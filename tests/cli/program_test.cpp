@@ -91,7 +91,8 @@ TEST_F(Program, SaysWhereAMapIsIdle) {
 TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes{
         {{}, "a command is missing"},
-        {{"cambpell", rotor}, "unknown command \"cambpell\", did you mean \"campbell\"? The commands are show"},
+        {{"cambpell", rotor},
+         "unknown command \"cambpell\", did you mean \"campbell\"? The commands are show"},
         {{"campbell"}, "a case folder or .toml file is missing"},
         {{"campbell", rotor, "--fast"}, "--fast"},
         {{"campbell", rotor, "second_case"}, "second_case"},

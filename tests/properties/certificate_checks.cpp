@@ -129,7 +129,6 @@ void check_whirl_speeds(const modes::Spectrum &spectrum, bool followed, const De
         const double size = std::abs(mode.eigenvalue);
         // What the program states of rounding, once for each of the two solutions.
         const double stated = followed ? mode.residual : 0;
-        // Where two eigenvalues nearly meet a dense LU leaves a few times that in the reference.
         const double each = mode.rounding + (followed ? 0 : mode.residual);
         const double rounding = 2 * each + 4 * epsilon;
         const Complex whole = dense.next_to(value, (2 * stated + rounding) * size);
