@@ -1,5 +1,6 @@
 #include "analyses/names/mode_naming.h"
 
+#include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
 #include "results/formulation.h"
@@ -54,8 +55,13 @@ std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
 } // namespace
 
 bool names_at_little_cost(const model::Case &scene) {
-    return scene.speeds && scene.rotor.balancers.empty() &&
-           !results::in_rotating_axes(modes::choose_formulation(scene).form);
+    if (!scene.speeds || !scene.rotor.balancers.empty())
+        return false;
+    try {
+        return !results::in_rotating_axes(modes::choose_formulation(scene).form);
+    } catch (const model::BadInput &) { // a form that describes the response, not the modes
+        return false;
+    }
 }
 
 void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
