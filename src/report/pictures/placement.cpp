@@ -107,6 +107,28 @@ std::string place_text(const results::BestPlace &place) {
                                    : std::string(" m, the least bad"));
 }
 
+/// The panel of two planes, with a cross at the best two.
+std::string two_planes(const results::Placement &map, double length, double pixel) {
+    return panel_margins(0.575, 0.985, 1 - 585 * pixel, 1 - 100 * pixel) +
+           fmt::format(
+               "set yrange [0:{}]\nset ylabel 'z of the other plane (m)'\nset xlabel 'z of one "
+               "plane (m)'\nset label 1 {} at graph 0,1.03 left\nset label 2 {} at screen 0.575,{} "
+               "left\n"
+               "set label 4 {} at screen 0.575,{} left\n",
+               length,
+               plot_text(fmt::format("two planes at {} rpm", readable(map.pair_speed * rpm))),
+               plot_text(map.best_pair.share > 0 ? "cross: best two over all speeds,"
+                                                 : "no two balance at any of the speeds; cross:"),
+               1 - 665 * pixel, plot_text(place_text(map.best_pair)), 1 - 685 * pixel) +
+           (map.best_pair.z.size() == 2
+                ? fmt::format("set label 3 '' at first {0:.9g},{1:.9g} point pt 7 ps 2.6 lc rgb "
+                              "'#FFFFFF' front\nset label 5 '' at first {0:.9g},{1:.9g} point pt 2 "
+                              "ps 2 lw 2 lc rgb '#5B2A86' front\n",
+                              map.best_pair.z[0] * metres, map.best_pair.z[1] * metres)
+                : "") +
+           heat_plot("two");
+}
+
 } // namespace
 
 Figure placement_figure(const model::Case &scene, const results::Placement &map) {
@@ -143,22 +165,7 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
         "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z "
         "(m)'\n" +
         panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
-        panel_margins(0.575, 0.985, 1 - 585 * pixel, 1 - 100 * pixel) +
-        fmt::format(
-            "set yrange [0:{}]\nset ylabel 'z of the other plane (m)'\nset xlabel 'z of one plane "
-            "(m)'\nset label 1 {} at graph 0,1.03 left\nset label 2 {} at screen 0.575,{} left\n"
-            "set label 4 {} at screen 0.575,{} left\n",
-            length, plot_text(fmt::format("two planes at {} rpm", readable(map.pair_speed * rpm))),
-            plot_text(map.best_pair.share > 0 ? "cross: best two over all speeds,"
-                                              : "no two balance at any of the speeds; cross:"),
-            1 - 665 * pixel, plot_text(place_text(map.best_pair)), 1 - 685 * pixel) +
-        (map.best_pair.z.size() == 2
-             ? fmt::format("set label 3 '' at first {0:.9g},{1:.9g} point pt 7 ps 2.6 lc rgb "
-                           "'#FFFFFF' front\nset label 5 '' at first {0:.9g},{1:.9g} point pt 2 "
-                           "ps 2 lw 2 lc rgb '#5B2A86' front\n",
-                           map.best_pair.z[0] * metres, map.best_pair.z[1] * metres)
-             : "") +
-        heat_plot("two") + "\nunset multiplot\n";
+        two_planes(map, length, pixel) + "\nunset multiplot\n";
     return figure;
 }
 
