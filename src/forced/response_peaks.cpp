@@ -100,6 +100,14 @@ std::vector<double> peak_speeds(std::vector<Peak> peaks) {
     return out;
 }
 
+/// Takes motions in. @returns whether any of them was news
+bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
+    const int before = reduced.size();
+    if (motions.cols() > 0)
+        reduced.take_in(motions);
+    return reduced.size() > before;
+}
+
 /// Motions of the whole rotor at the speeds where the reduced one differs by more than agreed.
 Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
                          const std::vector<double> &speeds, double agreed, double &worst) {
@@ -164,11 +172,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<double> speeds =
             telling_speeds(resonances_about(reduced, from, to), from, to);
-        const Eigen::MatrixXcd news = missing(reduced, whole, speeds, agreed, out.reduction_error);
-        const int before = reduced.size();
-        if (news.cols() > 0)
-            reduced.take_in(news);
-        if (reduced.size() == before)
+        if (!widened(reduced, missing(reduced, whole, speeds, agreed, out.reduction_error)))
             break;
     }
     std::optional<PeakSearch> search;
@@ -177,10 +181,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
         double at_peaks = 0;
         const Eigen::MatrixXcd news =
             missing(reduced, whole, peak_speeds(search->peaks()), agreed, at_peaks);
-        const int before = reduced.size();
-        if (news.cols() > 0 && round < most_rounds)
-            reduced.take_in(news);
-        if (reduced.size() > before)
+        if (round < most_rounds && widened(reduced, news))
             continue;
         out.reduction_error = std::max(out.reduction_error, at_peaks);
         break;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace whirl::input {
@@ -13,14 +12,7 @@ namespace {
 
 /// What may have been meant by a text that is no number.
 std::string hint_for(const Node &node) {
-    const std::size_t comma =
-        node.kind == Node::Kind::text ? node.text.find(',') : std::string::npos;
-    const auto digit = [&](std::size_t k) {
-        return k < node.text.size() && std::isdigit(static_cast<unsigned char>(node.text[k])) != 0;
-    };
-    const bool decimal =
-        comma != std::string::npos && comma > 0 && digit(comma - 1) && digit(comma + 1);
-    return decimal ? "; write the decimal point as \".\"" : "";
+    return node.kind == Node::Kind::text ? decimal_comma_hint(node.text) : "";
 }
 
 } // namespace

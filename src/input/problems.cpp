@@ -86,4 +86,14 @@ std::string suggestion(std::string_view word, const std::vector<std::string> &ca
     return candidates.empty() ? "" : fmt::format(", known are {}", fmt::join(candidates, ", "));
 }
 
+std::string decimal_comma_hint(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    const auto digit = [text](std::size_t k) {
+        return k < text.size() && std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+    };
+    const bool decimal =
+        comma != std::string_view::npos && comma > 0 && digit(comma - 1) && digit(comma + 1);
+    return decimal ? "; write the decimal point as \".\"" : "";
+}
+
 } // namespace whirl::input

@@ -45,4 +45,7 @@ class Problems {
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      const std::vector<std::string> &candidates);
 
+/// What may have been meant by a text in place of a number: its first comma is between digits.
+[[nodiscard]] std::string decimal_comma_hint(std::string_view text);
+
 } // namespace whirl::input

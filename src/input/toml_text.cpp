@@ -1,5 +1,6 @@
 #include "input/toml_text.h"
 
+#include "input/problems.h"
 #include "input/units.h"
 #include "model/errors.h"
 
@@ -82,18 +83,16 @@ toml::array list_of(const Node &node) {
     return list;
 }
 
-/// What may have been meant by a line whose value begins with a number with a comma in it.
-std::string comma_hint(std::string_view document, toml::source_index line) {
+/// Of a line whose value begins as a number does.
+std::string hint_for_line(std::string_view document, toml::source_index line) {
     for (; line > 1; --line)
         document.remove_prefix(std::min(document.find('\n') + 1, document.size()));
     document = document.substr(0, document.find('\n'));
-    constexpr std::string_view digits = "0123456789";
-    const std::size_t value = document.find_first_not_of(" \t+-", document.find('=') + 1);
-    const std::size_t comma = document.find_first_not_of(digits, std::min(value, document.size()));
-    const bool decimal = comma != std::string_view::npos && comma > value &&
-                         document[comma] == ',' && comma + 1 < document.size() &&
-                         digits.find(document[comma + 1]) != std::string_view::npos;
-    return decimal ? "; write the decimal point as \".\"" : "";
+    const std::size_t value = document.find_first_of("+-0123456789", document.find('=') + 1);
+    if (value != document.find_first_not_of(" \t", document.find('=') + 1))
+        return "";
+    document.remove_prefix(std::min(value, document.size()));
+    return decimal_comma_hint(document.substr(0, document.find_first_of(" \t#")));
 }
 
 /// Gives the whole tree one origin.
@@ -111,7 +110,7 @@ Node parse_toml(std::string_view document, const std::string &file) {
     } catch (const toml::parse_error &error) {
         const Origin origin{file, static_cast<int>(error.source().begin.line)};
         std::string text(error.description());
-        text += comma_hint(document, error.source().begin.line);
+        text += hint_for_line(document, error.source().begin.line);
         throw model::BadInput(origin.text() + ": not valid TOML: " + text);
     }
 }

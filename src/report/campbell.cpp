@@ -3,6 +3,7 @@
 #include "results/campbell.h"
 
 #include "report/common/csv.h"
+#include "report/common/error_parts.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
@@ -58,42 +59,44 @@ Json hertz_or_why(const ModeAt &at) {
     return at.frequency() ? Json(in_hertz(at)) : at.entry(at.mode->absent);
 }
 
-const Columns<ModeAt> mode_columns{
-    {"", "speed [rad/s]", {}, {}, &ModeAt::speed},
-    {"", "mode", {"Mode"}, {"mode"}, [](const auto &at) { return at.mode->label; }},
-    {"frequency",
-     "frequency [rad/s]",
-     {"Frequency (rad/s)", "{:.10g}"},
-     {"rad/s", precise},
-     &ModeAt::frequency},
-    {"", "", {"Frequency (Hz)", "{:.10g}"}, {}, hertz_or_why},
-    {"", "", {}, {"Hz"}, in_hertz},
-    {"",
-     "",
-     {},
-     {"rpm"},
-     [](const auto &at) {
-         return at.frequency() ? std::optional(*at.frequency() * rpm) : std::nullopt;
-     }},
-    {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry(&CampbellMode::real)},
-    {"damping_ratio",
-     "damping_ratio",
-     {"Damping ratio"},
-     {"damping ratio"},
-     entry(&CampbellMode::damping_ratio)},
-    {"log_dec", "log_dec", {}, {}, entry(&CampbellMode::log_dec)},
-    {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry(&CampbellMode::whirl)},
-    {"forward_share",
-     "forward_fraction",
-     {"Forward share", "{:.4g}"},
-     {},
-     entry(&CampbellMode::forward_fraction)},
-    {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
-    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, entry(&CampbellMode::error)},
-    {"residual", "residual", {}, {}, entry(&CampbellMode::residual)},
-    {"error_mesh", "error_mesh", {}, {}, part(&results::ErrorParts::mesh)},
-    {"error_reduction", "error_reduction", {}, {}, part(&results::ErrorParts::reduction)},
-    {"error_rounding", "error_rounding", {}, {}, part(&results::ErrorParts::rounding)}};
+const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
+    {{"", "speed [rad/s]", {}, {}, &ModeAt::speed},
+     {"", "mode", {"Mode"}, {"mode"}, [](const auto &at) { return at.mode->label; }},
+     {"frequency",
+      "frequency [rad/s]",
+      {"Frequency (rad/s)", "{:.10g}"},
+      {"rad/s", precise},
+      &ModeAt::frequency},
+     {"", "", {"Frequency (Hz)", "{:.10g}"}, {}, hertz_or_why},
+     {"", "", {}, {"Hz"}, in_hertz},
+     {"",
+      "",
+      {},
+      {"rpm"},
+      [](const auto &at) {
+          return at.frequency() ? std::optional(*at.frequency() * rpm) : std::nullopt;
+      }},
+     {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry(&CampbellMode::real)},
+     {"damping_ratio",
+      "damping_ratio",
+      {"Damping ratio"},
+      {"damping ratio"},
+      entry(&CampbellMode::damping_ratio)},
+     {"log_dec", "log_dec", {}, {}, entry(&CampbellMode::log_dec)},
+     {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry(&CampbellMode::whirl)},
+     {"forward_share",
+      "forward_fraction",
+      {"Forward share", "{:.4g}"},
+      {},
+      entry(&CampbellMode::forward_fraction)},
+     {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
+     {"error",
+      "error",
+      {"Relative error", "{:.2g}"},
+      {"error", rough},
+      entry(&CampbellMode::error)},
+     {"residual", "residual", {}, {}, entry(&CampbellMode::residual)}},
+    true, part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
     std::vector<ModeAt> rows;

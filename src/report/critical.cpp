@@ -3,6 +3,7 @@
 #include "results/critical.h"
 
 #include "report/common/csv.h"
+#include "report/common/error_parts.h"
 #include "report/common/margins.h"
 #include "report/common/table.h"
 #include "report/common/text_width.h"
@@ -24,42 +25,34 @@ using results::CriticalSpeed;
 
 namespace {
 
-const Columns<CriticalSpeed> critical_columns{
-    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
-    {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
-    {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
-    {"", "", {"Hz", "{:.10g}"}, {"Hz"}, [](const auto &c) { return c.speed * hertz; }},
-    {"mode", "mode", {"Mode"}, {"mode"}, [](const auto &c) { return known_name(c.mode); }},
-    {"whirl", "whirl", {"Whirl"}, {"whirl"}, &CriticalSpeed::whirl},
-    {"real", "real [1/s]", {"Real part (1/s)", "{:.5g}"}, {}, &CriticalSpeed::real},
-    {"damping_ratio",
-     "damping_ratio",
-     {"Damping ratio"},
-     {"damping ratio"},
-     [](const auto &c) { return c.damping.ratio; }},
-    {"log_dec", "log_dec", {}, {}, [](const auto &c) { return c.damping.log_dec; }},
-    {"amplification",
-     "amplification",
-     {"Amplification factor", "{:.5g}"},
-     {"amplification", "{:.5g}"},
-     [](const auto &c) { return c.damping.amplification; }},
-    {"heavily_damped", "heavily_damped", {}, {}, [](const auto &c) { return c.damping.heavy(); }},
-    {"",
-     "",
-     {"Damped"},
-     {"damped"},
-     [](const auto &c) { return c.damping.heavy() ? "heavily" : ""; }},
-    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, &CriticalSpeed::error},
-    {"residual", "residual", {}, {}, &CriticalSpeed::residual},
-    {"error_mesh", "error_mesh", {}, {}, [](const auto &c) { return c.error_parts.mesh; }},
-    {"error_reduction",
-     "error_reduction",
-     {},
-     {},
-     [](const auto &c) { return c.error_parts.reduction; }},
-    {"error_rounding", "error_rounding", {}, {}, [](const auto &c) {
-         return c.error_parts.rounding;
-     }}};
+const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
+    {{"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
+     {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &c) { return c.speed * rpm; }},
+     {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &CriticalSpeed::speed},
+     {"", "", {"Hz", "{:.10g}"}, {"Hz"}, [](const auto &c) { return c.speed * hertz; }},
+     {"mode", "mode", {"Mode"}, {"mode"}, [](const auto &c) { return known_name(c.mode); }},
+     {"whirl", "whirl", {"Whirl"}, {"whirl"}, &CriticalSpeed::whirl},
+     {"real", "real [1/s]", {"Real part (1/s)", "{:.5g}"}, {}, &CriticalSpeed::real},
+     {"damping_ratio",
+      "damping_ratio",
+      {"Damping ratio"},
+      {"damping ratio"},
+      [](const auto &c) { return c.damping.ratio; }},
+     {"log_dec", "log_dec", {}, {}, [](const auto &c) { return c.damping.log_dec; }},
+     {"amplification",
+      "amplification",
+      {"Amplification factor", "{:.5g}"},
+      {"amplification", "{:.5g}"},
+      [](const auto &c) { return c.damping.amplification; }},
+     {"heavily_damped", "heavily_damped", {}, {}, [](const auto &c) { return c.damping.heavy(); }},
+     {"",
+      "",
+      {"Damped"},
+      {"damped"},
+      [](const auto &c) { return c.damping.heavy() ? "heavily" : ""; }},
+     {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, &CriticalSpeed::error},
+     {"residual", "residual", {}, {}, &CriticalSpeed::residual}},
+    true, error_part);
 
 std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +

@@ -120,10 +120,6 @@ std::vector<SpeedInterval> through_the_noise(const MotionsAt &at, const Known &k
     return joined(std::move(bands));
 }
 
-} // namespace
-
-namespace {
-
 /// What a growth at an end that stays counts for, when the other one moved from `before` to `now`.
 double weight(double before, double now) {
     const double left = before != 0 ? 1 - now / before : 0;

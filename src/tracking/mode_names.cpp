@@ -2,6 +2,8 @@
 
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "process/progress.h"
+#include "tracking/spectra.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +12,6 @@
 namespace whirl::tracking {
 
 namespace {
-
-std::vector<modes::Spectrum> spectra_here(const modes::SpectrumSolver &solver,
-                                          const std::vector<double> &speeds, int wanted,
-                                          bool follow) {
-    if (follow)
-        solver.follow(speeds, wanted);
-    std::vector<modes::Spectrum> spectra;
-    for (const double speed : speeds)
-        spectra.push_back(solver.at(speed, wanted));
-    return spectra;
-}
 
 /// A mode to be named whose line comes in from beyond the modes computed: more would show more of
 /// it.
@@ -62,7 +53,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     Tracking tracking;
     int computed = modes + 2;
     for (int attempt = 0; attempt < 4; ++attempt) {
-        _spectra = spectra_here(solver, _speeds, computed, follow);
+        _spectra = spectra_alone(solver, _speeds, computed, follow);
         tracking = track(solver, _spectra, modes);
         if (std::none_of(tracking.lines.begin(), tracking.lines.end(), [&](const Line &line) {
                 return comes_from_beyond(line, _spectra, asked, wanted);
@@ -125,6 +116,7 @@ std::string ModeNames::nearest(double solved, const Sought &sought) const {
 std::optional<ModeNames> mode_names(const modes::SpectrumSolver &solver,
                                     const model::SpeedRange &range, int modes, bool follow,
                                     const ModesToName &wanted) {
+    const process::Stage stage("names of modes", 0.9, 1.0);
     try {
         return ModeNames(solver, range, modes, follow, wanted);
     } catch (const model::AnalysisFailure &) { // no diagram, no names

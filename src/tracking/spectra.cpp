@@ -103,21 +103,26 @@ void agree_on_failure(std::string failure) {
 
 } // namespace
 
+std::vector<modes::Spectrum> spectra_alone(const modes::SpectrumSolver &solver,
+                                           const std::vector<double> &speeds, int wanted,
+                                           bool follow) {
+    if (follow)
+        solver.follow(speeds, wanted);
+    std::vector<modes::Spectrum> spectra;
+    for (const double speed : speeds) {
+        spectra.push_back(solver.at(speed, wanted));
+        process::report_progress(static_cast<double>(spectra.size()) /
+                                 static_cast<double>(speeds.size()));
+    }
+    return spectra;
+}
+
 std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
                                         const std::vector<double> &speeds, int wanted,
                                         bool follow) {
     const auto processes = static_cast<std::size_t>(process::process_count());
-    std::vector<modes::Spectrum> spectra;
-    if (processes == 1) {
-        if (follow)
-            solver.follow(speeds, wanted);
-        for (const double speed : speeds) {
-            spectra.push_back(solver.at(speed, wanted));
-            process::report_progress(static_cast<double>(spectra.size()) /
-                                     static_cast<double>(speeds.size()));
-        }
-        return spectra;
-    }
+    if (processes == 1)
+        return spectra_alone(solver, speeds, wanted, follow);
     Bytes mine;
     std::string failure;
     try {
@@ -125,16 +130,13 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
         for (auto i = static_cast<std::size_t>(process::process_rank()); i < speeds.size();
              i += processes)
             own.push_back(speeds[i]);
-        if (follow)
-            solver.follow(own, wanted);
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            put(mine, solver.at(own[i], wanted));
-            process::report_progress(static_cast<double>(i + 1) / static_cast<double>(own.size()));
-        }
+        for (const modes::Spectrum &spectrum : spectra_alone(solver, own, wanted, follow))
+            put(mine, spectrum);
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();
     }
     agree_on_failure(failure);
+    std::vector<modes::Spectrum> spectra;
     std::vector<Bytes> parts;
     for (std::vector<char> &part : process::gather(mine.data()))
         parts.emplace_back(std::move(part));

@@ -6,12 +6,18 @@
 
 namespace whirl::tracking {
 
+/// Spectra at many speeds, by this process.
+/// @param follow  damped rotors with symmetric matrices: from speed to speed, see
+///                SpectrumSolver::follow
+/// @throws model::AnalysisFailure where modes are not found.
+[[nodiscard]] std::vector<modes::Spectrum> spectra_alone(const modes::SpectrumSolver &solver,
+                                                         const std::vector<double> &speeds,
+                                                         int wanted, bool follow);
+
 /// Spectra at many speeds, shared among the processes started by mpirun. Collective; complete on
 /// process 0, empty on the others. Each speed is solved alone, so the numbers do not depend on
 /// how many processes there are.
-/// @param follow  damped rotors with symmetric matrices: from speed to speed, see
-///                SpectrumSolver::follow; then the numbers depend on the processes by their
-///                rounding
+/// @param follow  as in spectra_alone; then the numbers depend on the processes by their rounding
 /// @throws model::AnalysisFailure on every process where one of them failed.
 [[nodiscard]] std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
                                                       const std::vector<double> &speeds, int wanted,

@@ -12,7 +12,7 @@
 namespace whirl::simulation {
 namespace {
 
-/// Two races on a drum in soft bearings, four balls each, one start of many.
+/// A drum in soft bearings, and one start of many of four balls in each of two races.
 constexpr const char *drum = R"(format = 1
 [material.steel]
 E = "206 GPa"
@@ -40,24 +40,6 @@ c = 1500
 z = 2.15
 k = 2e6
 c = 2000
-[[balancer]]
-z = 0.28
-n = 4
-mass = 0.05
-radius = 0.16
-damping = 1
-imbalance = 0.01
-rolling_resistance = 0.5e-6
-contact = true
-[[balancer]]
-z = 1.92
-n = 4
-mass = 0.05
-radius = 0.16
-damping = 1
-imbalance = 0.01
-rolling_resistance = 0.5e-6
-contact = true
 [speeds]
 from = "7500 rpm"
 count = 1
@@ -67,13 +49,27 @@ ball_angles = [[0.6978319591103511, "100 deg", 3.002410105684052, "280 deg"],
                [-0.07471498318986597, "110 deg", "200 deg", "290 deg"]]
 )";
 
+constexpr const char *race = R"(
+n = 4
+mass = 0.05
+radius = 0.16
+damping = 1
+imbalance = 0.01
+rolling_resistance = 0.5e-6
+contact = true
+)";
+
 // One ball is let go at the limit of its friction while another one moves slower than can be told
 // from rest: whether the first one moves depends on the second. Decided one after the other they
 // were let go and held again without end, at 0.31 s.
 TEST(Rolling, DecidesTogetherWhichBallsAreLetGo) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "dry_drum";
     std::filesystem::create_directories(folder);
-    std::ofstream(folder / "case.toml") << drum;
+    std::ofstream file(folder / "case.toml");
+    file << drum;
+    for (const char *z : {"0.28", "1.92"})
+        file << "[[balancer]]\nz = " << z << race;
+    file.close();
     const model::Case scene = input::load_case(folder);
     const results::SimulateResult result = analyses::simulate(scene);
     EXPECT_EQ(result.time, scene.simulate.time);

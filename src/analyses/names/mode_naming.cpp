@@ -52,27 +52,29 @@ std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
     return found == speeds.end() ? std::nullopt : std::optional(*found);
 }
 
-} // namespace
-
-bool names_at_little_cost(const model::Case &scene) {
+/// The form in which lines are followed to give names; none where that takes long.
+std::optional<results::Form> form_for_names(const model::Case &scene) {
     if (!scene.speeds || !scene.rotor.balancers.empty())
-        return false;
+        return std::nullopt;
     try {
-        return !results::in_rotating_axes(modes::choose_formulation(scene).form);
+        const results::Form form = modes::choose_formulation(scene).form;
+        return results::in_rotating_axes(form) ? std::nullopt : std::optional(form);
     } catch (const model::BadInput &) { // a form that describes the response, not the modes
-        return false;
+        return std::nullopt;
     }
 }
 
+} // namespace
+
 void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
                 int order) {
-    if (critical_speeds.empty() || !names_at_little_cost(scene))
+    const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(scene);
+    if (!form)
         return;
-    const results::Form form = modes::choose_formulation(scene).form;
-    const modes::SpectrumSolver solver(scene.rotor, form, order);
+    const modes::SpectrumSolver solver(scene.rotor, *form, order);
     const auto names = tracking::mode_names(
         solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-        {speeds_of(critical_speeds), cheap_at_any_speed(form), tracking::near_spin});
+        {speeds_of(critical_speeds), cheap_at_any_speed(*form), tracking::near_spin});
     if (!names)
         return;
     std::vector<std::pair<std::complex<double>, results::Whirl>> values;
@@ -84,10 +86,11 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
 }
 
 void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order) {
-    if (peaks.empty() || !names_at_little_cost(scene))
+    const auto form = peaks.empty() ? std::nullopt : form_for_names(scene);
+    if (!form)
         return;
     const std::vector<double> solved = few_speeds(speeds_of(peaks));
-    const modes::SpectrumSolver solver(scene.rotor, modes::choose_formulation(scene).form, order);
+    const modes::SpectrumSolver solver(scene.rotor, *form, order);
     const auto names = tracking::mode_names(solver, *scene.speeds, scene.campbell.modes,
                                             scene.reduction, {solved, false, tracking::near_spin});
     if (!names)

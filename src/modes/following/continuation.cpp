@@ -12,8 +12,7 @@ namespace whirl::modes {
 
 namespace {
 
-/// Speeds of a sweep from one that is solved by inverse iteration to the next
-/// at most.
+/// Speeds of a sweep from one that is solved by inverse iteration to the next at most.
 constexpr std::size_t longest_stride = 8;
 
 double largest_ratio(const model::Rotor &rotor) {
@@ -263,8 +262,7 @@ void Continuation::fill(Run &run, const std::vector<double> &speeds, std::size_t
     fill(run, speeds, middle, to);
 }
 
-/// A run from these pairs: what is known of them from a run with fewer pairs is
-/// taken over.
+/// A run from these pairs: what is known of them from a run with fewer pairs is taken over.
 Continuation::Run Continuation::joining(const FollowedSpeed &start) {
     Run run;
     run.places.resize(start.pairs.size());

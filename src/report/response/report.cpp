@@ -2,6 +2,7 @@
 
 #include "results/response.h"
 
+#include "report/common/error_parts.h"
 #include "report/common/margins.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
@@ -72,74 +73,66 @@ std::string half_power(const ResponsePeak &peak) {
     return peak.lower || peak.upper ? end(peak.lower) + " … " + end(peak.upper) : "";
 }
 
-const Columns<ResponsePeak> peaks_found{
-    {"of", "", {}, {}, &ResponsePeak::of},
-    {"angle", "", {}, {}, &ResponsePeak::angle},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
-    {"name", "", {"Place"}, {}, &ResponsePeak::name},
-    {"", "", {}, {"peak at"}, [](const ResponsePeak &peak) { return place(peak.name, peak.z); }},
-    {"",
-     "",
-     {"of"},
-     {"of"},
-     [](const ResponsePeak &peak) -> std::string {
-         if (peak.of == "probe")
-             return fmt::format("reading at {:.4g}° ({})", peak.angle.value_or(0) * degrees,
-                                unit_name("amplitude", "m"));
-         return peak.of == "bearing" ? fmt::format("force ({})", unit_name("force", "N"))
-                                     : fmt::format("amplitude ({})", unit_name("amplitude", "m"));
-     }},
-    {"speed", "", {}, {}, &ResponsePeak::speed},
-    {"",
-     "",
-     {"at (rpm)", "{:.8g}"},
-     {"rpm", "{:.8g}"},
-     [](const ResponsePeak &peak) { return peak.speed * rpm; }},
-    {"mode",
-     "",
-     {"Mode", "{}", ""},
-     {"mode", "{}", ""},
-     [](const ResponsePeak &peak) { return known_name(peak.mode); }},
-    {"value", "", {}, {}, &ResponsePeak::value},
-    {"",
-     "",
-     {"Peak", "{:.6g}", "no limit"},
-     {"value", "{:.6g}", "no limit"},
-     [](const ResponsePeak &peak) {
-         return peak.value * (peak.of == "bearing" ? newtons : vibration_metres);
-     }},
-    {"phase", "", {}, {}, &ResponsePeak::phase},
-    {"",
-     "",
-     {"Phase (deg)", "{:.1f}", ""},
-     {"phase deg", "{:.1f}", ""},
-     [](const ResponsePeak &peak) {
-         return std::isfinite(peak.phase) ? std::optional(peak.phase * degrees) : std::nullopt;
-     }},
-    {"amplification",
-     "",
-     {"Amplification factor", "{:.4g}", ""},
-     {"AF", "{:.4g}", ""},
-     &ResponsePeak::amplification},
-    {"half_power",
-     "",
-     {},
-     {},
-     [](const ResponsePeak &peak) {
-         return Json{Json(peak.lower), Json(peak.upper)};
-     }},
-    {"", "", {"Half-power points (rpm)"}, {"half power rpm"}, half_power},
-    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
-    {"speed_error", "", {}, {}, &ResponsePeak::speed_error},
-    {"error_mesh", "", {}, {}, [](const ResponsePeak &peak) { return peak.error_parts.mesh; }},
-    {"error_reduction",
-     "",
-     {},
-     {},
-     [](const ResponsePeak &peak) { return peak.error_parts.reduction; }},
-    {"error_rounding", "", {}, {}, [](const ResponsePeak &peak) {
-         return peak.error_parts.rounding;
-     }}};
+const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
+    {{"of", "", {}, {}, &ResponsePeak::of},
+     {"angle", "", {}, {}, &ResponsePeak::angle},
+     {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
+     {"name", "", {"Place"}, {}, &ResponsePeak::name},
+     {"", "", {}, {"peak at"}, [](const ResponsePeak &peak) { return place(peak.name, peak.z); }},
+     {"",
+      "",
+      {"of"},
+      {"of"},
+      [](const ResponsePeak &peak) -> std::string {
+          if (peak.of == "probe")
+              return fmt::format("reading at {:.4g}° ({})", peak.angle.value_or(0) * degrees,
+                                 unit_name("amplitude", "m"));
+          return peak.of == "bearing" ? fmt::format("force ({})", unit_name("force", "N"))
+                                      : fmt::format("amplitude ({})", unit_name("amplitude", "m"));
+      }},
+     {"speed", "", {}, {}, &ResponsePeak::speed},
+     {"",
+      "",
+      {"at (rpm)", "{:.8g}"},
+      {"rpm", "{:.8g}"},
+      [](const ResponsePeak &peak) { return peak.speed * rpm; }},
+     {"mode",
+      "",
+      {"Mode", "{}", ""},
+      {"mode", "{}", ""},
+      [](const ResponsePeak &peak) { return known_name(peak.mode); }},
+     {"value", "", {}, {}, &ResponsePeak::value},
+     {"",
+      "",
+      {"Peak", "{:.6g}", "no limit"},
+      {"value", "{:.6g}", "no limit"},
+      [](const ResponsePeak &peak) {
+          return peak.value * (peak.of == "bearing" ? newtons : vibration_metres);
+      }},
+     {"phase", "", {}, {}, &ResponsePeak::phase},
+     {"",
+      "",
+      {"Phase (deg)", "{:.1f}", ""},
+      {"phase deg", "{:.1f}", ""},
+      [](const ResponsePeak &peak) {
+          return std::isfinite(peak.phase) ? std::optional(peak.phase * degrees) : std::nullopt;
+      }},
+     {"amplification",
+      "",
+      {"Amplification factor", "{:.4g}", ""},
+      {"AF", "{:.4g}", ""},
+      &ResponsePeak::amplification},
+     {"half_power",
+      "",
+      {},
+      {},
+      [](const ResponsePeak &peak) {
+          return Json{Json(peak.lower), Json(peak.upper)};
+      }},
+     {"", "", {"Half-power points (rpm)"}, {"half power rpm"}, half_power},
+     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
+     {"speed_error", "", {}, {}, &ResponsePeak::speed_error}},
+    false, error_part);
 
 } // namespace
 
