@@ -11,7 +11,7 @@
 #include <complex>
 #include <numbers>
 
-namespace {
+namespace response_orbits_test {
 
 using namespace whirl;
 using analyses::unbalance_response;
@@ -290,4 +290,4 @@ TEST(DeflectedShape, of_a_massless_shaft_is_that_under_a_force) {
     }
 }
 
-} // namespace
+} // namespace response_orbits_test

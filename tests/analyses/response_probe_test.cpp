@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+namespace response_probe_test {
 namespace {
 
 using namespace whirl;
@@ -334,3 +335,5 @@ TEST(ResponseProbe, other_units_give_the_same_digits) {
 }
 
 } // namespace
+
+} // namespace response_probe_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace show_balancers_test {
 
 using namespace whirl;
 using std::numbers::pi;
@@ -307,4 +307,4 @@ TEST(ShowAnisotropy, no_chart_without_symmetry) {
     }
 }
 
-} // namespace
+} // namespace show_balancers_test

@@ -7,7 +7,7 @@
 
 #include <numbers>
 
-namespace {
+namespace show_test {
 
 using namespace whirl;
 using std::numbers::pi;
@@ -96,4 +96,4 @@ TEST(Show, names_the_form_of_each_command) {
     EXPECT_EQ(result.formulations.size(), 6U);
 }
 
-} // namespace
+} // namespace show_test

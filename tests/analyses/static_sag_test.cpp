@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace static_sag_test {
 
 using namespace whirl;
 using std::numbers::pi;
@@ -46,8 +46,6 @@ const results::SagStation &at(const results::StaticSag &sag, double z) {
             return station;
     throw std::runtime_error("no station there");
 }
-
-} // namespace
 
 // Timoshenko beam on two springs: w/k of the springs, 5 q L^4/(384 EI) + q L^2/(8 kappa G A) in the
 // middle, sections turned by q L^3/(24 EI) at the ends.
@@ -142,3 +140,5 @@ TEST(StaticSag, NothingCarriesAFreeRotor) {
     scene.rotor.bearings = {tests::isotropic_bearing(0, 1e7)};
     EXPECT_FALSE(analyses::show(scene).sag) << "it tips over";
 }
+
+} // namespace static_sag_test

@@ -15,7 +15,7 @@
 #include <numbers>
 #include <random>
 
-namespace {
+namespace rotating_system_test {
 
 using namespace whirl;
 using Eigen::MatrixXd;
@@ -303,4 +303,4 @@ TEST(HillSystem, WithEqualBearingsRepeatsTheRotatingEigenvalues) {
     EXPECT_LT(tests::largest_distance(expected, series), 1e-10 * largest);
 }
 
-} // namespace
+} // namespace rotating_system_test

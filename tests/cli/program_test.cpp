@@ -12,7 +12,7 @@
 #include <numbers>
 #include <unistd.h>
 
-namespace {
+namespace program_test {
 
 namespace fs = std::filesystem;
 using whirl::tests::ProgramRun;
@@ -353,4 +353,4 @@ TEST_F(Program, SamplesOfNoRotorAreStatusOneOnEveryNumberOfProcesses) {
     EXPECT_TRUE(nothing_written());
 }
 
-} // namespace
+} // namespace program_test

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace whirl::closed_form {
+namespace whirl::closed_form::beam_frequencies_test {
 namespace {
 
 constexpr double hertz = 2.0 * std::numbers::pi;
@@ -104,4 +104,4 @@ TEST(BeamFrequencies, TimoshenkoTendsToRayleighAsShearStiffens) {
 }
 
 } // namespace
-} // namespace whirl::closed_form
+} // namespace whirl::closed_form::beam_frequencies_test

@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace whirl::closed_form {
+namespace whirl::closed_form::pendulum_balancer_test {
 namespace {
 
 /// The rotor of the paper's first curve: M = 5 kg, m = 1 kg, l = 18 cm, a = 2 cm.
@@ -212,4 +212,4 @@ TEST(PendulumBalancer, BranchIsFollowedRoundItsFolds) {
 }
 
 } // namespace
-} // namespace whirl::closed_form
+} // namespace whirl::closed_form::pendulum_balancer_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace whirl::closed_form {
+namespace whirl::closed_form::rigid_rotor_criterion_test {
 namespace {
 
 /// Half a unit of the sixth printed decimal.
@@ -156,4 +156,4 @@ TEST(RigidRotorCriterion, ExcessPlanesLeaveTheFormSemidefinite) {
 }
 
 } // namespace
-} // namespace whirl::closed_form
+} // namespace whirl::closed_form::rigid_rotor_criterion_test

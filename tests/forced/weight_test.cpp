@@ -19,7 +19,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace weight_test {
 
 using namespace whirl;
 using Complex = std::complex<double>;
@@ -274,4 +274,4 @@ TEST(Weight, SaysWhatItCannotAnswer) {
     EXPECT_THROW((void)analyses::unbalance_response(scene), model::BadInput);
 }
 
-} // namespace
+} // namespace weight_test

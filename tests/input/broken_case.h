@@ -17,8 +17,10 @@ struct BrokenCase {
     std::string file = "case.toml";                              ///< where the mistake is
 };
 
+// Each source's own (static), made before the constants of that source that start with them.
+
 /// A sound case on lines 1 to 7; what is added starts on line 8.
-inline const std::string sound_case = "format = 1\n"
+static const std::string sound_case = "format = 1\n"
                                       "[material.steel]\n"
                                       "E = 2e11\n"
                                       "nu = 0.3\n"
@@ -27,6 +29,6 @@ inline const std::string sound_case = "format = 1\n"
                                       "segments = [{length = 1.0, outer = 0.05}]\n";
 
 /// A case with a sound material on lines 1 to 5; what is added starts on line 6.
-inline const std::string sound_material = sound_case.substr(0, sound_case.find("[shaft]"));
+static const std::string sound_material = sound_case.substr(0, sound_case.find("[shaft]"));
 
 } // namespace whirl::tests

@@ -1,6 +1,6 @@
 #include "scratch_case.h"
 
-namespace whirl::tests {
+namespace whirl::tests::plausibility_test {
 namespace {
 
 const std::string base = sound_case + "[[bearing]]\nz = 0\nk = 1e6\n";
@@ -80,4 +80,4 @@ TEST(Plausibility, EmptyCellsAndDecimalCommasAreRefusedWithAHint) {
 }
 
 } // namespace
-} // namespace whirl::tests
+} // namespace whirl::tests::plausibility_test

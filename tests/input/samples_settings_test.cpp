@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace whirl::tests {
+namespace whirl::tests::samples_settings_test {
 namespace {
 
 const std::string base = sound_case + "[[bearing]]\nz = 0\nk = \"10 kN/mm\"\nc = 200\n"
@@ -75,4 +75,4 @@ TEST(SamplesSettings, AllMistakesAreListedAtOnce) {
 }
 
 } // namespace
-} // namespace whirl::tests
+} // namespace whirl::tests::samples_settings_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace {
+namespace semidefinite_pair_test {
 
 using whirl::linalg::SemidefinitePair;
 using Sparse = Eigen::SparseMatrix<double>;
@@ -80,4 +80,4 @@ TEST(SemidefinitePair, MultipleRootsAreRepeated) {
     EXPECT_TRUE(SemidefinitePair(Sparse(0, 0), Sparse(0, 0)).roots(0, 1).empty());
 }
 
-} // namespace
+} // namespace semidefinite_pair_test

@@ -30,22 +30,22 @@ model::Rotor with_damping(model::Rotor rotor, double share) {
     return rotor;
 }
 
-struct Printed {
+struct PrintedPair {
     Complex eigenvalue;
     double estimate = 0;
     results::Whirl whirl = results::Whirl::mixed;
 };
 
-std::vector<Printed> printed_at(const model::Case &scene, double share) {
+std::vector<PrintedPair> printed_at(const model::Case &scene, double share) {
     model::Case step = scene;
     step.rotor = with_damping(scene.rotor, share);
-    std::vector<Printed> out;
+    std::vector<PrintedPair> out;
     for (const results::CampbellMode &mode : analyses::campbell(step).modes)
         if (mode.frequency[0])
             out.push_back({Complex(mode.real[0].value_or(0), *mode.frequency[0]),
                            mode.error[0].value_or(std::numeric_limits<double>::quiet_NaN()),
                            mode.whirl[0]});
-    std::sort(out.begin(), out.end(), [](const Printed &a, const Printed &b) {
+    std::sort(out.begin(), out.end(), [](const PrintedPair &a, const PrintedPair &b) {
         return a.eigenvalue.imag() < b.eigenvalue.imag();
     });
     return out;
@@ -55,18 +55,18 @@ std::vector<Printed> printed_at(const model::Case &scene, double share) {
 struct Chain {
     int index = 0;
     oracles::Motion motion = oracles::Motion::both;
-    Printed printed;
+    PrintedPair printed;
     Complex printed_before;
     Complex truth, truth_before;
     bool lost = false;
 };
 
 std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::size_t wanted) {
-    std::vector<Printed> printed = printed_at(scene, 0);
+    std::vector<PrintedPair> printed = printed_at(scene, 0);
     printed.resize(std::min(printed.size(), wanted));
     const oracles::Continuum continuum(continuum_of(with_damping(scene.rotor, 0)));
     std::vector<Chain> chains;
-    const auto add = [&](oracles::Motion motion, const std::vector<Printed> &some) {
+    const auto add = [&](oracles::Motion motion, const std::vector<PrintedPair> &some) {
         if (some.empty())
             return;
         const auto truth =
@@ -83,8 +83,8 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
         return chains;
     }
     for (const bool forward : {true, false}) {
-        std::vector<Printed> some;
-        for (const Printed &p : printed)
+        std::vector<PrintedPair> some;
+        for (const PrintedPair &p : printed)
             if ((p.whirl == results::Whirl::forward) == forward)
                 some.push_back(p);
         add(forward ? oracles::Motion::forward : oracles::Motion::backward, some);
@@ -93,12 +93,12 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
 }
 
 /// The printed eigenvalue that continues a chain; none where two could.
-std::optional<Printed> continuation_of(const Complex &expected, const Complex &last,
-                                       const std::vector<Printed> &all) {
+std::optional<PrintedPair> continuation_of(const Complex &expected, const Complex &last,
+                                       const std::vector<PrintedPair> &all) {
     double nearest = std::numeric_limits<double>::infinity();
     double next = nearest;
-    std::optional<Printed> best;
-    for (const Printed &p : all) {
+    std::optional<PrintedPair> best;
+    for (const PrintedPair &p : all) {
         const auto distance = static_cast<double>(std::abs(p.eigenvalue - expected));
         if (distance < nearest) {
             next = nearest;
@@ -115,7 +115,7 @@ std::optional<Printed> continuation_of(const Complex &expected, const Complex &l
 /// One step of all chains to a larger share of the damping.
 void advance(std::vector<Chain> &chains, const model::Case &scene, double speed, double before,
              double last, double share) {
-    const std::vector<Printed> printed = printed_at(scene, share);
+    const std::vector<PrintedPair> printed = printed_at(scene, share);
     const oracles::Continuum continuum(continuum_of(with_damping(scene.rotor, share)));
     const auto ahead =
         static_cast<oracles::Real>(last > before ? (share - last) / (last - before) : 0);

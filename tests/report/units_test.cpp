@@ -12,7 +12,7 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace whirl::report {
+namespace whirl::report::units_test {
 
 namespace {
 
@@ -131,4 +131,4 @@ TEST(WrittenUnits, OfJsonAreNamedInIt) {
     EXPECT_EQ(json["units"], (Json{{"amplitude", "mil"}, {"speeds", "Hz"}, {"z", "in"}}));
 }
 
-} // namespace whirl::report
+} // namespace whirl::report::units_test

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace whirl::simulation {
+namespace whirl::simulation::dry_drum_test {
 namespace {
 
 /// A drum in soft bearings, and one start of many of four balls in each of two races.
@@ -79,4 +79,4 @@ TEST(Rolling, DecidesTogetherWhichBallsAreLetGo) {
 }
 
 } // namespace
-} // namespace whirl::simulation
+} // namespace whirl::simulation::dry_drum_test

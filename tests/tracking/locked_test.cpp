@@ -20,7 +20,7 @@
 #include <numbers>
 #include <tuple>
 
-namespace {
+namespace locked_test {
 
 using namespace whirl;
 
@@ -340,4 +340,4 @@ TEST(Locked, OfBallsIsTheSameOnEveryGrid) {
     }
 }
 
-} // namespace
+} // namespace locked_test

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace rotating_hill_test {
 
 using namespace whirl;
 using Values = std::vector<std::complex<double>>;
@@ -340,4 +340,4 @@ TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
     }
 }
 
-} // namespace
+} // namespace rotating_hill_test

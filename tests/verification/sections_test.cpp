@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace {
+namespace sections_test {
 
 using namespace whirl;
 using results::Form;
@@ -118,4 +118,4 @@ TEST(Sections, WithoutRotaryInertiaAndShearTheBeamIsEulers) {
     }
 }
 
-} // namespace
+} // namespace sections_test
