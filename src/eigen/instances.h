@@ -4,6 +4,8 @@
 // templates (through the precompiled header), src/eigen/*.cpp are the only ones that compile them.
 // A decomposition that is not listed works as well; it only compiles for longer.
 
+#include "eigen/kernels.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -27,6 +29,8 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
 #define WHIRL_EIGEN_SOLVES(what, Dense)                                                            \
     what class Eigen::PartialPivLU<Dense>;                                                         \
     what class Eigen::FullPivLU<Dense>;                                                            \
+    what class Eigen::LLT<Dense>;                                                                  \
+    what class Eigen::ColPivHouseholderQR<Dense>;                                                  \
     what class Eigen::CompleteOrthogonalDecomposition<Dense>;                                      \
     what void Eigen::CompleteOrthogonalDecomposition<Dense>::_solve_impl(const Dense &, Dense &)   \
         const
@@ -35,7 +39,8 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
     what class Eigen::Tridiagonalization<Dense>;                                                   \
     what class Eigen::SelfAdjointEigenSolver<Dense>;                                               \
     what Eigen::SelfAdjointEigenSolver<Dense> &Eigen::SelfAdjointEigenSolver<Dense>::compute(      \
-        const Eigen::EigenBase<Dense> &, int)
+        const Eigen::EigenBase<Dense> &, int);                                                     \
+    what class Eigen::GeneralizedSelfAdjointEigenSolver<Dense>
 
 #define WHIRL_EIGEN_GENERAL(what)                                                                  \
     what class Eigen::HessenbergDecomposition<Eigen::MatrixXd>;                                    \
@@ -76,6 +81,7 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
                                     Eigen::NaturalOrdering<int>>
 
 #ifndef WHIRL_EIGEN_INSTANCES
+WHIRL_EIGEN_KERNELS(extern template);
 WHIRL_EIGEN_SOLVES(extern template, Eigen::MatrixXd);
 WHIRL_EIGEN_SOLVES(extern template, Eigen::MatrixXcd);
 WHIRL_EIGEN_SYMMETRIC(extern template, Eigen::MatrixXd);

@@ -134,12 +134,12 @@ std::vector<double> sign_changes(const assembly::Discretization &d, double from,
     right.topLeftCorner(size, size) = -A1;
     right.topRightCorner(size, size) = -A2;
     right.bottomLeftCorner(size, size).setIdentity();
-    const Eigen::GeneralizedEigenSolver<Eigen::MatrixXd> solver(left, right, false);
+    // Of 1/W: the left matrix, with K and the border, has an inverse; the right one has none.
+    const Eigen::MatrixXd inverted = left.partialPivLu().solve(right);
+    const Eigen::VectorXcd reciprocals = inverted.eigenvalues();
     std::vector<double> speeds;
     for (Eigen::Index i = 0; i < 2 * size; ++i) {
-        if (solver.betas()(i) == 0)
-            continue;
-        const std::complex<double> W = unit * solver.alphas()(i) / solver.betas()(i);
+        const std::complex<double> W = unit / reciprocals[i];
         if (std::abs(W.imag()) < 1e-7 * std::abs(W) && W.real() > from && W.real() < to)
             speeds.push_back(W.real());
     }

@@ -101,8 +101,8 @@ TEST(ShowBalancers, composite_rotor_is_the_body_of_its_points) {
     EXPECT_NEAR(result.mass / body.mass(), 1, rounding);
     EXPECT_NEAR(result.center_of_mass / body.center().z(), 1, rounding);
     EXPECT_NEAR(result.Ip / inertia(2, 2), 1, rounding);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(
-        inertia.topLeftCorner<2, 2>().eval());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principal(
+        Eigen::MatrixXd(inertia.topLeftCorner<2, 2>()));
     const Eigen::Vector2d values = principal.eigenvalues();
     EXPECT_NEAR(result.Id / values.mean(), 1, rounding);
     EXPECT_NEAR(result.dI.value(), (values[1] - values[0]) / 2, rounding);

@@ -19,7 +19,7 @@ AnisotropicRotor figure_rotor(double polar_inertia = 0.8) {
 /// Largest real part of the roots of the quartic, from its companion matrix.
 double growth(const AnisotropicRotor &rotor, double speed) {
     const auto a = characteristic_polynomial(rotor, speed);
-    Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(4, 4);
     companion.bottomLeftCorner<3, 3>().setIdentity();
     for (int row = 0; row < 4; ++row)
         companion(row, 3) = -a[4 - row] / a[0];
@@ -39,7 +39,7 @@ double growth_from_equations(const AnisotropicRotor &r, double w) {
     stiffness << p2 + (r.polar_inertia - a1) * w * w, -r.damping * w, r.damping * w,
         p2 + (r.polar_inertia - a2) * w * w;
     const Eigen::Matrix2d inverse_mass = Eigen::Vector2d(1.0 / a2, 1.0 / a1).asDiagonal();
-    Eigen::Matrix4d state = Eigen::Matrix4d::Zero();
+    Eigen::MatrixXd state = Eigen::MatrixXd::Zero(4, 4);
     state.topRightCorner<2, 2>().setIdentity();
     state.bottomLeftCorner<2, 2>() = -inverse_mass * stiffness;
     state.bottomRightCorner<2, 2>() = -inverse_mass * damping;

@@ -139,7 +139,8 @@ TEST(RigidRotorCriterion, DynamicBandsAgreeWithTheFunctional) {
         const auto bands = dynamic_balancing_bands(rotor);
         if (at_an_end(bands, speed))
             continue;
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> form(criterion_matrix(rotor, speed));
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> form(
+            Eigen::MatrixXd(criterion_matrix(rotor, speed)));
         EXPECT_EQ(inside(bands, speed), form.eigenvalues().maxCoeff() < 0.0);
     }
 }
@@ -150,7 +151,7 @@ TEST(RigidRotorCriterion, ExcessPlanesLeaveTheFormSemidefinite) {
     planes << -0.3, 1.0, 0.1, 1.0, 0.45, 1.0;
     const Eigen::Matrix3d form = planes * criterion_matrix(rotor, 900.0) * planes.transpose();
     const Eigen::Vector3d values =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(form).eigenvalues();
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(form)).eigenvalues();
     EXPECT_LT(values[1], 0.0);
     EXPECT_NEAR(values[2] / values[0], 0.0, 1e-14);
 }

@@ -111,7 +111,8 @@ struct Running {
         Eigen::Matrix2cd J;
         J << 0, 1, -1, 0;
         const Eigen::Vector2cd inverse =
-            Eigen::ComplexEigenSolver<Eigen::Matrix2cd>(-H * J, false).eigenvalues();
+            Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(Eigen::MatrixXcd(-H * J), false)
+                .eigenvalues();
         return 1.0 / (inverse[0].real() > inverse[1].real() ? inverse[0] : inverse[1]);
     }
     /// The eigenvalue nearest to one, with coupling q.
