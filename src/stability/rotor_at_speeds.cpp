@@ -1,6 +1,7 @@
 #include "stability/rotor_at_speeds.h"
 
 #include "assembly/rotating_system.h"
+#include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/symmetric_eigen.h"
@@ -231,6 +232,9 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     out.formulation = modes::choose_formulation(scene, false);
     out.order = mesh_error::resolve_order(scene, out.formulation);
     const results::Form form = out.formulation.form;
+    // On few shapes its fast motions would grow where those of the whole rotor do not.
+    if (!scene.rotor.shaft.torque_has_potential() && form != results::Form::hill)
+        out.reduction = false;
     if (results::in_rotating_axes(form)) {
         out.form = form;
         for (const double speed : speeds)
@@ -249,6 +253,19 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
                                "at, whether or not they are frequencies"};
     }
     return out;
+}
+
+bool same_at_all_speeds(const StabilityModel &model,
+                        const assembly::Discretization &discretization) {
+    if (results::in_rotating_axes(model.form) || model.rotor.bearings_depend_on_speed())
+        return false;
+    const model::Rotor &rotor = model.rotor;
+    const bool gyroscopic = rotor.shaft.rigid || rotor.shaft.rotary_inertia ||
+                            std::any_of(rotor.discs.begin(), rotor.discs.end(),
+                                        [](const model::Disc &disc) { return disc.Ip != 0; });
+    return !gyroscopic &&
+           Eigen::SparseMatrix<double>(assembly::assemble_fixed(discretization, 0).Kc.view())
+                   .norm() == 0;
 }
 
 std::vector<double> search_speeds(const model::SpeedRange &range) {
