@@ -22,6 +22,9 @@ struct QuadraticOptions {
     int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
+    /// The rounding of each pair follows the condition of its eigenvalue, with its left vector: a
+    /// factorisation a pair. Else the right vector stands for the left one.
+    bool condition = false;
 };
 
 /// Eigenpairs with Im >= 0 found, ascending by distance from the shift.
