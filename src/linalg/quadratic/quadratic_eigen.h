@@ -22,8 +22,8 @@ struct QuadraticOptions {
     int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
-    /// The rounding of each pair follows the condition of its eigenvalue, with its left vector: a
-    /// factorisation a pair. Else the right vector stands for the left one.
+    /// Residual and rounding of each pair follow from its left vector, for a factorisation a pair.
+    /// Else the first is an estimate, and in the second the right vector stands for the left one.
     bool condition = false;
 };
 
@@ -37,7 +37,8 @@ struct QuadraticResult {
 /// Eigenpairs of Q(l) x = (l^2 M + l D + K) x = 0 with real matrices.
 ///
 /// Each pair carries its residual as a relative change of l: |P Q(l) x| / |P l Q'(l) x| with
-/// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is.
+/// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is; with its left vector
+/// y also |y^T Q(l) x| / |y^T l Q'(l) x|, the larger of both.
 /// @throws SolverError where neither way resolves as many pairs as wanted, or Q(shift) is singular.
 [[nodiscard]] QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
                                               const QuadraticOptions &options);

@@ -125,6 +125,10 @@ void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) const {
         const double entries =
             left.cwiseAbs().dot(_absK * x + size * (_absD * x) + size * size * (_absM * x));
         pair.rounding = std::max(pair.rounding, unit * entries / derivative);
+        const Eigen::VectorXcd r =
+            l * (l * (_M * pair.vector) + _D * pair.vector) + _K * pair.vector;
+        pair.residual =
+            std::max(pair.residual, std::abs((left.transpose() * r).value()) / derivative);
     }
 }
 
