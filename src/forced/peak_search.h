@@ -17,7 +17,8 @@ struct Peak {
     std::optional<double> lower; ///< where it is 1/sqrt(2) of that below, rad/s; none: not reached
     std::optional<double> upper; ///< and above
     double width = 0;            ///< distance of the nearest pole from the real speeds, rad/s
-    /// Relative error of the value where it is what is left of larger terms (Reading::cancelled).
+    /// Relative error of the value where it is what is left of larger terms (Reading::cancelled);
+    /// of peaks that were compared with the whole rotor also what its rounding hides.
     double rounding = 0;
 };
 

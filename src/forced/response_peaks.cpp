@@ -7,18 +7,30 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace whirl::forced {
 
 namespace {
 
+/// Differences of the reduced rotor's quantities from the whole one's, over this size of them, are
+/// reason enough to take the whole rotor's motion in.
+constexpr double agreed = 1e-9;
+
 /// The whole rotor beside the reduced one, at the speeds that decide.
 class Comparison {
   public:
+    /// Relative, of a quantity.
+    struct Difference {
+        double told = 0;     ///< largest one that is more than rounding of the whole rotor's motion
+        double rounding = 0; ///< of that motion, and the largest difference that it hides
+    };
+
     Comparison(const assembly::Discretization &discretization, results::Form form,
                const std::vector<Quantity> &quantities, const std::vector<double> &places,
                Drive drive)
-        : _quantities(quantities), _places(places), _full(discretization, form, drive) {}
+        : _quantities(quantities), _places(places),
+          _full(discretization, form, drive, agreed / 10) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
     bool solve(double speed) {
@@ -32,20 +44,23 @@ class Comparison {
 
     [[nodiscard]] Eigen::MatrixXcd motion() { return _full.whole().planar_motion(); }
 
-    /// Largest difference over the size of the quantity, at the speed solved last; rounding of the
-    /// whole rotor's own solution does not count.
-    [[nodiscard]] double difference(const ReducedMotion &reduced, double speed) const {
+    /// At the speed solved last.
+    [[nodiscard]] Difference difference(const ReducedMotion &reduced, double speed) const {
         const std::vector<Reading> readings = reduced.at(speed);
-        double worst = 0;
+        Difference out;
+        double hidden = 0;
         for (std::size_t i = 0; i < readings.size(); ++i) {
             const Phasor &mine = readings[i].value;
             const Phasor whole = of(i);
             const double size = std::hypot(std::abs(whole.x), std::abs(whole.y));
             const double apart = std::hypot(std::abs(mine.x - whole.x), std::abs(mine.y - whole.y));
-            if (apart > _full.rounding() * std::max(size, readings[i].cancelled))
-                worst = std::max(worst, apart / size);
+            const bool told = apart > _full.rounding() * std::max(size, readings[i].cancelled);
+            double &largest = told ? out.told : hidden;
+            if (apart > 0)
+                largest = std::max(largest, apart / size);
         }
-        return worst;
+        out.rounding = _full.rounding() + hidden;
+        return out;
     }
 
   private:
@@ -108,26 +123,42 @@ bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
     return reduced.size() > before;
 }
 
-/// Motions of the whole rotor at the speeds where the reduced one differs by more than agreed.
-Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
-                         const std::vector<double> &speeds, double agreed, double &worst) {
-    Eigen::MatrixXcd out;
-    worst = 0;
+/// The whole rotor and the reduced one beside each other at some speeds.
+struct Compared {
+    Eigen::MatrixXcd missing; ///< motions of the whole rotor where they differ by more than agreed
+    double worst = 0;         ///< largest difference that is more than rounding
+    std::vector<std::pair<double, double>> rounding; ///< speed, rad/s, and what rounding hides
+};
+
+Compared compared(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds) {
+    Compared out;
     if (reduced.whole())
         return out;
     for (const double speed : speeds) {
         reduced.enter_piece(speed);
         if (!whole.solve(speed))
             continue;
-        const double difference = whole.difference(reduced, speed);
-        worst = std::max(worst, difference);
-        if (difference <= agreed)
+        const Comparison::Difference difference = whole.difference(reduced, speed);
+        out.worst = std::max(out.worst, difference.told);
+        out.rounding.emplace_back(speed, difference.rounding);
+        if (difference.told <= agreed)
             continue;
         const Eigen::MatrixXcd motion = whole.motion();
-        out.conservativeResize(motion.rows(), out.cols() + motion.cols());
-        out.rightCols(motion.cols()) = motion;
+        out.missing.conservativeResize(motion.rows(), out.missing.cols() + motion.cols());
+        out.missing.rightCols(motion.cols()) = motion;
     }
     return out;
+}
+
+/// What rounding hides at the speeds compared, ascending, is not told from an error of the peaks
+/// that they stand for.
+void add_rounding(const std::vector<std::pair<double, double>> &hidden, std::vector<Peak> &peaks) {
+    if (hidden.empty())
+        return;
+    for (Peak &peak : peaks) {
+        auto at = std::upper_bound(hidden.begin(), hidden.end(), std::pair(peak.speed, 2.0));
+        peak.rounding += (at == hidden.begin() ? at : std::prev(at))->second;
+    }
 }
 
 /// Of the speeds looked at those that a picture needs: a quantity has changed, or some way is made.
@@ -163,7 +194,6 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
                               const std::vector<Quantity> &quantities,
                               const std::vector<double> &places, double from, double to,
                               const PeakOptions &options) {
-    constexpr double agreed = 1e-9;
     constexpr int most_rounds = 6;
     ReducedMotion reduced(discretization, form, std::max(std::abs(from), std::abs(to)), quantities,
                           options.drive, options.reduction);
@@ -172,21 +202,22 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     for (int round = 0; round < most_rounds; ++round) {
         const std::vector<double> speeds =
             telling_speeds(resonances_about(reduced, from, to), from, to);
-        if (!widened(reduced, missing(reduced, whole, speeds, agreed, out.reduction_error)))
+        const Compared at = compared(reduced, whole, speeds);
+        out.reduction_error = at.worst;
+        if (!widened(reduced, at.missing))
             break;
     }
     std::optional<PeakSearch> search;
+    Compared at_peaks;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
-        double at_peaks = 0;
-        const Eigen::MatrixXcd news =
-            missing(reduced, whole, peak_speeds(search->peaks()), agreed, at_peaks);
-        if (round < most_rounds && widened(reduced, news))
-            continue;
-        out.reduction_error = std::max(out.reduction_error, at_peaks);
-        break;
+        at_peaks = compared(reduced, whole, peak_speeds(search->peaks()));
+        if (round >= most_rounds || !widened(reduced, at_peaks.missing))
+            break;
     }
+    out.reduction_error = std::max(out.reduction_error, at_peaks.worst);
     out.peaks = search->peaks();
+    add_rounding(at_peaks.rounding, out.peaks);
     out.curve = drawn(*search, from, to);
     out.shapes = reduced.size();
     if (options.with_errors)

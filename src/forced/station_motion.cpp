@@ -5,14 +5,14 @@
 namespace whirl::forced {
 
 StationMotion::StationMotion(const assembly::Discretization &discretization, results::Form form,
-                             Drive drive)
-    : _discretization(discretization), _whole(discretization, form, drive) {
+                             Drive drive, double acceptable)
+    : _discretization(discretization), _whole(discretization, form, drive),
+      _acceptable(acceptable) {
     if (!drive.weight() && CondensedMotion::describes(discretization))
         _condensed.emplace(discretization, form, CondensedMotion::Nodes::attached);
 }
 
 bool StationMotion::condensed(double speed) {
-    constexpr double acceptable = 1e-8;
     if (!_condensed)
         return false;
     try {
@@ -21,7 +21,7 @@ bool StationMotion::condensed(double speed) {
         return false;
     }
     _rounding = _condensed->rounding();
-    return _rounding <= acceptable;
+    return _rounding <= _acceptable;
 }
 
 void StationMotion::solve_whole() {

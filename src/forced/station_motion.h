@@ -9,13 +9,16 @@
 namespace whirl::forced {
 
 /// Steady motion like ForcedMotion under the imbalances, looked at where something is attached to
-/// the shaft: all other nodes are eliminated (CondensedMotion) unless that may leave more than
-/// 1e-8 of rounding; then, and where something acts across elements, by the whole system.
+/// the shaft: all other nodes are eliminated (CondensedMotion) unless that may leave more rounding
+/// than is acceptable; then, and where something acts across elements, by the whole system.
 class StationMotion {
   public:
+    static constexpr double usual_rounding = 1e-8;
+
     /// @param discretization  must outlive this
+    /// @param acceptable      relative rounding
     StationMotion(const assembly::Discretization &discretization, results::Form form,
-                  Drive drive = {});
+                  Drive drive = {}, double acceptable = usual_rounding);
 
     /// @throws linalg::SolverError where the rotor is at an undamped resonance.
     void solve(double speed);
@@ -35,6 +38,7 @@ class StationMotion {
     const assembly::Discretization &_discretization;
     ForcedMotion _whole;
     std::optional<CondensedMotion> _condensed;
+    double _acceptable;
     bool _by_whole = true; ///< the last solution
     double _speed = 0;
     double _rounding = 0;

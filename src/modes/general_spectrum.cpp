@@ -32,6 +32,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
         zero_modes(_discretization, results::Form::general, _bearing_speed, speed);
     linalg::QuadraticOptions options;
     options.zeros = zeros.eigenvalues;
+    options.condition = true;
     options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * elastic_scale(_discretization);

@@ -116,6 +116,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.zeros = _zeros;
+        options.condition = true;
         options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);

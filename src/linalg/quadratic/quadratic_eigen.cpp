@@ -193,9 +193,8 @@ QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOpti
     return result;
 }
 
-QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
-                             const QuadraticOptions &options) {
-    const QuadraticProblem problem(M, D, K, options.shift);
+QuadraticResult solve_problem(const QuadraticProblem &problem, const Sparse &M, const Sparse &D,
+                              const Sparse &K, const QuadraticOptions &options) {
     const bool try_toar =
         options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
                                                     !prefers_dense(problem.size(), options.wanted));
@@ -228,6 +227,15 @@ QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
     if (try_toar && (options.method == QuadraticMethod::toar || problem.size() > 600))
         throw SolverError("the quadratic eigensolver did not converge");
     return solve_dense(problem, options);
+}
+
+QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
+                             const QuadraticOptions &options) {
+    const QuadraticProblem problem(M, D, K, options.shift);
+    QuadraticResult result = solve_problem(problem, M, D, K, options);
+    if (options.condition)
+        problem.assess_condition(result.pairs);
+    return result;
 }
 
 } // namespace

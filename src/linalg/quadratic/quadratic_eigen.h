@@ -22,6 +22,9 @@ struct QuadraticOptions {
     int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
+    /// Residual and rounding of each pair follow from its left vector, for a factorisation a pair.
+    /// Else the first is an estimate, and in the second the right vector stands for the left one.
+    bool condition = false;
 };
 
 /// Eigenpairs with Im >= 0 found, ascending by distance from the shift.
@@ -34,7 +37,8 @@ struct QuadraticResult {
 /// Eigenpairs of Q(l) x = (l^2 M + l D + K) x = 0 with real matrices.
 ///
 /// Each pair carries its residual as a relative change of l: |P Q(l) x| / |P l Q'(l) x| with
-/// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is.
+/// P = Q(shift)^-1, which is independent of how stiff the stiffest spring is; with its left vector
+/// y also |y^T Q(l) x| / |y^T l Q'(l) x|, the larger of both.
 /// @throws SolverError where neither way resolves as many pairs as wanted, or Q(shift) is singular.
 [[nodiscard]] QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &K,
                                               const QuadraticOptions &options);

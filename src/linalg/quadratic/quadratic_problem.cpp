@@ -19,6 +19,9 @@ QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Spars
 
 namespace {
 
+/// Of the shift: below, a double zero blurs to the root of rounding.
+constexpr double blurred = 1e-5;
+
 using Columns = Eigen::MatrixX2d; ///< real and imaginary part of a complex vector
 
 /// What rounding of matrix entries, which add up to `entries`, changes in l, over l: with x as its
@@ -39,7 +42,6 @@ void add(std::complex<double> c, const Eigen::Ref<const Columns> &v, Eigen::Ref<
 } // namespace
 
 void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
-    constexpr double blurred = 1e-5; // of the shift; a double zero blurs to the root of rounding
     const Eigen::Index n = _M.rows();
     const auto count = static_cast<Eigen::Index>(pairs.size());
     // Complex vectors as two real columns: real matrices times them without complex products. All
@@ -84,6 +86,49 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
         const double of_right =
             rounding_over(x.middleCols<2>(2 * i), slope.middleCols<2>(2 * i), entries);
         pair.rounding = std::max(of_right, of_left[static_cast<std::size_t>(i)]);
+    }
+}
+
+void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) const {
+    using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
+    // Beside the eigenvalue by so much: of those that are nearer together, which rounding tells
+    // apart by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
+    constexpr double beside = 1e-8;
+    // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
+    constexpr double unit = std::numeric_limits<double>::epsilon();
+    Eigen::SparseLU<SparseComplex> lu;
+    bool analysed = false;
+    for (ComplexPair &pair : pairs) {
+        if (std::abs(pair.value) < blurred * std::abs(_shift))
+            continue; // assess() has used both vectors
+        const std::complex<double> l = pair.value;
+        const std::complex<double> near = l * (1 + beside);
+        const SparseComplex Q = near * near * _M + near * _D + _K.cast<std::complex<double>>();
+        if (!analysed)
+            lu.analyzePattern(Q);
+        analysed = true;
+        lu.factorize(Q);
+        if (lu.info() != Eigen::Success)
+            continue; // nothing is known beyond what the right vector says
+        const Eigen::VectorXcd slope = 2.0 * l * (_M * pair.vector) + _D * pair.vector;
+        Eigen::VectorXcd left = slope.conjugate();
+        for (int k = 0; k < 2; ++k) {
+            left = lu.transpose().solve(left).eval().normalized();
+            if (k == 0)
+                left = (2.0 * l * (_M * left) + _D.transpose() * left).eval();
+        }
+        const double derivative = std::abs(l * (left.transpose() * slope).value());
+        if (!left.allFinite() || !(derivative > 0))
+            continue;
+        const Eigen::VectorXd x = pair.vector.cwiseAbs();
+        const double size = std::abs(l);
+        const double entries =
+            left.cwiseAbs().dot(_absK * x + size * (_absD * x) + size * size * (_absM * x));
+        pair.rounding = std::max(pair.rounding, unit * entries / derivative);
+        const Eigen::VectorXcd r =
+            l * (l * (_M * pair.vector) + _D * pair.vector) + _K * pair.vector;
+        pair.residual =
+            std::max(pair.residual, std::abs((left.transpose() * r).value()) / derivative);
     }
 }
 

@@ -18,8 +18,13 @@ class QuadraticProblem {
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
 
-    /// Normalises the vectors of the pairs and fills in their residuals and rounding.
+    /// Normalises the vectors of the pairs and fills in their residuals and rounding, the latter
+    /// with the right vectors in place of the left ones.
     void assess(std::vector<ComplexPair> &pairs) const;
+    /// Residual and rounding of pairs once more, with their left vectors: by what the eigenvalue is
+    /// off to first order, and its condition. Double ones, which any vectors of a plane belong to,
+    /// get the condition of the plane.
+    void assess_condition(std::vector<ComplexPair> &pairs) const;
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
