@@ -39,7 +39,7 @@ const Columns<SampleQuantile> quantile_columns{{"p", "", {}, {}, &SampleQuantile
 UnitHeading unit_of(const SampledAnswer &answer) {
     UnitHeading unit = heading_in_written_units(answer.unit, "");
     if (answer.unit == "m")
-        unit = {unit_name("amplitude", "m"), vibration_metres, true};
+        unit = {unit_name("amplitude", "µm"), micrometres, true};
     return unit;
 }
 std::optional<double> times(std::optional<double> value, double factor) {

@@ -3,7 +3,9 @@
 #include "results/simulate.h"
 
 #include "report/common/csv.h"
+#include "report/common/html.h"
 #include "report/common/table.h"
+#include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -41,7 +43,7 @@ const Columns<SimulateResult> outcome_columns{
      {"Outcome"},
      {},
      [](const auto &result) { return results::outcome_name(result.outcome); }},
-    {"evidence", "", {"Evidence"}, {}, &SimulateResult::evidence},
+    {"evidence", "", {}, {}, &SimulateResult::evidence},
     {"residual_ratio",
      "",
      {"Amplitude left over that without balls", "{:.5g}"},
@@ -93,17 +95,17 @@ const Columns<BalancerMotion> balancer_motion_columns{
     {"rates", "", {}, {}, &BalancerMotion::rates},
     {"swing", "", {}, {}, &BalancerMotion::swing},
     {"", "", {"Final angles (deg)"}, {}, [](const auto &b) { return page_angles(b.angles); }},
-    {"amplitude", "", {}, {"amplitude m", "{:.4g}"}, &BalancerMotion::amplitude},
-    {"amplitude_without_balls", "", {}, {"without balls m", "{:.4g}"}, &BalancerMotion::reference},
+    {"amplitude", "", {}, {}, &BalancerMotion::amplitude},
+    {"amplitude_without_balls", "", {}, {}, &BalancerMotion::reference},
     {"",
      "",
      {"Amplitude at the end (µm)", "{:.5g}"},
-     {},
+     {"amplitude µm", "{:.4g}"},
      [](const auto &b) { return b.amplitude * micrometres; }},
     {"",
      "",
      {"without balls (µm)", "{:.5g}"},
-     {},
+     {"without balls µm", "{:.4g}"},
      [](const auto &b) { return b.reference * micrometres; }},
     {"", "", {}, {"final angles in the rotor, deg"}, [](const auto &b) {
          return text_angles(b.angles);
@@ -235,7 +237,10 @@ std::string csv_of(const SimulateResult &result) {
 }
 
 std::vector<Section> sections_of(const SimulateResult &result) {
-    std::vector<Section> sections{{"How it ended", page_properties(outcome_columns, result)}};
+    std::vector<Section> sections{
+        {"How it ended",
+         kept_as_written(element("p", in_written_units(note_in_written_units(result.evidence)))) +
+             page_properties(outcome_columns, result)}};
     if (!result.balancers.empty())
         sections.push_back({"Balancers", page_table(balancer_motion_columns, result.balancers)});
     if (!result.stations.empty())
@@ -247,8 +252,8 @@ std::vector<Section> sections_of(const SimulateResult &result) {
 }
 
 std::string outcome_text(const SimulateResult &result) {
-    std::string text =
-        fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome), result.evidence);
+    std::string text = fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome),
+                                   note_in_written_units(result.evidence));
     if (result.residual_ratio)
         text +=
             fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);

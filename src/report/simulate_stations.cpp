@@ -20,7 +20,7 @@ std::optional<double> over_steady(const StationMotion &station) {
 }
 
 std::optional<double> in_micrometres(const std::optional<double> &value) {
-    return value ? std::optional(*value * 1e6) : std::nullopt;
+    return value ? std::optional(*value * micrometres) : std::nullopt;
 }
 std::optional<double> in_rpm(const std::optional<double> &value) {
     return value ? std::optional(*value * rpm) : std::nullopt;
@@ -34,8 +34,12 @@ const Columns<StationMotion> station_columns{
      [](const auto &s) { return s.name.empty() ? place("", s.z) : s.name; }},
     {"name", "", {}, {}, &StationMotion::name},
     {"z", "", {"z (m)", "{:.5g}"}, {}, &StationMotion::z},
-    {"peak", "", {}, {"peak m", "{:.5g}"}, [](const auto &s) { return s.peak.value; }},
-    {"", "", {"Peak (µm)", "{:.5g}"}, {}, [](const auto &s) { return s.peak.value * 1e6; }},
+    {"peak", "", {}, {}, [](const auto &s) { return s.peak.value; }},
+    {"",
+     "",
+     {"Peak (µm)", "{:.5g}"},
+     {"peak µm", "{:.5g}"},
+     [](const auto &s) { return s.peak.value * micrometres; }},
     {"peak_time",
      "",
      {"at (s)", "{:.6g}"},
@@ -48,19 +52,23 @@ const Columns<StationMotion> station_columns{
      {"at rpm", "{:.6g}"},
      [](const auto &s) { return s.peak.speed * rpm; }},
     {"at_end", "", {}, {}, [](const auto &s) { return s.peak.at_end; }},
-    {"amplitude", "", {}, {"at the end m", "{:.4g}"}, &StationMotion::amplitude},
-    {"", "", {"At the end (µm)", "{:.5g}"}, {}, [](const auto &s) { return s.amplitude * 1e6; }},
-    {"steady", "", {}, {"steady m", "{:.4g}"}, &StationMotion::steady},
+    {"amplitude", "", {}, {}, &StationMotion::amplitude},
+    {"",
+     "",
+     {"At the end (µm)", "{:.5g}"},
+     {"at the end µm", "{:.4g}"},
+     [](const auto &s) { return s.amplitude * micrometres; }},
+    {"steady", "", {}, {}, &StationMotion::steady},
     {"",
      "",
      {"Steady at that speed (µm)", "{:.5g}"},
-     {},
+     {"steady µm", "{:.4g}"},
      [](const auto &s) { return in_micrometres(s.steady); }},
-    {"steady_peak", "", {}, {"steady peak m", "{:.5g}"}, &StationMotion::steady_peak},
+    {"steady_peak", "", {}, {}, &StationMotion::steady_peak},
     {"",
      "",
      {"Steady peak (µm)", "{:.5g}"},
-     {},
+     {"steady peak µm", "{:.5g}"},
      [](const auto &s) { return in_micrometres(s.steady_peak); }},
     {"steady_peak_speed", "", {}, {}, &StationMotion::steady_peak_speed},
     {"",

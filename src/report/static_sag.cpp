@@ -1,6 +1,7 @@
 #include "report/static_sag.h"
 
 #include "report/common/table.h"
+#include "report/common/units.h"
 #include "report/common/words.h"
 
 #include <fmt/format.h>
@@ -20,8 +21,16 @@ const Columns<SagStation> sag_columns{
     {"name", "", {"Station"}, {"station"}, &SagStation::name},
     {"x", "", {}, {}, &SagStation::x},
     {"y", "", {}, {}, &SagStation::y},
-    {"", "", {"Static deflection x (m)", "{:.5g}"}, {"static x m", "{:.4g}"}, &SagStation::x},
-    {"", "", {"Static deflection y (m)", "{:.5g}"}, {"static y m", "{:.4g}"}, &SagStation::y},
+    {"",
+     "",
+     {"Static deflection x (µm)", "{:.5g}"},
+     {"static x µm", "{:.4g}"},
+     [](const SagStation &station) { return station.x * still_micrometres; }},
+    {"",
+     "",
+     {"Static deflection y (µm)", "{:.5g}"},
+     {"static y µm", "{:.4g}"},
+     [](const SagStation &station) { return station.y * still_micrometres; }},
     {"slope_x", "", {"Slope x (rad)", "{:.5g}"}, {}, &SagStation::slope_x},
     {"slope_y", "", {"Slope y (rad)", "{:.5g}"}, {"slope y rad", "{:.4g}"}, &SagStation::slope_y},
     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &SagStation::error},

@@ -233,12 +233,14 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
                     tolerance, result);
     else
         result.outcome = look.outcome;
+    constexpr double micrometres = 1e6;
     result.evidence = fmt::format(
-        "largest amplitude at a balancer {:.4g} m at the end, {:.4g} m without balls; fastest ball "
+        "largest amplitude at a balancer {:.4g} µm at the end, {:.4g} µm without balls; fastest "
+        "ball "
         "in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the angles over the "
         "last fortieth {:.3g} rad{}{}",
-        amplitude, reference, worst(result, &results::BalancerMotion::rates), look.swing,
-        why.empty() ? "" : "; ", why);
+        amplitude * micrometres, reference * micrometres,
+        worst(result, &results::BalancerMotion::rates), look.swing, why.empty() ? "" : "; ", why);
 }
 
 } // namespace whirl::simulation

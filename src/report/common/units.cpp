@@ -42,6 +42,7 @@ constexpr double turn = 2 * pi;
 /// Longer ones before those that they begin with.
 constexpr std::array unit_words{
     UnitWord{"N m/rad", "", 1, false},         UnitWord{"N s/m", "damping", 1, false},
+    UnitWord{"kg m2/s", "", 1, false},         UnitWord{"kg m²/s", "", 1, false},
     UnitWord{"kg m2", "inertia", 1, false},    UnitWord{"kg m²", "inertia", 1, false},
     UnitWord{"kg m", "imbalance", 1, false},   UnitWord{"kg", "mass", 1, false},
     UnitWord{"N/m", "stiffness", 1, false},    UnitWord{"N m", "", 1, false},
@@ -188,7 +189,7 @@ std::string prose(std::string_view text, bool as_they_say) {
                 done = at + length;
             }
             out += text.substr(done, chain->unit.at - done);
-            out += unit->name;
+            out += unit_name(quantity, unit->name);
             done = end;
         }
         i = end - 1;
@@ -289,7 +290,11 @@ std::string cell_in_written_units(const std::string &cell) {
 }
 
 std::size_t shown_size(const std::string &cell) {
-    return cell.size() - (!cell.empty() && cell.front() == kept_begin ? 2 : 0);
+    const auto letters = std::count_if(cell.begin(), cell.end(), [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; // the first of its bytes
+    });
+    return static_cast<std::size_t>(letters) -
+           (!cell.empty() && cell.front() == kept_begin ? 2 : 0);
 }
 
 namespace {

@@ -52,7 +52,6 @@ inline constexpr Reading hertz{"frequency", 0.5 / pi};         ///< of one rad/s
 inline constexpr Reading metres{"length", 1};                  ///< places and sizes
 inline constexpr Reading micrometres{"amplitude", 1e6};        ///< vibration
 inline constexpr Reading still_micrometres{"deflection", 1e6}; ///< what does not vibrate
-inline constexpr Reading vibration_metres{"amplitude", 1};
 inline constexpr Reading newtons{"force", 1};
 inline constexpr Reading kilograms{"mass", 1};
 inline constexpr Reading inertia_si{"inertia", 1}; ///< kg m2
@@ -89,7 +88,7 @@ struct UnitHeading {
 /// A cell of a table for the terminal, converted once and for all: what in_written_units leaves
 /// alone.
 [[nodiscard]] std::string cell_in_written_units(const std::string &cell);
-/// Its letters, as bytes, without the marks that say so.
+/// Its letters, without the marks that say so.
 [[nodiscard]] std::size_t shown_size(const std::string &cell);
 
 /// Commands of a picture: as text, with the units of its axes, whose numbers are there already.

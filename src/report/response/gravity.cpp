@@ -1,5 +1,6 @@
 #include "report/response/gravity.h"
 
+#include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/response/tables.h"
 
@@ -62,18 +63,33 @@ std::vector<Summary> summaries(const GravityResponse &response, const std::vecto
     return out;
 }
 
-/// @param unit  of the value, "m" or "N"
-Columns<Summary> summary_columns(const char *of, const char *unit) {
+/// What values are read in: factors of what stands still and of what vibrates. (A table converts
+/// newtons itself.)
+struct SummaryUnit {
+    const char *name;
+    double still, circle;
+};
+SummaryUnit of_deflections() { return {"µm", still_micrometres, micrometres}; }
+constexpr SummaryUnit of_forces{"N", 1, 1};
+
+Columns<Summary> summary_columns(const char *of, const SummaryUnit &in) {
+    const char *unit = in.name;
     const std::string still = fmt::format("static {}", unit);
     const std::string circle = fmt::format("largest at twice the spin speed {}", unit);
     return {
         {"", "", {of}, {of}, [](const Summary &s) { return place(s.circle.name, s.circle.z); }},
-        {"", "", {still}, {still, "{:.6g}", "no limit"}, &Summary::still},
+        {"",
+         "",
+         {still},
+         {still, "{:.6g}", "no limit"},
+         [in](const Summary &s) { return s.still * in.still; }},
         {"",
          "",
          {circle, "{:.6g}", "no limit"},
          {circle, "{:.6g}", "no limit"},
-         [](const Summary &s) { return s.circle.value; }},
+         [in](const Summary &s) {
+             return s.circle.value ? std::optional(*s.circle.value * in.circle) : std::nullopt;
+         }},
         {"", "", {"at (rpm)"}, {"at rpm"}, [](const Summary &s) { return s.circle.speed * rpm; }},
         {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, [](const Summary &s) {
              return s.circle.error;
@@ -118,10 +134,11 @@ std::vector<Section> gravity_sections(const GravityResponse &response,
          response.peaks.empty() ? "<p>None inside the range.</p>"
                                 : page_table(curve_peaks(), response.peaks)},
         {"Weight: static deflection at the first speed, largest circle in the range",
-         page_table(summary_columns("Place", "m"), of_stations(response, speeds))}};
+         page_table(summary_columns("Place", of_deflections()), of_stations(response, speeds))}};
     if (!response.bearings.empty())
-        out.push_back({"Weight: forces in the bearings",
-                       page_table(summary_columns("Bearing", "N"), of_bearings(response, speeds))});
+        out.push_back(
+            {"Weight: forces in the bearings",
+             page_table(summary_columns("Bearing", of_forces), of_bearings(response, speeds))});
     return out;
 }
 
@@ -132,9 +149,11 @@ std::string gravity_text(const GravityResponse &response, const std::vector<doub
                     response.gravity) +
         (response.peaks.empty() ? "\n  none inside the range\n"
                                 : text_table(curve_peaks(), response.peaks)) +
-        "\n" + text_table(summary_columns("station", "m"), of_stations(response, speeds));
+        "\n" +
+        text_table(summary_columns("station", of_deflections()), of_stations(response, speeds));
     if (!response.bearings.empty())
-        text += "\n" + text_table(summary_columns("bearing", "N"), of_bearings(response, speeds));
+        text +=
+            "\n" + text_table(summary_columns("bearing", of_forces), of_bearings(response, speeds));
     return text;
 }
 

@@ -86,9 +86,9 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
       [](const ResponsePeak &peak) -> std::string {
           if (peak.of == "probe")
               return fmt::format("reading at {:.4g}° ({})", peak.angle.value_or(0) * degrees,
-                                 unit_name("amplitude", "m"));
+                                 unit_name("amplitude", "µm"));
           return peak.of == "bearing" ? fmt::format("force ({})", unit_name("force", "N"))
-                                      : fmt::format("amplitude ({})", unit_name("amplitude", "m"));
+                                      : fmt::format("amplitude ({})", unit_name("amplitude", "µm"));
       }},
      {"speed", "", {}, {}, &ResponsePeak::speed},
      {"",
@@ -107,7 +107,7 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
       {"Peak", "{:.6g}", "no limit"},
       {"value", "{:.6g}", "no limit"},
       [](const ResponsePeak &peak) {
-          return peak.value * (peak.of == "bearing" ? newtons : vibration_metres);
+          return peak.value * (peak.of == "bearing" ? newtons : micrometres);
       }},
      {"phase", "", {}, {}, &ResponsePeak::phase},
      {"",
@@ -138,6 +138,10 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
 
 const Columns<ResponsePeak> &curve_peaks() { return peaks_found; }
 
+namespace {
+constexpr std::size_t amplitude_column = 3; ///< of peak_columns
+} // namespace
+
 Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
     return {{"", "", {on_page}, {}, &LargestValue::name},
             {"", "", {"z (m)", "{:.5g}"}, {}, &LargestValue::z},
@@ -149,11 +153,10 @@ Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
             {"",
              "",
              {"Amplitude (µm)", "{:.6g}", "no limit"},
-             {},
+             {what, "{:.6g}", "no limit"},
              [](const LargestValue &peak) {
                  return peak.value ? std::optional(*peak.value * micrometres) : std::nullopt;
              }},
-            {"", "", {}, {what, "{:.6g}", "no limit"}, &LargestValue::value},
             {"",
              "",
              {"at (rpm)"},
@@ -164,9 +167,16 @@ Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
 
 namespace {
 
+Columns<LargestValue> force_columns() {
+    Columns<LargestValue> columns = peak_columns("", "bearing", "");
+    columns[amplitude_column] = {
+        "", "", {}, {"largest force N", "{:.6g}", "no limit"}, &LargestValue::value};
+    return columns;
+}
+
 Columns<LargestValue> probe_peak_columns() {
-    Columns<LargestValue> columns = peak_columns("Probe", "probe", "largest reading m");
-    columns.insert(columns.begin() + 3,
+    Columns<LargestValue> columns = peak_columns("Probe", "probe", "largest reading µm");
+    columns.insert(columns.begin() + amplitude_column,
                    {"", "", {"Direction (deg)"}, {"looks along deg"}, [](const LargestValue &peak) {
                         return peak.angle * degrees;
                     }});
@@ -252,7 +262,7 @@ std::string imbalance_text(const ResponseResult &result) {
     std::string text = (result.peaks.empty() ? "No peak inside the range.\n"
                                              : text_table(curve_peaks(), result.peaks)) +
                        margins_text(result.margins) + "\n" +
-                       text_table(peak_columns("", "station", "largest amplitude m"),
+                       text_table(peak_columns("", "station", "largest amplitude µm"),
                                   peaks_of(result.speeds, result.peaks, result.nodes,
                                            &ResponseNode::amplitude, "station"));
     if (!result.probes.empty())
@@ -260,9 +270,9 @@ std::string imbalance_text(const ResponseResult &result) {
                                   peaks_of(result.speeds, result.peaks, result.probes,
                                            &ResponseProbe::amplitude, "probe"));
     if (!result.bearings.empty())
-        text += "\n" + text_table(peak_columns("", "bearing", "largest force N"),
-                                  peaks_of(result.speeds, result.peaks, result.bearings,
-                                           &ResponseBearing::force, "bearing"));
+        text += "\n" +
+                text_table(force_columns(), peaks_of(result.speeds, result.peaks, result.bearings,
+                                                     &ResponseBearing::force, "bearing"));
     return text + orbit_text(result);
 }
 

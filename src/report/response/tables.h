@@ -110,7 +110,7 @@ peaks_of(const std::vector<double> &speeds, const std::vector<results::ResponseP
     return peaks;
 }
 
-/// @param what  the quantity on the terminal; the page has amplitudes alone
+/// @param what  the amplitude on the terminal
 [[nodiscard]] Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
                                                  const char *what);
 

@@ -73,6 +73,8 @@ std::vector<double> largest_amplitudes(const results::MotionSeries &series) {
     return largest;
 }
 
+constexpr double micrometres = 1e6;
+
 std::string place_of(const results::StationMotion &station) {
     return station.name.empty() ? fmt::format("z = {:.5g} m", station.z) : station.name;
 }
@@ -106,8 +108,8 @@ void classify_stations(const model::Case &scene, results::SimulateResult &result
     const double scale = *std::max_element(amplitudes.begin(), amplitudes.end());
     const results::StationMotion &worst =
         result.stations[results::largest_station(result.stations)];
-    result.evidence = fmt::format("largest amplitude {:.5g} m at {} after {:.6g} s at {:.6g} rpm",
-                                  worst.peak.value, place_of(worst), worst.peak.time,
+    result.evidence = fmt::format("largest amplitude {:.5g} µm at {} after {:.6g} s at {:.6g} rpm",
+                                  worst.peak.value * micrometres, place_of(worst), worst.peak.time,
                                   worst.peak.speed * 30 / std::numbers::pi);
     if (worst.peak.at_end)
         result.evidence += ", where it still grew";
