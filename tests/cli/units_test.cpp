@@ -13,7 +13,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace {
+namespace units_test {
 
 namespace fs = std::filesystem;
 using whirl::input::Quantity;
@@ -198,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(
                     At{"modes", "friswell_5_9_4", {}}),
     [](const auto &at) { return std::string(at.param.command); });
 
-} // namespace
+} // namespace units_test
