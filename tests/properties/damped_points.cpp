@@ -94,7 +94,7 @@ std::vector<Chain> undamped_chains(const model::Case &scene, double speed, std::
 
 /// The printed eigenvalue that continues a chain; none where two could.
 std::optional<PrintedPair> continuation_of(const Complex &expected, const Complex &last,
-                                       const std::vector<PrintedPair> &all) {
+                                           const std::vector<PrintedPair> &all) {
     double nearest = std::numeric_limits<double>::infinity();
     double next = nearest;
     std::optional<PrintedPair> best;
