@@ -197,23 +197,37 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     peak.quantity = quantity;
     peak.speed = a.speed; // at the row of a bearing table the slope jumps
     if (b.speed > a.speed)
-        peak.speed = linalg::root_between(
-            [&](double speed) { return _motion.quickly_at(speed)[q].major_slope(); }, a.speed,
-            a.slope[q], b.speed, b.slope[q]);
+        peak.speed = corrected(
+            linalg::root_between(
+                [&](double speed) { return _motion.quickly_at(speed, quantity).major_slope(); },
+                a.speed, a.slope[q], b.speed, b.slope[q]),
+            quantity);
     if (peak.speed <= _from || peak.speed >= _to)
         return;
     const Reading reading = _motion.at(peak.speed)[q];
     peak.value = reading.major();
     peak.phase = std::arg(reading.value.x);
     peak.width = width_at(peak.speed);
-    peak.rounding = _motion.rounding(peak.speed) * reading.cancelled / reading.major();
+    if (reading.cancelled > 0)
+        peak.rounding = _motion.rounding(peak.speed) * reading.cancelled / reading.major();
     peak.lower = half_power(peak, left, -1);
     peak.upper = half_power(peak, left + 1, 1);
     _peaks.push_back(peak);
 }
 
+double PeakSearch::corrected(double speed, int quantity) const {
+    const double slope = _motion.at(speed)[static_cast<std::size_t>(quantity)].major_slope();
+    const auto quick = [&](double at) { return _motion.quickly_at(at, quantity).major_slope(); };
+    const double apart = 0.01 * width_at(speed);
+    const double curvature = (quick(speed + apart) - quick(speed - apart)) / (2 * apart);
+    const double step = -slope / curvature;
+    constexpr double rounding = 1e-12;
+    const bool tells = std::abs(step) > rounding * std::abs(speed) && std::abs(step) < apart;
+    return tells ? speed + step : speed;
+}
+
 double PeakSearch::major(double speed, std::size_t quantity) const {
-    return _motion.quickly_at(speed)[quantity].major();
+    return _motion.quickly_at(speed, static_cast<int>(quantity)).major();
 }
 
 double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {

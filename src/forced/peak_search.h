@@ -78,6 +78,8 @@ class PeakSearch {
     [[nodiscard]] bool stands_out(std::size_t left, std::size_t quantity) const;
     void peak_between(int quantity, std::size_t left);
     void endless_peak(int quantity, std::size_t left);
+    /// The place of a maximum that the quick readings have, as the exact ones have it.
+    [[nodiscard]] double corrected(double speed, int quantity) const;
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
                                                    int direction) const;
     /// Of a quantity at a speed of the piece entered.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::forced {
 
@@ -24,7 +25,7 @@ void solve_shifted_triangle(const Eigen::MatrixXcd &T, std::complex<double> m,
 } // namespace
 
 QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen::VectorXcd &b,
-                                       double from, double to)
+                                       const Eigen::MatrixXd &rows, double from, double to)
     : _width(std::max(to - from, 0.1 * std::max(std::abs(from), std::abs(to)))),
       _shift((from + to) / 2, 0.3 * _width) {
     const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(terms.at(_shift));
@@ -37,8 +38,28 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     if (schur.info() != Eigen::Success)
         throw linalg::SolverError("the poles of a small quadratic problem were not found");
     _T = schur.matrixT();
-    _lower = schur.matrixU().bottomRows(m);
+    _lower = rows.cast<std::complex<double>>() * schur.matrixU().bottomRows(m);
     _h = schur.matrixU().topRows(m).adjoint() * at_shift.solve(b);
+    find_residues();
+}
+
+void QuadraticResolvent::find_residues() {
+    // Columns of X are eigenvectors of T; nearer poles than rounding tells apart are held that far
+    // apart: their terms cancel, and T is solved.
+    const double least = std::numeric_limits<double>::epsilon() * _T.cwiseAbs().maxCoeff();
+    Eigen::MatrixXcd X = Eigen::MatrixXcd::Identity(_T.rows(), _T.rows());
+    for (Eigen::Index k = 1; k < _T.rows(); ++k) {
+        auto x = X.col(k);
+        x.head(k) = _T.col(k).head(k);
+        for (Eigen::Index i = k - 1; i >= 0; --i) {
+            const std::complex<double> apart = _T(k, k) - _T(i, i);
+            x(i) /= std::abs(apart) > least ? apart : least;
+            x.head(i) += x(i) * _T.col(i).head(i);
+        }
+    }
+    const Eigen::VectorXcd parts = X.triangularView<Eigen::UnitUpper>().solve(_h);
+    _residues = (_lower * X) * parts.asDiagonal();
+    _sizes = _residues.cwiseAbs();
 }
 
 std::vector<std::complex<double>> QuadraticResolvent::poles() const {
@@ -49,15 +70,35 @@ std::vector<std::complex<double>> QuadraticResolvent::poles() const {
     return out;
 }
 
-QuadraticResolvent::Solution QuadraticResolvent::at(double s) const {
+QuadraticResolvent::Solution QuadraticResolvent::at(double s, Eigen::Index first,
+                                                    Eigen::Index count) const {
+    constexpr double cancels = 1e3; // and rounding of the terms costs three digits
     const std::complex<double> m = _width / (s - _shift);
+    const Eigen::ArrayXcd away = m - _T.diagonal().array();
+    const Eigen::VectorXcd once = away.conjugate() / away.abs2();
+    const Eigen::VectorXcd v = _residues.middleRows(first, count) * once;
+    const Eigen::VectorXd sizes = _sizes.middleRows(first, count) * once.cwiseAbs();
+    if (!(sizes.array() <= cancels * v.cwiseAbs().array()).all())
+        return by_triangle(m, first, count);
+    return solution(m, v, _residues.middleRows(first, count) * once.cwiseProduct(once));
+}
+
+QuadraticResolvent::Solution QuadraticResolvent::by_triangle(std::complex<double> m,
+                                                             Eigen::Index first,
+                                                             Eigen::Index count) const {
     Eigen::VectorXcd v = _h;
     solve_shifted_triangle(_T, m, v);
     Eigen::VectorXcd w = v;
     solve_shifted_triangle(_T, m, w);
-    // u = m^2 L v; d(m^2 v)/dm = 2 m v - m^2 w, dm/ds = -m^2 / width.
+    return solution(m, _lower.middleRows(first, count) * v, _lower.middleRows(first, count) * w);
+}
+
+QuadraticResolvent::Solution QuadraticResolvent::solution(std::complex<double> m,
+                                                          const Eigen::VectorXcd &v,
+                                                          const Eigen::VectorXcd &w) const {
+    // u = m^2 v; d(m^2 v)/dm = 2 m v - m^2 w, dm/ds = -m^2 / width.
     const std::complex<double> square = m * m;
-    return {_lower * (square * v), _lower * ((-square / _width) * (2.0 * m * v - square * w))};
+    return {square * v, (-square / _width) * (2.0 * m * v - square * w)};
 }
 
 } // namespace whirl::forced

@@ -16,32 +16,45 @@ struct QuadraticTerms {
     }
 };
 
-/// P(s) u = b for many s, from one Schur form: with s = shift + width / m, P(s) u = b says
-/// (m - C) z = m^2 (P(shift)^-1 b, 0) of a companion matrix C, z = (m u, u). C = Q T Q^H with T
-/// triangular, so that an s costs two triangular solves; its eigenvalues are the poles.
+/// Rows of numbers y = L u of the solutions of P(s) u = b for many s, from one Schur form: with
+/// s = shift + width / m, P(s) u = b says (m - C) z = m^2 (P(shift)^-1 b, 0) of a companion matrix
+/// C, z = (m u, u). C = Q T Q^H with T triangular; its eigenvalues are the poles. By the
+/// eigenvectors of T each number is a sum over the poles, m^2 sum r_k / (m - m_k). Where these
+/// terms cancel, as about poles that nearly coincide, T is solved twice instead.
 class QuadraticResolvent {
   public:
+    /// @param rows      L
     /// @param from, to  where s lies, real; the shift keeps away from there
     /// @throws linalg::SolverError where the Schur form is not found
-    QuadraticResolvent(const QuadraticTerms &terms, const Eigen::VectorXcd &b, double from,
-                       double to);
+    QuadraticResolvent(const QuadraticTerms &terms, const Eigen::VectorXcd &b,
+                       const Eigen::MatrixXd &rows, double from, double to);
 
     /// All roots of det P(s), but for those much farther away than any s asked for.
     [[nodiscard]] std::vector<std::complex<double>> poles() const;
 
     struct Solution {
-        Eigen::VectorXcd u;
-        Eigen::VectorXcd slope; ///< du/ds
+        Eigen::VectorXcd y;
+        Eigen::VectorXcd slope; ///< dy/ds
     };
-    /// Backward stable; next to a pole its error is that of the pole, some 1e-15 of the range.
-    [[nodiscard]] Solution at(double s) const;
+    /// `count` of the numbers, from the first. Next to a pole their error is that of the pole, some
+    /// 1e-15 of the range.
+    [[nodiscard]] Solution at(double s, Eigen::Index first, Eigen::Index count) const;
 
   private:
     double _width;
     std::complex<double> _shift;
     Eigen::MatrixXcd _T;
-    Eigen::MatrixXcd _lower; ///< the rows of Q that u is of
-    Eigen::VectorXcd _h;     ///< Q^H (P(shift)^-1 b, 0)
+    Eigen::MatrixXcd _lower;    ///< L times the rows of Q that u is of
+    Eigen::VectorXcd _h;        ///< Q^H (P(shift)^-1 b, 0)
+    Eigen::MatrixXcd _residues; ///< r_k, a column a pole
+    Eigen::MatrixXd _sizes;     ///< their moduli
+
+    void find_residues();
+    [[nodiscard]] Solution by_triangle(std::complex<double> m, Eigen::Index first,
+                                       Eigen::Index count) const;
+    /// The numbers and what they change, from v = (m - T)^-1 h and w = (m - T)^-1 v as L sees them.
+    [[nodiscard]] Solution solution(std::complex<double> m, const Eigen::VectorXcd &v,
+                                    const Eigen::VectorXcd &w) const;
 };
 
 } // namespace whirl::forced

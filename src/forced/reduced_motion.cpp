@@ -33,10 +33,11 @@ using Wide = long double;
 using WideDense = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
-/// cancels here: in double precision what is left would be off by 1e-10 and peaks by that times
-/// their amplification.
+/// cancels in A V, which is the forces on the nodes: in double precision what is left would be off
+/// by 1e-10 and peaks by that times their amplification.
 Eigen::MatrixXcd planar_product(const WideDense &V, const Eigen::SparseMatrix<Wide> &A) {
-    return WideDense(V.transpose() * WideDense(A * V)).cast<double>().cast<Complex>();
+    const Eigen::MatrixXd forces = WideDense(A * V).cast<double>();
+    return (V.cast<double>().transpose() * forces).cast<Complex>();
 }
 
 /// The same over unknowns in pairs (x, y), the shapes for both directions: pairs again.
@@ -77,7 +78,7 @@ ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, res
     : _discretization(discretization), _form(form), _drive(drive),
       _quantities(std::move(quantities)), _rows(synchronous::table_speeds(discretization.rotor())) {
     make_shapes(drive.weight() ? 2 * top : top, reduction);
-    take_in(Eigen::MatrixXcd(discretization.planar_size(), 0));
+    take_in(Eigen::MatrixXcd(discretization.planar_size(), 0), 1);
 }
 
 /// @param top  rad/s, of the fastest motion in the fixed frame
@@ -106,18 +107,21 @@ void ReducedMotion::make_shapes(double top, bool reduction) {
                                                             Eigen::MatrixXd::Identity(n, n));
 }
 
-void ReducedMotion::take_in(const Eigen::MatrixXcd &motions) {
-    // What rounding leaves of a motion that the shapes have already is not new.
-    constexpr double newness = 1e-8;
+void ReducedMotion::take_in(const Eigen::MatrixXcd &motions, double newness) {
+    std::vector<Eigen::VectorXd> parts;
     for (Eigen::Index j = 0; j < motions.cols(); ++j) {
         // Turned so that its real part is as large as it gets.
         const Complex square = (motions.col(j).transpose() * motions.col(j)).value();
         const Eigen::VectorXcd turned = motions.col(j) * std::polar(1.0, -std::arg(square) / 2);
         const double size = turned.norm();
-        _shapes->add(turned.real(), newness);
+        parts.emplace_back(turned.real());
         if (turned.imag().norm() > newness * size)
-            _shapes->add(turned.imag(), newness);
+            parts.emplace_back(turned.imag());
     }
+    Eigen::MatrixXd columns(motions.rows(), std::ssize(parts));
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        columns.col(static_cast<Eigen::Index>(i)) = parts[i];
+    _shapes->add_newest_first(std::move(columns), newness);
     _pieces.clear();
     _piece = nullptr;
     _b = _drive.weight() ? weight() : imbalances();
@@ -126,6 +130,27 @@ void ReducedMotion::take_in(const Eigen::MatrixXcd &motions) {
     for (std::size_t i = 0; i < _quantities.size(); ++i)
         for (const auto &[unknown, value] : _quantities[i].stretch)
             _stretches.row(static_cast<Eigen::Index>(i)) += value * V.row(unknown);
+    set_read();
+}
+
+void ReducedMotion::set_read() {
+    const Eigen::Index shapes = _stretches.cols();
+    if (_drive.weight()) {
+        _read.setIdentity(2 * shapes, 2 * shapes);
+    } else if (_form == results::Form::planar) {
+        _read = _stretches;
+    } else {
+        _read.setZero(2 * _stretches.rows(), 2 * shapes);
+        for (Eigen::Index i = 0; i < 2; ++i)
+            _read(Eigen::seqN(i, _stretches.rows(), 2), Eigen::seqN(i, shapes, 2)) = _stretches;
+    }
+}
+
+std::pair<Eigen::Index, Eigen::Index> ReducedMotion::read_of(int quantity) const {
+    if (_drive.weight())
+        return {0, _read.rows()};
+    const Eigen::Index each = _form == results::Form::planar ? 1 : 2;
+    return {each * quantity, each};
 }
 
 std::vector<double> ReducedMotion::cuts(double from, double to) const {
@@ -178,7 +203,10 @@ Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forc
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {
     const Terms a = terms(from);
-    Piece piece{from, to, {a.constant, a.linear, a.quadratic}, nullptr, {}, {}, {}};
+    Piece piece;
+    piece.from = from;
+    piece.to = to;
+    piece.P = {a.constant, a.linear, a.quadratic};
     if (to > from) { // the bearings enter the constant and the linear term, both linear in s
         const Terms b = terms(to);
         const Eigen::MatrixXcd change0 = (b.constant - a.constant) / (to - from);
@@ -200,7 +228,7 @@ void ReducedMotion::enter_piece(double inside) {
 
 const QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
     if (!_piece->resolvent || _piece->resolved != std::pair(from, to)) {
-        _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, _b, from, to);
+        _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, _b, _read, from, to);
         _piece->resolved = {from, to};
     }
     return *_piece->resolvent;
@@ -213,57 +241,75 @@ std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) {
 double ReducedMotion::rounding(double speed) const {
     const auto [known, missing] = _piece->roundings.try_emplace(speed, 0.0);
     if (missing)
-        known->second = std::numeric_limits<double>::epsilon() /
-                        std::max(_piece->P.at(speed).partialPivLu().rcond(), 1e-300);
+        known->second =
+            std::numeric_limits<double>::epsilon() / std::max(factors(speed).P.rcond(), 1e-300);
     return known->second;
+}
+
+const ReducedMotion::Factors &ReducedMotion::factors(double speed) const {
+    if (!_piece->factors || _piece->factors->speed != speed)
+        _piece->factors =
+            std::make_unique<Factors>(Factors{speed, _piece->P.at(speed).partialPivLu()});
+    return *_piece->factors;
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
     const auto [known, missing] = _piece->readings.try_emplace(speed);
     if (missing) {
-        const Eigen::PartialPivLU<Eigen::MatrixXcd> P(_piece->P.at(speed));
+        const auto &P = factors(speed).P;
         const Eigen::VectorXcd u = P.solve(_b);
-        known->second =
-            readings({u, P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u))}, speed);
+        const Eigen::VectorXcd slope =
+            P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u));
+        known->second = readings({_read * u, _read * slope}, speed);
     }
     return known->second;
 }
 
 std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
-    return _piece->resolvent ? readings(_piece->resolvent->at(speed), speed) : at(speed);
+    return _piece->resolvent ? readings(_piece->resolvent->at(speed, 0, _read.rows()), speed)
+                             : at(speed);
 }
 
-/// @param unit  of P u = b, where imbalances have the force speed^2 b
+Reading ReducedMotion::quickly_at(double speed, int quantity) const {
+    if (!_piece->resolvent)
+        return at(speed)[static_cast<std::size_t>(quantity)];
+    const auto [first, count] = read_of(quantity);
+    return reading(quantity, _piece->resolvent->at(speed, first, count), speed);
+}
+
 std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution &unit,
                                              double speed) const {
-    const double force = _drive.weight() ? 1 : speed * speed;
-    const double force_slope = _drive.weight() ? 0 : 2 * speed;
-    const Eigen::VectorXcd u = force * unit.u;
-    const Eigen::VectorXcd slope = force * unit.slope + force_slope * unit.u;
     std::vector<Reading> out;
-    for (int i = 0; i < static_cast<int>(_quantities.size()); ++i)
-        out.push_back(reading(i, u, slope, speed));
+    for (int i = 0; i < static_cast<int>(_quantities.size()); ++i) {
+        const auto [first, count] = read_of(i);
+        out.push_back(
+            reading(i, {unit.y.segment(first, count), unit.slope.segment(first, count)}, speed));
+    }
     return out;
 }
 
-Phasor ReducedMotion::stretched(int quantity, const Eigen::VectorXcd &q) const {
-    const Eigen::RowVectorXd row = _stretches.row(quantity);
+Phasor ReducedMotion::stretched(int quantity, const Eigen::VectorXcd &numbers) const {
     const auto circle = [](Complex w) { return Phasor{w, -imaginary_unit * w}; };
-    if (_form == results::Form::planar)
-        return circle(row * q);
-    const Complex x = row * q(Eigen::seqN(0, row.size(), 2));
-    const Complex y = row * q(Eigen::seqN(1, row.size(), 2));
-    if (_drive.weight())
+    if (_form == results::Form::planar && !_drive.weight())
+        return circle(numbers(0));
+    if (_drive.weight()) {
+        const Eigen::RowVectorXd row = _stretches.row(quantity);
+        const Complex x = row * numbers(Eigen::seqN(0, row.size(), 2));
+        const Complex y = row * numbers(Eigen::seqN(1, row.size(), 2));
         return circle(WhirlParts({x, y}).a);
+    }
     if (_form == results::Form::rotating)
-        return circle(x + imaginary_unit * y);
-    return {x, y};
+        return circle(numbers(0) + imaginary_unit * numbers(1));
+    return {numbers(0), numbers(1)};
 }
 
-Reading ReducedMotion::reading(int quantity, const Eigen::VectorXcd &u,
-                               const Eigen::VectorXcd &slope, double speed) const {
+Reading ReducedMotion::reading(int quantity, const QuadraticResolvent::Solution &unit,
+                               double speed) const {
+    const double push = _drive.weight() ? 1 : speed * speed;
+    const double push_slope = _drive.weight() ? 0 : 2 * speed;
+    const Eigen::VectorXcd u = push * unit.y;
     const Phasor value = stretched(quantity, u);
-    const Phasor change = stretched(quantity, slope);
+    const Phasor change = stretched(quantity, push * unit.slope + push_slope * unit.y);
     const Quantity &of = _quantities[static_cast<std::size_t>(quantity)];
     const int bearing = of.bearing;
     double cancelled = 0;

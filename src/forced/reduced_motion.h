@@ -7,6 +7,7 @@
 #include "results/formulation.h"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <complex>
 #include <map>
@@ -69,7 +70,8 @@ class ReducedMotion {
 
     /// Takes motions of the whole rotor into the shapes.
     /// @param motions  planar unknowns a column
-    void take_in(const Eigen::MatrixXcd &motions);
+    /// @param newness  part of a motion that must be new
+    void take_in(const Eigen::MatrixXcd &motions, double newness);
 
     /// Speeds from `from` to `to` cut at the rows of bearing tables, rad/s.
     [[nodiscard]] std::vector<double> cuts(double from, double to) const;
@@ -83,17 +85,24 @@ class ReducedMotion {
     [[nodiscard]] double rounding(double speed) const;
     /// Every quantity at a speed of the piece.
     [[nodiscard]] std::vector<Reading> at(double speed) const;
-    /// The same where the poles of the piece have been asked for, by the Schur form that they are
-    /// from: next to a pole less exact than at().
+    /// The same where the poles of the piece have been asked for, from these: next to a pole less
+    /// exact than at().
     [[nodiscard]] std::vector<Reading> quickly_at(double speed) const;
+    /// One of them.
+    [[nodiscard]] Reading quickly_at(double speed, int quantity) const;
 
   private:
     struct Terms { ///< of P at one bearing speed
         Eigen::MatrixXcd constant, linear, quadratic;
     };
+    struct Factors {
+        double speed; ///< rad/s
+        Eigen::PartialPivLU<Eigen::MatrixXcd> P;
+    };
     struct Piece {
         double from = 0, to = 0; ///< rad/s; equal: the bearings are constant
         QuadraticTerms P;
+        std::unique_ptr<Factors> factors;                ///< of the last speed
         std::unique_ptr<QuadraticResolvent> resolvent;   ///< none before poles()
         std::pair<double, double> resolved;              ///< where it is for
         std::map<double, std::vector<Reading>> readings; ///< at() by speed, so far
@@ -107,6 +116,9 @@ class ReducedMotion {
     bool _whole = false;
     std::vector<double> _rows;  ///< of bearing tables, rad/s
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
+    /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
+    /// under the weight the unknowns themselves, to see what cancels.
+    Eigen::MatrixXd _read;
 
     std::map<int, Piece> _pieces; ///< seen so far, by their numbers
     Piece *_piece = nullptr;
@@ -114,16 +126,22 @@ class ReducedMotion {
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
+    [[nodiscard]] const Factors &factors(double speed) const;
+    void set_read();
+    /// Numbers of a quantity among those that are read: the first and how many.
+    [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> read_of(int quantity) const;
+    /// @param unit  of P u = b, where imbalances have the force speed^2 b: the numbers of a
+    /// quantity
+    [[nodiscard]] Reading reading(int quantity, const QuadraticResolvent::Solution &unit,
+                                  double speed) const;
     [[nodiscard]] std::vector<Reading> readings(const QuadraticResolvent::Solution &unit,
                                                 double speed) const;
     [[nodiscard]] Piece piece_between(double from, double to) const;
     void make_shapes(double top, bool reduction);
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
     [[nodiscard]] Eigen::VectorXcd weight() const;
-    /// Deflection of a quantity's stretch that unknowns of the shapes mean.
-    [[nodiscard]] Phasor stretched(int quantity, const Eigen::VectorXcd &q) const;
-    [[nodiscard]] Reading reading(int quantity, const Eigen::VectorXcd &u,
-                                  const Eigen::VectorXcd &slope, double speed) const;
+    /// Deflection of a quantity's stretch that its numbers mean.
+    [[nodiscard]] Phasor stretched(int quantity, const Eigen::VectorXcd &numbers) const;
 };
 
 } // namespace whirl::forced

@@ -115,11 +115,15 @@ std::vector<double> peak_speeds(std::vector<Peak> peaks) {
     return out;
 }
 
-/// Takes motions in. @returns whether any of them was news
+/// Takes motions in, all that is new of them where the most of that is not enough.
+/// @returns whether any of them was news
 bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
+    constexpr double most = 1e-6;     // the error of the response is the square of what is left out
+    constexpr double rounding = 1e-8; // what that leaves of a motion known already is not new
     const int before = reduced.size();
-    if (motions.cols() > 0)
-        reduced.take_in(motions);
+    for (const double newness : {most, rounding})
+        if (motions.cols() > 0 && reduced.size() == before)
+            reduced.take_in(motions, newness);
     return reduced.size() > before;
 }
 

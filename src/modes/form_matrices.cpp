@@ -89,14 +89,7 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
         return;
     }
     if (form == results::Form::general) {
-        const assembly::FixedSystem system = assembly::assemble_fixed(d, 0);
-        _M = system.M.view();
-        _D = system.C.view();
-        _Ds = system.G.view();
-        _K = system.K.view();
-        _Ks = system.Kc.view();
-        _Kss.resize(_M.rows(), _M.cols());
-        _mirrored = mirrored_bearings(d.rotor()) && d.rotor().shaft.axial_torque == 0;
+        set_general(assembly::assemble_fixed(d, 0));
         return;
     }
     if (form == results::Form::planar_damped) {
@@ -116,6 +109,22 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
     }
     for (Sparse *none : {&_D, &_Ks, &_Kss})
         none->resize(_M.rows(), _M.cols());
+}
+
+FormMatrices::FormMatrices(const assembly::Discretization &d, const assembly::FixedSystem &system)
+    : _discretization(d), _form(results::Form::general) {
+    set_general(system);
+}
+
+void FormMatrices::set_general(const assembly::FixedSystem &system) {
+    const model::Rotor &rotor = _discretization.rotor();
+    _M = system.M.view();
+    _D = system.C.view();
+    _Ds = system.G.view();
+    _K = system.K.view();
+    _Ks = system.Kc.view();
+    _Kss.resize(_M.rows(), _M.cols());
+    _mirrored = mirrored_bearings(rotor) && rotor.shaft.axial_torque == 0;
 }
 
 void FormMatrices::set_damped_planar() {

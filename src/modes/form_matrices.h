@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "assembly/system.h"
 #include "balancers/linear_element.h"
 #include "modes/biorthogonal.h"
 #include "results/formulation.h"
@@ -18,6 +19,11 @@ class FormMatrices {
     /// @param balancers  at their balanced positions; in rotating forms
     FormMatrices(const assembly::Discretization &discretization, results::Form form,
                  const std::vector<balancers::BalancerElement> &balancers);
+
+    /// Form general, of matrices made from those of a rotor whose bearings do not change with
+    /// speed.
+    FormMatrices(const assembly::Discretization &discretization,
+                 const assembly::FixedSystem &system);
 
     /// Form hill: without the part of the bearings that turns.
     [[nodiscard]] QuadraticAt at(double speed) const;
@@ -47,6 +53,7 @@ class FormMatrices {
     };
     /// Entries of a block on (x, y) as the matrix has them.
     enum class Part { real, imaginary };
+    void set_general(const assembly::FixedSystem &system);
     void set_damped_planar();
     void add_tables(QuadraticAt &problem, double speed, Part part) const;
     [[nodiscard]] Supports support_change(double from, double to, Part part) const;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::modes {
 
@@ -23,6 +24,10 @@ GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
                                  double bearing_speed)
     : _discretization(discretization), _bearing_speed(bearing_speed),
       _system(assembly::assemble_fixed(discretization, bearing_speed)) {}
+
+GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
+                                 assembly::FixedSystem system)
+    : _discretization(discretization), _bearing_speed(0), _system(std::move(system)) {}
 
 GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
     using linalg::Matrix;

@@ -12,6 +12,8 @@ class GeneralSpectrum {
   public:
     /// Bearings as at `bearing_speed` (rad/s).
     GeneralSpectrum(const assembly::Discretization &discretization, double bearing_speed);
+    /// Matrices made from those of a rotor that is held.
+    GeneralSpectrum(const assembly::Discretization &discretization, assembly::FixedSystem system);
 
     struct Modes {
         std::vector<WhirlMode> modes;   ///< Im > 0 or zero modes; whirl not set, unsorted

@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/degenerate.h"
+#include "modes/few_shapes.h"
 #include "modes/following/continuation.h"
 #include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
@@ -71,6 +72,7 @@ struct SpectrumSolver::Data {
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
     std::unique_ptr<Continuation> following; ///< none before follow()
+    std::unique_ptr<FewShapes> few;          ///< none: the whole rotor
 
     Data(const model::Rotor &rotor, results::Form which, int order, int refinement, int harmonics)
         : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
@@ -91,7 +93,9 @@ struct SpectrumSolver::Data {
         return *known;
     }
 
-    const FormMatrices &matrices() { return made(_matrices, d, form, balancers); }
+    const FormMatrices &matrices() {
+        return few ? few->matrices() : made(_matrices, d, form, balancers);
+    }
 
     /// None where the matrices are not symmetric.
     const SymmetricProblem *symmetric_matrices() {
@@ -137,6 +141,8 @@ GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted) const {
 }
 
 Spectrum SpectrumSolver::damped(double speed, int wanted) const {
+    if (_data->few)
+        return spectrum_of(speed, _data->few->modes(speed, wanted));
     if (_data->following)
         if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
             return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
@@ -145,7 +151,21 @@ Spectrum SpectrumSolver::damped(double speed, int wanted) const {
                                   : general(speed, wanted));
 }
 
+bool SpectrumSolver::take_few_shapes(int modes) {
+    if (_data->form == results::Form::general && !_data->tables)
+        _data->few = FewShapes::of(_data->d, modes);
+    return _data->few != nullptr;
+}
+
+double SpectrumSolver::left_out(double speed, const WhirlMode &mode) const {
+    return _data->few ? _data->few->left_out(speed, mode) : 0;
+}
+
+void SpectrumSolver::take_all() { _data->few.reset(); }
+
 void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
+    if (_data->few)
+        return;
     if (!_data->following) {
         const SymmetricProblem *problem = _data->symmetric_matrices();
         if (problem == nullptr)
@@ -250,7 +270,9 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     Eigen::MatrixXcd X(n, count);
     for (Eigen::Index i = 0; i < count; ++i) {
         values(i) = turning || planar ? mode(i).rotating_value : mode(i).eigenvalue;
-        X.col(i) = turning ? mode(i).rotating_vector : mode(i).shape;
+        X.col(i) = turning      ? mode(i).rotating_vector
+                   : _data->few ? _data->few->amplitudes(mode(i).shape)
+                                : mode(i).shape;
     }
     if (form == results::Form::hill)
         return dual_basis_of(_data->matrices().mass(), values, X);

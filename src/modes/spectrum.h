@@ -50,6 +50,16 @@ class SpectrumSolver {
     /// these speeds; at() then knows them there, and finds those between by few steps.
     void follow(const std::vector<double> &speeds, int wanted) const;
 
+    /// Form general: from now on the modes of the rotor on few shapes, those at rest and what bends
+    /// it where something acts (reduction/planar_shapes.h): nearly those of the whole rotor in much
+    /// less time. @returns whether that is so: not where bearings change with speed or do not hold
+    /// the rotor, nor where shapes are no fewer than half of the unknowns
+    bool take_few_shapes(int modes);
+    /// What the shapes leave out of the eigenvalue of such a mode, estimated, relative to it.
+    [[nodiscard]] double left_out(double speed, const WhirlMode &mode) const;
+    /// The modes of the whole rotor again.
+    void take_all();
+
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;
 

@@ -24,4 +24,28 @@ void take_in(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
     }
 }
 
+void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
+                          Eigen::MatrixXd columns, double newness) {
+    const auto sizes = [&] {
+        return Eigen::RowVectorXd(
+            columns.cwiseProduct(H * columns).colwise().sum().cwiseMax(0).cwiseSqrt());
+    };
+    const Eigen::RowVectorXd before = sizes();
+    for (Eigen::Index j = 0; j < columns.cols(); ++j)
+        columns.col(j) /= before(j) > 0 ? before(j) : 1;
+    columns -= shapes * (shapes.transpose() * (H * columns)).eval();
+    for (Eigen::Index left = columns.cols(); left > 0; --left) {
+        Eigen::Index newest = 0;
+        if (!(sizes().maxCoeff(&newest) > newness))
+            return;
+        const Eigen::Index known = shapes.cols();
+        take_in(shapes, H, columns.col(newest), 0.5); // of what is left of it nothing is known
+        columns.col(newest).setZero();
+        if (shapes.cols() == known)
+            continue;
+        const Eigen::VectorXd v = shapes.rightCols<1>();
+        columns -= v * (v.transpose() * (H * columns)).eval();
+    }
+}
+
 } // namespace whirl::reduction

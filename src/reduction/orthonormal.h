@@ -13,4 +13,8 @@ namespace whirl::reduction {
 void take_in(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
              const Eigen::MatrixXd &columns, double newness);
 
+/// The same, always next the column of which most is new: few shapes for many columns alike.
+void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<double> &H,
+                          Eigen::MatrixXd columns, double newness);
+
 } // namespace whirl::reduction

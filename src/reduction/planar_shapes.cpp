@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::reduction {
 
@@ -49,7 +50,6 @@ Eigen::MatrixXd static_deflections(const Sparse &H, const Eigen::MatrixXd &loads
     return factors.solve(loads);
 }
 
-constexpr int fewest_modes = 6;
 /// Modes at rest far above what is to be described: the static deflections stand for the rest.
 constexpr double above_top = 2;
 
@@ -64,7 +64,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
     add(columns, 1e-12);
 }
 
-PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top) {
+PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top, int modes) {
     const PlanarPair pair = planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
     _shapes.resize(_H.rows(), 0);
@@ -74,7 +74,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
                                     linalg::Matrix::from_sparse(pair.M));
     // (K + top^2 M - s^2 M) x = 0: at rest the frequency is sqrt(s^2 - top^2).
     const double bound = std::hypot(above_top * top, top);
-    const int wanted = std::max(fewest_modes, held.count_below(bound));
+    const int wanted = std::max(modes, bound > 0 ? held.count_below(bound) : 0);
     for (const linalg::RealPair &mode :
          held.smallest(std::min(wanted, discretization.planar_size())))
         add(mode.vector, 1e-6);
@@ -87,6 +87,10 @@ void PlanarShapes::add_static(const std::vector<assembly::Combination> &loaded) 
 
 void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
     take_in(_shapes, _H, columns, newness);
+}
+
+void PlanarShapes::add_newest_first(Eigen::MatrixXd columns, double newness) {
+    take_in_newest_first(_shapes, _H, std::move(columns), newness);
 }
 
 Eigen::MatrixXd planar_parts(const Eigen::VectorXcd &vector, Eigen::Index N, Eigen::Index term) {

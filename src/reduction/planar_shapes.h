@@ -17,8 +17,10 @@ class PlanarShapes {
   public:
     /// @param discretization  of an elastic shaft
     /// @param top             frequency up to which motions are to be described, rad/s
+    /// @param modes           at rest, at the least
     /// @throws linalg::SolverError where the modes at rest cannot be found
-    PlanarShapes(const assembly::Discretization &discretization, double top);
+    PlanarShapes(const assembly::Discretization &discretization, double top,
+                 int modes = fewest_modes);
 
     /// The shapes that these columns (N entries each) span, and no more; orthonormal under the
     /// diagonal of that matrix.
@@ -27,10 +29,14 @@ class PlanarShapes {
 
     /// N x r, orthonormal under K + top^2 M with the mean stiffness of the bearings.
     [[nodiscard]] const Eigen::MatrixXd &matrix() const { return _shapes; }
+    /// K + top^2 M.
+    [[nodiscard]] const Eigen::SparseMatrix<double> &metric() const { return _H; }
 
     /// Takes in what is new of the columns (N entries each).
     /// @param newness  part of a column that must be new, of its length under K + top^2 M
     void add(const Eigen::MatrixXd &columns, double newness);
+    /// The same with as few shapes as may be: first the column of which most is new.
+    void add_newest_first(Eigen::MatrixXd columns, double newness);
 
     /// Takes in the deflections, held by K + top^2 M, under unit loads that work on these
     /// quantities.
@@ -38,6 +44,7 @@ class PlanarShapes {
     void add_static(const std::vector<assembly::Combination> &loaded);
 
   private:
+    static constexpr int fewest_modes = 6;
     Eigen::SparseMatrix<double> _H; ///< K + top^2 M
     Eigen::MatrixXd _shapes;
 };

@@ -13,6 +13,19 @@ namespace whirl::tracking {
 
 namespace {
 
+/// The most at the first speed, where names are counted, and of the modes to be named.
+double most_left_out(const modes::SpectrumSolver &solver,
+                     const std::vector<modes::Spectrum> &spectra, const std::vector<char> &asked,
+                     int modes, const ModesToName &wanted) {
+    double most = 0;
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        for (std::size_t i = 0; i < spectra[k].modes.size(); ++i)
+            if ((k == 0 && static_cast<int>(i) < modes) ||
+                (asked[k] != 0 && wanted.which(spectra[k], i)))
+                most = std::max(most, solver.left_out(spectra[k].speed, spectra[k].modes[i]));
+    return most;
+}
+
 /// A mode to be named whose line comes in from beyond the modes computed: more would show more of
 /// it.
 bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spectra,
@@ -61,6 +74,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
             break;
         computed += std::max(4, modes / 2);
     }
+    _left_out = most_left_out(solver, _spectra, asked, modes, wanted);
     _rates = tracking.rates;
     const std::vector<LineName> names = line_names(tracking.lines, _spectra, naming, modes, false);
     for (const modes::Spectrum &spectrum : _spectra)

@@ -32,6 +32,10 @@ class ModeNames {
     ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
               bool follow, const ModesToName &wanted);
 
+    /// Of the modes that names are counted by and of those to be named: the most that is left out
+    /// of an eigenvalue (SpectrumSolver::left_out).
+    [[nodiscard]] double left_out() const { return _left_out; }
+
     /// The spectrum at one of the speeds asked for; null where it is out of reach: beyond speeds
     /// of both signs, or of the other sign.
     [[nodiscard]] const modes::Spectrum *at(double speed) const;
@@ -56,6 +60,7 @@ class ModeNames {
     std::vector<modes::Spectrum> _spectra;
     std::vector<Rates> _rates;
     std::vector<std::vector<std::string>> _names; ///< of each mode at each speed
+    double _left_out = 0;
 
     [[nodiscard]] std::optional<std::size_t> place_of(double speed) const;
 };

@@ -64,6 +64,24 @@ std::optional<results::Form> form_for_names(const model::Case &scene) {
     }
 }
 
+/// On few shapes where these describe the modes as well as names need it.
+std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
+                                            const tracking::ModesToName &wanted) {
+    constexpr double enough = 1e-4; // lines that lie nearer change their order nowhere but there
+    modes::SpectrumSolver solver(scene.rotor, form, order);
+    const auto names = [&] {
+        return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+                                    wanted);
+    };
+    if (scene.reduction && solver.take_few_shapes(scene.campbell.modes + 2)) {
+        auto found = names();
+        if (found && found->left_out() < enough)
+            return found;
+        solver.take_all();
+    }
+    return names();
+}
+
 } // namespace
 
 void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const model::Case &scene,
@@ -71,10 +89,9 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
     const auto form = critical_speeds.empty() ? std::nullopt : form_for_names(scene);
     if (!form)
         return;
-    const modes::SpectrumSolver solver(scene.rotor, *form, order);
-    const auto names = tracking::mode_names(
-        solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-        {speeds_of(critical_speeds), cheap_at_any_speed(*form), tracking::near_spin});
+    const auto names =
+        names_of(scene, *form, order,
+                 {speeds_of(critical_speeds), cheap_at_any_speed(*form), tracking::near_spin});
     if (!names)
         return;
     std::vector<std::pair<std::complex<double>, results::Whirl>> values;
@@ -90,13 +107,11 @@ void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &sc
     if (!form)
         return;
     const std::vector<double> solved = few_speeds(speeds_of(peaks));
-    const modes::SpectrumSolver solver(scene.rotor, *form, order);
-    const auto names = tracking::mode_names(solver, *scene.speeds, scene.campbell.modes,
-                                            scene.reduction, {solved, false, tracking::near_spin});
+    const auto names = names_of(scene, *form, order, {solved, false, tracking::near_spin});
     if (!names)
         return;
     // What turns with an isotropic rotor on isotropic bearings drives no backward whirl.
-    const auto driven = [planar = results::is_planar(solver.form())](const modes::WhirlMode &mode) {
+    const auto driven = [planar = results::is_planar(*form)](const modes::WhirlMode &mode) {
         return !planar || mode.whirl == results::Whirl::forward;
     };
     for (results::ResponsePeak &peak : peaks) {

@@ -1,0 +1,62 @@
+// Sums over the poles against a solution of the equations at each place.
+
+#include "forced/quadratic_resolvent.h"
+#include "support/random.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <complex>
+
+namespace {
+
+using namespace whirl;
+using forced::QuadraticResolvent;
+using forced::QuadraticTerms;
+
+/// Largest difference of the numbers and of their slopes from those of LU decompositions, relative.
+void expect_solutions(const QuadraticTerms &terms, const Eigen::VectorXcd &b,
+                      const Eigen::MatrixXd &rows, double tolerance) {
+    const QuadraticResolvent resolvent(terms, b, rows, 0, 3);
+    for (const double s : {0.01, 0.4, 0.97, 1.0, 1.6, 2.9}) {
+        const Eigen::PartialPivLU<Eigen::MatrixXcd> P(terms.at(s));
+        const Eigen::VectorXcd u = P.solve(b);
+        const Eigen::VectorXcd slope = P.solve(-(terms.P1 * u) - (2 * s) * (terms.P2 * u));
+        const auto found = resolvent.at(s, 0, rows.rows());
+        EXPECT_LE((found.y - rows * u).norm(), tolerance * (rows * u).norm()) << s;
+        EXPECT_LE((found.slope - rows * slope).norm(), tolerance * (rows * slope).norm()) << s;
+        const auto last = resolvent.at(s, rows.rows() - 1, 1);
+        EXPECT_LE(std::abs(last.y(0) - found.y(rows.rows() - 1)), tolerance * found.y.norm()) << s;
+    }
+}
+
+TEST(QuadraticResolvent, SumsOverThePolesSolveTheEquations) {
+    tests::Random random(7);
+    for (int scene = 0; scene < 20; ++scene) {
+        constexpr int n = 9;
+        const auto matrix = [&](double size) {
+            Eigen::MatrixXcd A(n, n);
+            for (Eigen::Index i = 0; i < A.size(); ++i)
+                A(i) = size * std::complex<double>(random(-1, 1), random(-1, 1));
+            return A;
+        };
+        QuadraticTerms terms{matrix(0.1), matrix(0.1), -Eigen::MatrixXcd::Identity(n, n)};
+        for (int i = 0; i < n; ++i)
+            terms.P0(i, i) += 0.3 * (i + 1);
+        // Poles some 0.05 from the real speeds, all simple: rounding over that distance.
+        expect_solutions(terms, matrix(1).col(0), matrix(1).real().topRows(4), 1e-9);
+    }
+}
+
+TEST(QuadraticResolvent, PolesThatCoincideWithOneVector) {
+    // Two equal oscillators, one of which drives the other: their poles are of one vector, and the
+    // terms of a sum over them are infinite.
+    constexpr std::complex<double> i(0, 1);
+    QuadraticTerms terms{Eigen::MatrixXcd::Identity(2, 2),
+                         0.02 * i * Eigen::MatrixXcd::Identity(2, 2),
+                         -Eigen::MatrixXcd::Identity(2, 2)};
+    terms.P0(0, 1) = 0.5;
+    expect_solutions(terms, Eigen::VectorXcd::Ones(2), Eigen::MatrixXd::Identity(2, 2), 1e-10);
+}
+
+} // namespace
