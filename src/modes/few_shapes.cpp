@@ -38,8 +38,7 @@ std::unique_ptr<FewShapes> FewShapes::of(const assembly::Discretization &d, int 
 }
 
 FewShapes::FewShapes(const assembly::Discretization &d, reduction::PlanarShapes shapes)
-    : _discretization(d), _shapes(std::move(shapes)),
-      _onto(_shapes.matrix().transpose() * _shapes.metric()),
+    : _shapes(std::move(shapes)), _onto(_shapes.matrix().transpose() * _shapes.metric()),
       _whole(assembly::assemble_fixed(d, 0)),
       _spectrum(d, reduction::Projection(_shapes.matrix()).of(_whole)),
       _matrices(d, _spectrum.system()), _stiffness(_shapes.metric()) {}

@@ -39,7 +39,6 @@ class FewShapes {
   private:
     FewShapes(const assembly::Discretization &d, reduction::PlanarShapes shapes);
 
-    const assembly::Discretization &_discretization;
     reduction::PlanarShapes _shapes;
     Eigen::MatrixXd _onto; ///< amplitudes of planar unknowns
     assembly::FixedSystem _whole;
