@@ -5,7 +5,7 @@
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/degenerate.h"
-#include "modes/few_shapes.h"
+#include "modes/reduced/few_shapes.h"
 #include "modes/following/continuation.h"
 #include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"

@@ -1,4 +1,4 @@
-#include "modes/few_shapes.h"
+#include "modes/reduced/few_shapes.h"
 
 #include "assembly/planes.h"
 #include "linalg/check.h"
