@@ -240,6 +240,27 @@ Spectrum SpectrumSolver::at(double speed, int wanted) const {
     }
 }
 
+namespace {
+
+/// Of modes whose shapes and values are real.
+ModeBasis real_basis(const QuadraticAt &problem, const Spectrum &spectrum, results::Form form) {
+    const auto count = std::ssize(spectrum.modes);
+    Eigen::VectorXd values(count);
+    Eigen::MatrixXd X(problem.M.rows(), count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
+        values(i) = real_value(mode, form, spectrum.speed);
+        X.col(i) = mode.shape.real();
+    }
+    ModeBasis out = basis_of(problem, values, X);
+    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
+        for (Eigen::Index i = 0; i < count; ++i)
+            (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
+    return out;
+}
+
+} // namespace
+
 ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const results::Form form = _data->form;
     const auto count = std::ssize(spectrum.modes);
@@ -251,19 +272,8 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const auto mode = [&spectrum](Eigen::Index i) -> const WhirlMode & {
         return spectrum.modes[static_cast<std::size_t>(i)];
     };
-    if (form == results::Form::planar || form == results::Form::hyperbolic) {
-        Eigen::VectorXd values(count);
-        Eigen::MatrixXd X(n, count);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            values(i) = real_value(mode(i), form, spectrum.speed);
-            X.col(i) = mode(i).shape.real();
-        }
-        ModeBasis out = basis_of(_data->matrices().at(spectrum.speed), values, X);
-        for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
-            for (Eigen::Index i = 0; i < count; ++i)
-                (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
-        return out;
-    }
+    if (form == results::Form::planar || form == results::Form::hyperbolic)
+        return real_basis(_data->matrices().at(spectrum.speed), spectrum, form);
     const bool turning = form == results::Form::rotating;
     const bool planar = form == results::Form::planar_damped;
     Eigen::VectorXcd values(count);
