@@ -159,9 +159,7 @@ results::SimulateResult motion_from(const model::Case &scene, simulation::Motion
     simulation::classify(scene, result);
     if (!failure.empty() && result.outcome != results::Outcome::growing)
         throw model::AnalysisFailure(failure);
-    const model::Shaft &shaft = scene.rotor.shaft;
-    if (result.outcome == results::Outcome::growing && shaft.axial_torque != 0 && !shaft.rigid &&
-        shaft.torque_kind != model::TorqueKind::semitangential)
+    if (result.outcome == results::Outcome::growing && !scene.rotor.shaft.torque_has_potential())
         result.model.notes.emplace_back(
             "an axial torque of this kind has no potential and can drive motions of a shaft whose "
             "ends tilt; stability says how much of the growth is its work");

@@ -213,6 +213,13 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     stability::BandFinder finder(model, arrangement);
     const stability::MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
+    if (stability::same_at_all_speeds(model, solver.discretization())) {
+        result.model.unknowns = solver.unknowns();
+        add_growth_of_all_speeds(ends::AllMotions(solver.discretization(), model.form, arrangement,
+                                                  nullptr, grid.front(), grid.back()),
+                                 result);
+        return;
+    }
     KeptMotions kept(solver, grid);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
     give_up_unsettled(at, grid, model);

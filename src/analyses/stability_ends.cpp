@@ -148,6 +148,17 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
     result.ends = std::move(found.ends);
 }
 
+void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result) {
+    const std::vector<double> &speeds = result.speeds;
+    const std::complex<double> fastest = motions.fastest_growing(speeds.back());
+    result.growth.assign(speeds.size(), fastest.real());
+    result.verdict.assign(speeds.size(), verdict_of(fastest));
+    if (speeds.size() > 1 && fastest.real() > 0) {
+        result.unstable = {{speeds.front(), speeds.back()}};
+        result.unstable_error = {{0, 0}}; // borders of the range
+    }
+}
+
 std::vector<double> described(const std::vector<double> &speeds,
                               const stability::StabilityModel &model) {
     std::vector<double> forward;

@@ -13,6 +13,9 @@ namespace whirl::analyses {
 /// Largest real part and verdict at the speeds of the result, of all motions of the rotor.
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result);
 
+/// The same, and bands, of motions that are the same at every speed: all of the range or nothing.
+void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result);
+
 /// The same of the speeds that a Hill series describes.
 void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
                      results::StabilityResult &result);

@@ -86,16 +86,22 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     // Balls that can roll on without any effect neither grow nor die out.
     bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
     for (const Root &root : roots) {
-        neutral = neutral || (root.sign() == 0 && within_reach(std::abs(root.value)));
-        const bool counts = root.sign() > 0 || within_reach(std::abs(root.value));
+        const double size = std::abs(root.value);
+        // A root that drowns in its noise altogether says nothing, but for one that may be zero.
+        const bool known = size <= least_reach() || root.noise < size;
+        neutral = neutral || (root.sign() == 0 && known && within_reach(size));
+        const bool counts = root.sign() > 0 || within_reach(size);
         if (root.value.imag() < 0 || root.sign() == 0 || !counts)
             continue; // a zero that rounding blurs must not hide one that grows
         if (root.sign() < 0 && neutral)
             return 0;
         const auto found = at_its_speed(_whole, lifted(root, speed));
         // What the whole rotor does not have is a motion of the shapes alone.
-        if (found && std::abs(found->value - root.value) <= same_root * std::abs(root.value))
+        if (!found || std::abs(found->value - root.value) > same_root * size)
+            continue;
+        if (std::abs(found->value.real()) > found->noise)
             return found->value;
+        neutral = neutral || within_reach(size);
     }
     return roots.empty() || neutral ? 0 : roots.front().value;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/SparseLU>
 
 #include <cmath>
+#include <limits>
 
 namespace whirl::ends {
 
@@ -45,6 +46,20 @@ Eigen::VectorXcd times(const Sparse &A, const Eigen::VectorXcd &x) {
 
 Complex product(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &x) {
     return y.dot(times(A, x));
+}
+
+/// |y|^T |A| |x|.
+double size(const Eigen::VectorXcd &y, const Sparse &A, const Eigen::VectorXcd &x) {
+    return y.cwiseAbs().dot(A.cwiseAbs() * x.cwiseAbs());
+}
+
+/// Rounding of matrix entries as the eigenvalue feels it.
+double noise_of(const modes::QuadraticAt &p, const WholeMotion &m, Complex by_root) {
+    constexpr double allowance = 30;
+    const double l = std::abs(m.value);
+    const double entries = l * l * size(m.left, p.M, m.right) + l * size(m.left, p.D, m.right) +
+                           size(m.left, p.K, m.right);
+    return allowance * std::numeric_limits<double>::epsilon() * (entries / std::abs(by_root) + l);
 }
 
 /// y^H Q(l) x and its derivatives.
@@ -167,8 +182,10 @@ std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
             return std::nullopt;
         m.value += change;
         m.rate = -f.by_speed / f.by_root;
-        if (settled(std::abs(change / m.value)))
+        if (settled(std::abs(change / m.value))) {
+            m.noise = noise_of(problem, m, f.by_root);
             return m;
+        }
     }
     return std::nullopt;
 }

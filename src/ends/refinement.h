@@ -15,6 +15,7 @@ struct WholeMotion {
     std::complex<double> value;   ///< l, 1/s
     Eigen::VectorXcd right, left; ///< Q(l) right = 0, left^H Q(l) = 0
     std::complex<double> rate;    ///< dl/dspeed towards higher speeds
+    double noise = 0;             ///< found: how far rounding of the matrices can move l, 1/s
 };
 
 /// The speed next to `guess` at which a root i w of the whole rotor lies on the imaginary axis:

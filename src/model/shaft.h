@@ -67,6 +67,10 @@ struct Shaft {
     /// against it on the other, N m.
     double axial_torque = 0;
     TorqueKind torque_kind = TorqueKind::axial;
+    /// A torque without a potential does work on a shaft whose ends tilt.
+    [[nodiscard]] bool torque_has_potential() const {
+        return axial_torque == 0 || rigid || torque_kind == TorqueKind::semitangential;
+    }
     /// Damping that does not turn, by ratios of the lowest modes at rest of the rotor on its
     /// bearings, in each plane (assembly/modal_damping.h).
     std::vector<double> modal_damping;

@@ -1,6 +1,7 @@
 #include "stability/rotor_at_speeds.h"
 
 #include "assembly/rotating_system.h"
+#include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/symmetric_eigen.h"
@@ -231,6 +232,9 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     out.formulation = modes::choose_formulation(scene, false);
     out.order = mesh_error::resolve_order(scene, out.formulation);
     const results::Form form = out.formulation.form;
+    // On few shapes its fast motions would grow where those of the whole rotor do not.
+    if (!scene.rotor.shaft.torque_has_potential() && form != results::Form::hill)
+        out.reduction = false;
     if (results::in_rotating_axes(form)) {
         out.form = form;
         for (const double speed : speeds)
@@ -249,6 +253,17 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
                                "at, whether or not they are frequencies"};
     }
     return out;
+}
+
+bool same_at_all_speeds(const StabilityModel &model,
+                        const assembly::Discretization &discretization) {
+    if (results::in_rotating_axes(model.form) || model.rotor.bearings_depend_on_speed())
+        return false;
+    const assembly::FixedSystem system = assembly::assemble_fixed(discretization, 0);
+    const auto is_zero = [](const linalg::Matrix &A) {
+        return Eigen::SparseMatrix<double>(A.view()).norm() == 0;
+    };
+    return is_zero(system.G) && is_zero(system.Kc);
 }
 
 std::vector<double> search_speeds(const model::SpeedRange &range) {

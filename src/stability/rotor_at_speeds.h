@@ -34,6 +34,11 @@ struct StabilityModel {
 [[nodiscard]] StabilityModel stability_model(const model::Case &scene,
                                              const std::vector<double> &speeds);
 
+/// Nothing in the equations knows the spin speed: fixed axes, no gyroscopic effect, no internal
+/// damping, no bearing tables. Motions of one speed are then those of all.
+[[nodiscard]] bool same_at_all_speeds(const StabilityModel &model,
+                                      const assembly::Discretization &discretization);
+
 /// The speeds at which a search for bands looks: those of the case, and more where they are few.
 [[nodiscard]] std::vector<double> search_speeds(const model::SpeedRange &range);
 

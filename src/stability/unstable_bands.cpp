@@ -19,8 +19,11 @@ class GrowthAlong {
         _reference = *std::max_element(motions.begin(), motions.end(), by_growth);
     }
 
-    /// Of the motions most like the one followed, the one that grows most.
-    Motion operator()(double speed) const {
+    struct Look {
+        Motion motion;    ///< of those most like the one followed, the one that grows most
+        double apart = 0; ///< of the two neutral motions next to its frequency, rad/s; 0: none
+    };
+    Look operator()(double speed) const {
         const std::vector<Motion> motions = _at(speed);
         std::vector<double> likeness;
         for (const Motion &motion : motions)
@@ -30,7 +33,7 @@ class GrowthAlong {
         for (std::size_t i = 0; i < motions.size(); ++i)
             if (likeness[i] > 0.7 * most && (best == nullptr || by_growth(*best, motions[i])))
                 best = &motions[i];
-        return *best;
+        return {*best, neutral_apart(motions)};
     }
     void move_to(const Motion &motion) { _reference = motion; }
 
@@ -41,6 +44,20 @@ class GrowthAlong {
   private:
     const MotionsAt &_at;
     Motion _reference;
+
+    [[nodiscard]] double neutral_apart(const std::vector<Motion> &motions) const {
+        std::vector<double> off; // frequencies from that of the one followed
+        for (const Motion &motion : motions) {
+            const double here = motion.value.imag() - _reference.value.imag();
+            if (std::abs(motion.value.real()) <= motion.noise)
+                off.push_back(motion.repeats > 0 ? std::remainder(here, motion.repeats) : here);
+        }
+        if (off.size() < 2)
+            return 0;
+        std::partial_sort(off.begin(), off.begin() + 2, off.end(),
+                          [](double a, double b) { return std::abs(a) < std::abs(b); });
+        return std::abs(off[0] - off[1]);
+    }
 };
 
 /// Walks from an unstable speed towards one border, with steps that grow, until it is stable.
@@ -163,18 +180,26 @@ void SignBracket::unstable_at(double place, double growth) {
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
     SignBracket bracket(stable, unstable);
+    bool meets = false; // at the stable end two motions that neither grow nor die out
     for (int step = 0; step < 200 && bracket.width() > tolerance; ++step) {
         const double next = bracket.next();
-        const Motion motion = along(next);
-        const double growth = motion.value.real();
-        const bool decays = growth < -motion.noise;
+        const GrowthAlong::Look look = along(next);
+        const double growth = look.motion.value.real();
+        const bool decays = growth < -look.motion.noise;
         // Within the noise: unstable where the other side decays (a root), else not.
-        if (bracket.decays() ? growth > 0 : growth > motion.noise) {
-            bracket.unstable_at(next, growth);
-            along.move_to(motion);
-        } else {
-            bracket.stable_at(next, decays || bracket.decays() ? std::min(growth, -1e-300) : 0);
+        if (bracket.decays() && !meets ? growth > 0 : growth > look.motion.noise) {
+            bracket.unstable_at(next, meets ? growth * growth : growth);
+            along.move_to(look.motion);
+            continue;
         }
+        const bool was_root = bracket.decays() && !meets;
+        if (!meets && !decays && !was_root && look.apart > 0)
+            bracket.square_growth(); // squares of half differences are smooth through the end
+        meets = !decays && !was_root && look.apart > 0;
+        if (meets)
+            bracket.stable_at(next, -look.apart * look.apart / 4);
+        else
+            bracket.stable_at(next, decays || was_root ? std::min(growth, -1e-300) : 0);
     }
     return (bracket.stable() + bracket.unstable()) / 2;
 }

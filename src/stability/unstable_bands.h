@@ -38,7 +38,8 @@ struct BandsFound {
 
 /// The end of instability between a stable and an unstable speed. Where the growth passes through
 /// zero it is a root; where two eigenvalues part along the imaginary axis the growth starts like a
-/// square root, and the speed at which it leaves the noise is the end to far less than 1e-10.
+/// square root: its square goes on as minus that of half their distance on the axis, and the speed
+/// at which it leaves the noise is the end to far less than 1e-10.
 /// @param tolerance  width of the last bracket, rad/s
 [[nodiscard]] double band_end(const MotionsAt &at, double stable, double unstable,
                               double tolerance);
@@ -56,6 +57,13 @@ class SignBracket {
     void stable_at(double place, double growth);
     /// @param growth  there, above zero
     void unstable_at(double place, double growth);
+
+    /// From here on both growths are squares of half the difference of two motions, which has a
+    /// root where they meet: negative while they differ in frequency alone.
+    void square_growth() {
+        _growth *= _growth;
+        _decline = 0;
+    }
 
     [[nodiscard]] double stable() const { return _stable; }
     [[nodiscard]] double unstable() const { return _unstable; }

@@ -28,11 +28,9 @@ void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &
 }
 
 void note_torque(const model::Case &scene, results::StabilityResult &result) {
-    const model::Shaft &shaft = scene.rotor.shaft;
-    const bool driving = shaft.axial_torque != 0 && !shaft.rigid &&
-                         shaft.torque_kind != model::TorqueKind::semitangential;
     const auto fastest = std::max_element(result.growth.begin(), result.growth.end());
-    if (!driving || fastest == result.growth.end() || !(*fastest > 0))
+    if (scene.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
+        !(*fastest > 0))
         return;
     const double speed = result.speeds[static_cast<std::size_t>(fastest - result.growth.begin())];
     model::Case other = scene;
