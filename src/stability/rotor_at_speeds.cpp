@@ -259,11 +259,13 @@ bool same_at_all_speeds(const StabilityModel &model,
                         const assembly::Discretization &discretization) {
     if (results::in_rotating_axes(model.form) || model.rotor.bearings_depend_on_speed())
         return false;
-    const assembly::FixedSystem system = assembly::assemble_fixed(discretization, 0);
-    const auto is_zero = [](const linalg::Matrix &A) {
-        return Eigen::SparseMatrix<double>(A.view()).norm() == 0;
-    };
-    return is_zero(system.G) && is_zero(system.Kc);
+    const model::Rotor &rotor = model.rotor;
+    const bool gyroscopic = rotor.shaft.rigid || rotor.shaft.rotary_inertia ||
+                            std::any_of(rotor.discs.begin(), rotor.discs.end(),
+                                        [](const model::Disc &disc) { return disc.Ip != 0; });
+    return !gyroscopic &&
+           Eigen::SparseMatrix<double>(assembly::assemble_fixed(discretization, 0).Kc.view())
+                   .norm() == 0;
 }
 
 std::vector<double> search_speeds(const model::SpeedRange &range) {
