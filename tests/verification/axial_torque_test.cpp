@@ -199,4 +199,25 @@ TEST(AxialTorque, ThatDrivesMotionsIsNamed) {
     EXPECT_FALSE(noted(still));
 }
 
+/// Held where they do not tilt much, half way to the critical torque: every motion keeps its size
+/// without damping and dies out with it, whatever rounding makes of motions of 1e5 rad/s.
+TEST(AxialTorque, GrowthAndBandsTellOneStory) {
+    for (const double c : {0.0, 10.0}) {
+        model::Case scene;
+        scene.rotor.shaft = tests::uniform_shaft(1, 0.02, tests::steel());
+        scene.rotor.shaft.order = 10;
+        scene.rotor.shaft.rotary_inertia = false;
+        scene.rotor.shaft.axial_torque = 6e3;
+        for (const double z : {0.0, 1.0})
+            scene.rotor.bearings.push_back(tests::bearing(z, 1e6, 1e6, 0, c));
+        scene.speeds = model::SpeedRange{0, 400, 5};
+        const results::StabilityResult result = analyses::stability(scene, {});
+        for (const double growth : result.growth)
+            EXPECT_TRUE(c == 0 ? growth == 0 : growth < 0) << growth;
+        EXPECT_TRUE(result.unstable.empty());
+        EXPECT_TRUE(result.ends.empty());
+        EXPECT_TRUE(result.model.notes.empty());
+    }
+}
+
 } // namespace
