@@ -185,6 +185,18 @@ double frequency_of(const MatrixXd &M, const Eigen::VectorXcd &state) {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+/// As FloquetMotion::action says, of an equation that conserves it.
+double action_of(const System::Steady &steady, const Eigen::VectorXcd &shape) {
+    const Eigen::Index n = shape.size() / 2;
+    const Eigen::VectorXcd q = shape.head(n);
+    const Eigen::VectorXcd rate = shape.tail(n);
+    const auto squared = [&steady](const Eigen::VectorXcd &x) {
+        return x.dot(steady.M * x).real();
+    };
+    const double action = q.dot(steady.M * rate).imag() + q.real().dot(steady.D * q.imag());
+    return action / std::sqrt(squared(q) * squared(rate));
+}
+
 } // namespace
 
 MatrixXd monodromy(const System &system, double speed, int steps) {
@@ -215,6 +227,7 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
                           weights.cwiseInverse().asDiagonal();
     const linalg::GeneralEigen found = linalg::general_eigen(turn, linalg::Vectors::both);
     const double size = turn.norm();
+    const bool conserves = system.conserves(speed);
     std::vector<FloquetMotion> out;
     for (Eigen::Index i = 0; i < turn.cols(); ++i) {
         const bool second = found.values(i).imag() < 0; // of a conjugate pair
@@ -236,6 +249,8 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
             motion.state = motion.state.conjugate().eval();
         motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
         motion.frequency = frequency_of(steady.M, motion.shape);
+        if (conserves)
+            motion.action = action_of(steady, motion.shape);
         out.push_back(std::move(motion));
     }
     return out;

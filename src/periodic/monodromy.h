@@ -24,7 +24,12 @@ struct FloquetMotion {
     Eigen::VectorXcd state;     ///< (q, q') at t = 0, entries made comparable; length 1
     Eigen::VectorXcd shape;     ///< the same as it is
     double noise = 0;           ///< of l by rounding, 1/s
-    double frequency = 0;       ///< |q'| over |q| at t = 0, measured by M, rad/s
+    /// Im(q^H M q') + Re(q)^T D Im(q) over |q| |q'|, measured by M: what the equations conserve
+    /// where nothing damps or drives; 0 where something does. Two motions with actions of one sign
+    /// do not open a band where they meet (V. A. Yakubovich, V. M. Starzhinskii, Linear
+    /// Differential Equations with Periodic Coefficients, section III.1).
+    double action = 0;
+    double frequency = 0; ///< |q'| over |q| at t = 0, measured by M, rad/s
 };
 
 /// Eigenpairs of the monodromy matrix, both conjugates; without those that rounding has drowned.

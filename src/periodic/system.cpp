@@ -94,6 +94,17 @@ System::Steady System::steady(double speed) const {
     return {_M, _C + speed * _Cs, _K + speed * (_Ks + speed * _Kss)};
 }
 
+bool System::conserves(double speed) const {
+    constexpr double rounding = 1e-12;
+    const Steady at = steady(speed);
+    const Eigen::MatrixXd turned = turning(speed, 1);
+    const auto symmetric = [](const Eigen::MatrixXd &A) {
+        return (A - A.transpose()).norm() <= rounding * A.norm();
+    };
+    return turned.cols() == _places.cols() && symmetric(turned) && symmetric(at.K) &&
+           (at.D + at.D.transpose()).norm() <= rounding * at.D.norm();
+}
+
 Eigen::MatrixXd System::turning(double speed, double angle) const {
     const double c = std::cos(angle);
     const double s = std::sin(angle);

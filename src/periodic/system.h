@@ -36,6 +36,9 @@ class System {
     /// @param angle  2 * speed * t, rad
     [[nodiscard]] Eigen::MatrixXd turning(double speed, double angle) const;
 
+    /// Nothing damps or drives: D skew, all stiffness symmetric, no damping that turns.
+    [[nodiscard]] bool conserves(double speed) const;
+
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
     [[nodiscard]] const Eigen::MatrixXd &places() const { return _places; } ///< P, n x m
 

@@ -139,7 +139,8 @@ class Iteration {
             const Complex before = _value;
             if (!_right.allFinite() || !_left.allFinite() || !improve())
                 return false;
-            if (std::abs(_value - before) <= 1e-13 * _scale)
+            // Where two roots meet, rounding leaves no more than its noise.
+            if (std::abs(_value - before) <= std::max(1e-13 * _scale, _noise))
                 return true;
         }
         return false;

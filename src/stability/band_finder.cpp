@@ -212,6 +212,8 @@ class Confirmation {
         const double around = std::max(4 * (band.second - band.first), close_by * std::abs(middle));
         const double low = std::max({_front, middle - around, (band.first + last) / 2});
         const double high = std::min({_back, middle + around, (band.second + next) / 2});
+        if (growth(_at, middle) > 0)
+            return {band_around(_at, middle, (band.second - band.first) / 2, {low, high})};
         std::vector<double> speeds{low, band.first, middle, band.second, high};
         speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end()); // at a border
         return unstable_bands(_at, speeds);

@@ -171,10 +171,22 @@ class Follower {
             }
             return;
         }
+        if (of_one_action(group.from, group.to)) // whatever becomes of them, none grows
+            return;
         if (group.from.size() == 2 && group.to.size() == 2)
             add_pair(group.from[0], group.from[1], group.to[0], group.to[1], false);
         else
             _out.doubtful = true;
+    }
+
+    /// Motions without damping of which it is known that they cannot open a band.
+    [[nodiscard]] bool of_one_action(const std::vector<int> &from,
+                                     const std::vector<int> &to) const {
+        const int action = from.empty() ? 0 : a(from.front()).action;
+        return action != 0 && !to.empty() &&
+               std::all_of(from.begin(), from.end(),
+                           [&](int i) { return a(i).action == action; }) &&
+               std::all_of(to.begin(), to.end(), [&](int j) { return b(j).action == action; });
     }
 
     /// Each has become a mixture of both: which of them is which then depends on how states are
@@ -203,6 +215,8 @@ class Follower {
 
     void add_pair(int i, int j, int ti, int tj, bool ordered) {
         if (!(a(i).may_meet && a(j).may_meet) && !(b(ti).may_meet && b(tj).may_meet))
+            return;
+        if (of_one_action({i, j}, {ti, tj}))
             return;
         const Complex first_to = continued_copy(a(i), b(ti));
         const Complex second_to = continued_copy(a(j), b(tj));

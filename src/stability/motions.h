@@ -20,6 +20,7 @@ struct Motion {
     double noise = 0;           ///< how far Re l can be from the truth by rounding, 1/s
     bool may_meet = true;       ///< slow enough for a combination resonance at this speed
     double repeats = 0;         ///< copies of l lie i times this apart, rad/s; 0: there are none
+    int action = 0;             ///< without damping its sign (FloquetMotion), where it is known
 };
 
 class PeriodicMotions;

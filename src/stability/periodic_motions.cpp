@@ -200,7 +200,10 @@ PeriodicMotions::List PeriodicMotions::listed(double speed) const {
         one.motion.noise = motion.noise + ever_there * std::max(size, std::abs(motion.value));
         one.motion.may_meet = rigid || motion.frequency <= slow_enough * size ||
                               motion.value.real() > one.motion.noise;
-        one.motion.repeats = 2 * size; // at rest: none
+        one.motion.repeats = 2 * size;   // at rest: none
+        constexpr double blurred = 1e-4; // where two are about to meet
+        if (std::abs(motion.action) > blurred)
+            one.motion.action = motion.action > 0 ? 1 : -1;
         out.push_back(std::move(one));
     }
     return out;

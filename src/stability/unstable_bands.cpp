@@ -35,6 +35,7 @@ class GrowthAlong {
                 best = &motions[i];
         return {*best, neutral_apart(motions)};
     }
+    [[nodiscard]] double growth() const { return _reference.value.real(); }
     void move_to(const Motion &motion) { _reference = motion; }
 
     static bool by_growth(const Motion &a, const Motion &b) {
@@ -180,7 +181,17 @@ void SignBracket::unstable_at(double place, double growth) {
 double band_end(const MotionsAt &at, double stable, double unstable, double tolerance) {
     GrowthAlong along(at, unstable);
     SignBracket bracket(stable, unstable);
-    bool meets = false; // at the stable end two motions that neither grow nor die out
+    const GrowthAlong::Look first = along(stable);
+    const double decline = first.motion.value.real();
+    // At the stable end two motions that neither grow nor die out.
+    bool meets = std::abs(decline) <= first.motion.noise && first.apart > 0;
+    if (meets) {
+        bracket.unstable_at(unstable, along.growth() * along.growth());
+        bracket.stable_at(stable, -first.apart * first.apart / 4);
+    } else if (decline < -first.motion.noise) {
+        bracket.unstable_at(unstable, along.growth());
+        bracket.stable_at(stable, decline);
+    }
     for (int step = 0; step < 200 && bracket.width() > tolerance; ++step) {
         const double next = bracket.next();
         const GrowthAlong::Look look = along(next);
@@ -244,6 +255,12 @@ BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds) {
     out.bands = through_the_noise(at, known, joined(std::move(out.bands)));
     out.doubtful = joined(search.doubtful());
     return out;
+}
+
+SpeedInterval band_around(const MotionsAt &at, double unstable, double step,
+                          const SpeedInterval &borders) {
+    return {end_towards(at, {}, unstable, step, borders.first),
+            end_towards(at, {}, unstable, step, borders.second)};
 }
 
 std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector<double> &speeds) {

@@ -32,6 +32,11 @@ struct BandsFound {
 /// @param speeds  ascending, at least two
 [[nodiscard]] BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds);
 
+/// The band around a speed at which something grows, between two borders, by looks outwards.
+/// @param step  the first one, rad/s
+[[nodiscard]] SpeedInterval band_around(const MotionsAt &at, double unstable, double step,
+                                        const SpeedInterval &borders);
+
 /// Only the bands.
 [[nodiscard]] std::vector<SpeedInterval> unstable_bands(const MotionsAt &at,
                                                         const std::vector<double> &speeds);

@@ -152,6 +152,22 @@ TEST(HillSeries, NarrowBandOfAnElasticRotorIsTheSameOnEveryGrid) {
     EXPECT_NEAR(found[0].second, found[1].second, 1e-8 * found[0].second);
 }
 
+// The band begins with the range: its end is the same as seen from both sides.
+TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
+    const auto bands_from = [](double from) {
+        return analyses::unstable_bands_of(tests::scene_of(flexible_rotor(0), from, 700, 11), {},
+                                           false)
+            .bands;
+    };
+    const auto whole = bands_from(692);
+    ASSERT_EQ(whole.size(), 1U);
+    const double middle = (whole[0].first + whole[0].second) / 2;
+    const auto rest = bands_from(middle);
+    ASSERT_EQ(rest.size(), 1U);
+    EXPECT_EQ(rest[0].first, middle);
+    EXPECT_NEAR(rest[0].second, whole[0].second, 1e-8 * middle);
+}
+
 // Without damping two motions collide on the unit circle, with damping one passes it.
 TEST(HillSeries, KindsOfEnds) {
     for (const double c : {0.0, 60.0}) {

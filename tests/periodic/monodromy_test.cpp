@@ -167,4 +167,35 @@ TEST(Monodromy, NarrowBandIsThatOfScipyWhateverTheGrid) {
             {173.43845195915952, 173.56929465644285, 224.49219453772196, 239.84981846142998});
 }
 
+/// Of an undamped rotor: conjugates have opposite actions, what grows has none, for the action
+/// grows with it and stays the same. To the rounding of vectors, known to 1e-12 over 1e-4.
+TEST(Monodromy, ActionIsConserved) {
+    const model::Rotor rotor = rigid_rotor(0.8, 0.5, 0.08, 4e5, 6e5, 0);
+    const assembly::Discretization discretization(rotor, 1);
+    const periodic::System system(discretization, 0, {}, nullptr);
+    ASSERT_TRUE(system.conserves(400));
+    int grow = 0;
+    int keep = 0;
+    for (double speed = 205; speed < 1400; speed += 10) {
+        const auto motions = periodic::floquet_motions(system, speed, 40);
+        for (const periodic::FloquetMotion &motion : motions) {
+            const double real = motion.value.real();
+            if (std::abs(real) > 1e-4 * speed) {
+                EXPECT_LT(std::abs(motion.action), 1e-8) << speed;
+                ++grow;
+            }
+            for (const periodic::FloquetMotion &other : motions)
+                if (std::abs(real) < 1e-9 * speed && motion.value.imag() > 0 &&
+                    other.value == std::conj(motion.value)) {
+                    EXPECT_NEAR(motion.action, -other.action, 1e-8);
+                    ++keep;
+                }
+        }
+    }
+    EXPECT_GT(grow, 10);
+    EXPECT_GT(keep, 100);
+    const assembly::Discretization damped(rigid_rotor(0.8, 0.5, 0.08, 4e5, 6e5, 20), 1);
+    EXPECT_FALSE(periodic::System(damped, 0, {}, nullptr).conserves(400));
+}
+
 } // namespace
