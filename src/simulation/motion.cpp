@@ -1,6 +1,8 @@
 #include "simulation/motion.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace whirl::simulation {
@@ -22,31 +24,39 @@ template <class A, class B> double turning(const A &a, const B &b) {
 /// b = A^-1 b for the first columns. Elimination with row pivoting, written out: of so few unknowns
 /// a general one spends most of its time on finding out how many there are.
 template <int size> void solve_of_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
-    Eigen::Matrix<double, size, size> left = A;
+    std::array<std::array<double, size>, size> left; // by columns
+    std::copy_n(A.data(), size * size, left.front().data());
+    std::array<int, size> pivots;
     for (int k = 0; k < size; ++k) {
         int pivot = k;
         for (int i = k + 1; i < size; ++i)
-            pivot = std::abs(left(i, k)) > std::abs(left(pivot, k)) ? i : pivot;
-        if (pivot != k) {
-            left.row(k).swap(left.row(pivot));
-            b.topRows<size>().leftCols(columns).row(k).swap(b.row(pivot).leftCols(columns));
-        }
-        const double inverse = 1 / left(k, k);
+            pivot = std::abs(left[k][i]) > std::abs(left[k][pivot]) ? i : pivot;
+        pivots[k] = pivot;
+        if (pivot != k)
+            for (int j = k; j < size; ++j)
+                std::swap(left[j][k], left[j][pivot]);
+        left[k][k] = 1 / left[k][k];
         for (int i = k + 1; i < size; ++i)
-            left(i, k) *= inverse;
+            left[k][i] *= left[k][k];
         for (int j = k + 1; j < size; ++j)
             for (int i = k + 1; i < size; ++i)
-                left(i, j) -= left(i, k) * left(k, j);
-        for (int j = 0; j < columns; ++j)
-            for (int i = k + 1; i < size; ++i)
-                b(i, j) -= left(i, k) * b(k, j);
+                left[j][i] -= left[k][i] * left[j][k];
     }
-    for (int j = 0; j < columns; ++j)
-        for (int k = size - 1; k >= 0; --k) {
-            b(k, j) /= left(k, k);
-            for (int i = 0; i < k; ++i)
-                b(i, j) -= left(i, k) * b(k, j);
+    for (int column = 0; column < columns; ++column) {
+        std::array<double, size> y;
+        std::copy_n(b.col(column).data(), size, y.data());
+        for (int k = 0; k < size; ++k) {
+            std::swap(y[k], y[pivots[k]]);
+            for (int i = k + 1; i < size; ++i)
+                y[i] -= left[k][i] * y[k];
         }
+        for (int k = size - 1; k >= 0; --k) {
+            y[k] *= left[k][k];
+            for (int i = 0; i < k; ++i)
+                y[i] -= left[k][i] * y[k];
+        }
+        std::copy_n(y.data(), size, b.col(column).data());
+    }
 }
 
 void solve_of_any_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
