@@ -81,7 +81,7 @@ class BallMotion final : public PartsMotion {
                    const double *rates, MassEquation *out) const override {
         for (std::size_t j = 0; j < _balls.size(); ++j) {
             MassEquation &e = out[j];
-            e = _balls[j].mass.equation(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            _balls[j].mass.write_equation(plane, spin.angle + angles[j], spin.speed + rates[j], e);
             e.friction = _balls[j].drag * rates[j];
             e.b += e.friction;
             e.torque(0) = -e.friction;

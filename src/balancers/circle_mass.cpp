@@ -19,11 +19,12 @@ Tilt tilt_of(const PlaneVector &p, const PlaneVector &v, double cosine, double s
 
 } // namespace
 
-MassEquation CircleMass::equation(const PlaneMotion &plane, double angle, double rate) const {
-    const double cosine = std::cos(angle);
-    const double sine = std::sin(angle);
+void CircleMass::write_equation(const PlaneMotion &plane, double angle, double rate,
+                                MassEquation &out) const {
+    double cosine = 0;
+    double sine = 0;
+    ::sincos(angle, &sine, &cosine); // of the C library: both for little more than one
     const Tilt t = tilt_of(plane.place, plane.velocity, cosine, sine);
-    MassEquation out;
     out.u << -moment * sine, moment * cosine, tilt * t.s * cosine, tilt * t.s * sine;
     out.a = inertia + tilt * (t.s * t.s - t.c * t.c);
     out.weight = -weight * cosine;
@@ -35,7 +36,6 @@ MassEquation CircleMass::equation(const PlaneMotion &plane, double angle, double
     const double mean = tilt / 2;
     out.tilt << tilt * cosine * cosine - mean, tilt * cosine * sine, tilt * cosine * sine,
         tilt * sine * sine - mean;
-    return out;
 }
 
 MassMomenta CircleMass::momenta(const PlaneMotion &plane, double angle, double rate) const {

@@ -14,8 +14,15 @@ struct CircleMass {
     double tilt = 0;    ///< mu, kg m2: inertia, or 0 where the tilt inertia is left out
     double weight = 0;  ///< m g R, N m
 
+    /// Writes u, a, b, force, tilt and weight of the equation; the others are not its own.
     /// @param angle,rate  g (fixed frame) and g'
-    [[nodiscard]] MassEquation equation(const PlaneMotion &plane, double angle, double rate) const;
+    void write_equation(const PlaneMotion &plane, double angle, double rate,
+                        MassEquation &out) const;
+    [[nodiscard]] MassEquation equation(const PlaneMotion &plane, double angle, double rate) const {
+        MassEquation out;
+        write_equation(plane, angle, rate, out);
+        return out;
+    }
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double angle, double rate) const;
 };
 

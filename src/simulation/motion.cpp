@@ -1,6 +1,8 @@
 #include "simulation/motion.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace whirl::simulation {
@@ -19,14 +21,47 @@ template <class A, class B> double turning(const A &a, const B &b) {
     return a.col(0).dot(b.col(1)) - a.col(1).dot(b.col(0));
 }
 
-/// b = A^-1 b for the first columns.
+/// b = A^-1 b for the first columns. Elimination with row pivoting, written out: of so few unknowns
+/// a general one spends most of its time on finding out how many there are.
 template <int size> void solve_of_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
-    const Eigen::Map<const Eigen::Matrix<double, size, size>> left(A.data(), A.rows(), A.cols());
-    const Eigen::PartialPivLU<Eigen::Matrix<double, size, size>> factors(left);
-    for (Index column = 0; column < columns; ++column) {
-        Eigen::Map<Eigen::Matrix<double, size, 1>> y(b.col(column).data(), A.rows());
-        y = factors.solve(y);
+    std::array<std::array<double, size>, size> left; // by columns
+    std::copy_n(A.data(), size * size, left.front().data());
+    std::array<int, size> pivots;
+    for (int k = 0; k < size; ++k) {
+        int pivot = k;
+        for (int i = k + 1; i < size; ++i)
+            pivot = std::abs(left[k][i]) > std::abs(left[k][pivot]) ? i : pivot;
+        pivots[k] = pivot;
+        if (pivot != k)
+            for (int j = k; j < size; ++j)
+                std::swap(left[j][k], left[j][pivot]);
+        left[k][k] = 1 / left[k][k];
+        for (int i = k + 1; i < size; ++i)
+            left[k][i] *= left[k][k];
+        for (int j = k + 1; j < size; ++j)
+            for (int i = k + 1; i < size; ++i)
+                left[j][i] -= left[k][i] * left[j][k];
     }
+    for (int column = 0; column < columns; ++column) {
+        std::array<double, size> y;
+        std::copy_n(b.col(column).data(), size, y.data());
+        for (int k = 0; k < size; ++k) {
+            std::swap(y[k], y[pivots[k]]);
+            for (int i = k + 1; i < size; ++i)
+                y[i] -= left[k][i] * y[k];
+        }
+        for (int k = size - 1; k >= 0; --k) {
+            y[k] *= left[k][k];
+            for (int i = 0; i < k; ++i)
+                y[i] -= left[k][i] * y[k];
+        }
+        std::copy_n(y.data(), size, b.col(column).data());
+    }
+}
+
+void solve_of_any_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(A);
+    b.leftCols(columns) = factors.solve(b.leftCols(columns)).eval();
 }
 
 } // namespace
@@ -61,6 +96,7 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _coupling.resize(4 * planes, 4 * planes);
     _system.resize(4 * planes, 4 * planes);
     _turned.resize(r, 2);
+    _drag.resize(2 * r);
     _push.resize(2 * r);
     _external.setZero(2 * r);
     for (const FreeParts &free : _parts.free)
@@ -123,7 +159,8 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     Pair f(_forces.col(0).data(), r, 2);
     Pair per_spin(_forces.col(1).data(), r, 2);
     _push.noalias() = _stiffness * ConstMap(p, 2 * r);
-    _push.noalias() += _damping * ConstMap(v, 2 * r);
+    _drag.noalias() = _damping * ConstMap(v, 2 * r);
+    _push += _drag;
     if (_tables) {
         const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
         const reduction::ReducedRotor::Supports &first = rotor.supports.front();
@@ -131,9 +168,10 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
                            (at.damping - first.damping) * ConstMap(v, 2 * r);
     }
     _forces.col(0) = -_push;
-    f.col(0).noalias() -= spin.speed * rotor.gyroscopic.lazyProduct(u.col(1));
-    f.col(1).noalias() += spin.speed * rotor.gyroscopic.lazyProduct(u.col(0));
-    _turned.noalias() = rotor.gyroscopic.lazyProduct(x);
+    // The gyroscopic matrix is symmetric: by its columns, which lie in one piece.
+    f.col(0).noalias() -= spin.speed * rotor.gyroscopic.transpose().lazyProduct(u.col(1));
+    f.col(1).noalias() += spin.speed * rotor.gyroscopic.transpose().lazyProduct(u.col(0));
+    _turned.noalias() = rotor.gyroscopic.transpose().lazyProduct(x);
     per_spin.col(0) = -0.5 * _turned.col(1);
     per_spin.col(1) = 0.5 * _turned.col(0);
     if (_internal) {
@@ -245,7 +283,7 @@ void RotorMotion::solve_accelerations(int columns) const {
         solve_of_size<12>(_system, _planes, columns);
         break;
     default:
-        solve_of_size<Eigen::Dynamic>(_system, _planes, columns);
+        solve_of_any_size(_system, _planes, columns);
     }
     for (Index column = 0; column < columns; ++column) {
         for (Index plane = 0; plane < planes; ++plane)

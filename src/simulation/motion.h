@@ -93,6 +93,7 @@ class RotorMotion {
     mutable Eigen::MatrixXd _coupling; ///< 4P x 4P: Q, block diagonal
     mutable Eigen::MatrixXd _system;   ///< 4P x 4P
     mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
+    mutable Eigen::VectorXd _drag;     ///< 2r: C v with constant supports
     mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
     mutable Eigen::VectorXd _external; ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation

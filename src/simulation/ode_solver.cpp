@@ -1,6 +1,7 @@
 #include "simulation/ode_solver.h"
 
 #include "linalg/check.h"
+#include "simulation/runge_kutta.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
@@ -15,6 +16,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace whirl::simulation {
 
@@ -34,6 +36,9 @@ struct FreeSolver {
 };
 struct FreeStepper {
     void operator()(void *memory) const { ARKStepFree(&memory); }
+};
+struct FreeTable {
+    void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
 };
 template <class T, class Free> using Handle = std::unique_ptr<std::remove_pointer_t<T>, Free>;
 
@@ -131,13 +136,26 @@ struct OdeSolver::Data {
         require(ARKStepWFtolerances(memory, weights));
         require(ARKStepSetMaxNumSteps(memory, -1));
         require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
-        require(ARKStepSetTableNum(memory,
-                                   implicit ? ARKODE_ARK548L2SA_DIRK_8_4_5 : ARKODE_DIRK_NONE,
-                                   implicit ? ARKODE_ERK_NONE : ARKODE_FEHLBERG_13_7_8));
-        if (!implicit)
+        if (!implicit) {
+            set_explicit_table();
             return;
+        }
+        require(ARKStepSetTableNum(memory, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE));
         require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
         require(ARKStepSetDeduceImplicitRhs(memory, 1));
+    }
+
+    void set_explicit_table() {
+        RungeKuttaPair pair = verner_pair();
+        std::vector<double> a;
+        for (const auto &row : pair.a)
+            a.insert(a.end(), row.begin(), row.end());
+        const Handle<ARKodeButcherTable, FreeTable> table(ARKodeButcherTable_Create(
+            RungeKuttaPair::stages, pair.order, pair.embedded, pair.c.data(), a.data(),
+            pair.b.data(), pair.embedded_b.data()));
+        if (!table)
+            throw linalg::SolverError("the integrator cannot start");
+        require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
     }
 };
 

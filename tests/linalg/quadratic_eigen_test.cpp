@@ -104,6 +104,44 @@ TEST(QuadraticEigen, FewerThanAskedForMeansThatAllAreThere) {
     EXPECT_EQ(count, 60);
 }
 
+/// Eigenvalue of the smaller modulus of l^2 + K for a K of two by two, Im l > 0.
+double slower_whirl(const Eigen::Matrix2d &K) {
+    const double half = K.trace() / 2;
+    return std::sqrt(half - std::sqrt(half * half - K.determinant()));
+}
+
+// Circulatory coupling makes right and left vectors nearly orthogonal: entries changed by a share
+// e each, all so that the changes add up, move the eigenvalue by e times its condition. Of the
+// right vector alone nothing of that is seen.
+TEST(QuadraticEigen, RoundingIsWhatChangedEntriesDo) {
+    const double root = std::sqrt(0.5);
+    Eigen::Matrix2d turn;
+    turn << root, -root, root, root;
+    Eigen::Matrix2d triangle;
+    triangle << 1, 30, 0, 1.2;
+    const Eigen::Matrix2d K = turn * triangle * turn.transpose();
+    const Eigen::Vector2d right = turn.col(0);
+    const Eigen::Vector2d left = turn * Eigen::Vector2d(0.2, -30);
+    const auto solved = [&](bool condition) {
+        linalg::QuadraticOptions options;
+        options.wanted = 2;
+        options.condition = condition;
+        const Eigen::SparseMatrix<double> one = Eigen::Matrix2d::Identity().sparseView();
+        const Eigen::SparseMatrix<double> none(2, 2);
+        return solve_quadratic(one, none, K.sparseView(), options);
+    };
+    const ComplexPair pair = solved(true).pairs.at(0);
+    ASSERT_NEAR(pair.value.imag(), 1, 1e-9);
+    constexpr double share = 1e-9; // small enough for the first order, far above rounding
+    const Eigen::Matrix2d signs = (left * right.transpose()).cwiseSign();
+    const Eigen::Matrix2d changed = K + share * K.cwiseAbs().cwiseProduct(signs);
+    const double moved = std::abs(slower_whirl(changed) - 1);
+    const double stated = pair.rounding * share / std::numeric_limits<double>::epsilon();
+    EXPECT_LT(moved, 1.01 * stated);
+    EXPECT_GT(moved, 0.4 * stated); // the entries of M count as much as those of K at least
+    EXPECT_LT(solved(false).pairs.at(0).rounding, 0.1 * pair.rounding);
+}
+
 TEST(QuadraticEigen, SingularShiftIsAnException) {
     const linalg::Matrix I = tests::diagonal({1, 1, 1});
     const linalg::Matrix zero = tests::diagonal({0, 0, 0});
