@@ -1,5 +1,6 @@
 #include "analyses/stability.h"
 
+#include "analyses/names/mode_naming.h"
 #include "analyses/notes/drive.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
@@ -359,6 +360,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     result.neutral_pairs = neutral_pairs(scene.rotor);
     const auto all_but_map = [&] {
         answer(scene, grid, model, result);
+        name_modes(result.ends, scene, result.model.order);
         add_level1(scene, result);
     };
     if (scene.map) // which the other processes need not wait with
