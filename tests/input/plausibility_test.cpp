@@ -32,6 +32,8 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         {{"speeds.to=\"900 rpm\"", "modes.speed=300"},
          "modes.speed = 300 is in rad/s, 2864.79 rpm"},
         {{"bearing="}, "the rotor has no bearings"},
+        {{"imbalance=[{z = 0.5, mr = 50}]"}, "an imbalance of 50 kg m moves"},
+        {{"bearing[0].k=100"}, "bearings of 100 N/m together let a rotor"},
         {{"disc=[{name = \"fan\", z = 0.2, mass = 1}, {name = \"fan\", z = 0.5, mass = 1}]"},
          "disc \"fan\" stands more than once"}};
     for (const auto &[overrides, start] : slips) {
