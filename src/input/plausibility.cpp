@@ -166,10 +166,16 @@ void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
     }
 }
 
-/// Bearings in which the rotor would sink by more than its length: stiffnesses in N/um or N/mm
-/// without their unit.
-void check_stiffness(const model::Rotor &rotor, Remarks &remarks) {
+/// Bearings in which the rotor would sink by more than its length while it turns far faster than it
+/// swings in them: stiffnesses in N/um or N/mm without their unit. (Slow ones are numbers without
+/// dimension, of a paper.)
+void check_stiffness(const model::Case &scene, Remarks &remarks) {
     constexpr double gravity = 9.80665;
+    constexpr double far_faster = 30;
+    const model::Rotor &rotor = scene.rotor;
+    if (!scene.speeds)
+        return;
+    const double top = std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to));
     double stiffness = 0;
     for (const model::Bearing &bearing : rotor.bearings) {
         if (bearing.depends_on_speed())
@@ -178,7 +184,8 @@ void check_stiffness(const model::Rotor &rotor, Remarks &remarks) {
     }
     const double mass = model::mass_of_shaft_and_discs(rotor);
     const double sag = mass * gravity / stiffness;
-    if (stiffness > 0 && sag > rotor.shaft.length())
+    if (stiffness > 0 && sag > rotor.shaft.length() &&
+        top > far_faster * std::sqrt(stiffness / mass))
         remarks.add(fmt::format("bearings of {:.6g} N/m together let a rotor of {:.6g} kg sink by "
                                 "{:.4g} m, more than its length; stiffnesses are in N/m unless "
                                 "they have a unit: \"100 N/um\"",
@@ -202,7 +209,7 @@ void add_remarks(model::Case &scene, const Node &tree) {
     check_shaft(rotor.shaft, remarks);
     if (scene.remarks.size() == before) { // a mass that can be relied on
         check_imbalances(rotor, remarks);
-        check_stiffness(rotor, remarks);
+        check_stiffness(scene, remarks);
     }
     check_clearances(rotor, remarks);
     check_speeds(scene, tree, remarks);
