@@ -227,8 +227,10 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         add_growth(*all, result);
     }
     stage.emplace("unstable bands", 0.3, 0.6);
-    if (grid.size() > 1)
+    if (grid.size() > 1) {
         search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
+        settle_rounding(result, model.rotor.damped());
+    }
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed())

@@ -148,6 +148,22 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
     result.ends = std::move(found.ends);
 }
 
+void settle_rounding(results::StabilityResult &result, bool damped) {
+    constexpr double hardly = 1e-8;
+    const double top = std::max(std::abs(result.speeds.front()), std::abs(result.speeds.back()));
+    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i) {
+        const bool inside =
+            std::any_of(result.unstable.begin(), result.unstable.end(), [&](const auto &band) {
+                return result.speeds[i] >= band.first && result.speeds[i] <= band.second;
+            });
+        double &growth = result.growth[i];
+        if (inside || !(std::abs(growth) <= hardly * top) || (damped && growth < 0))
+            continue;
+        growth = 0;
+        result.verdict[i] = results::Verdict::neutral;
+    }
+}
+
 std::vector<double> described(const std::vector<double> &speeds,
                               const stability::StabilityModel &model) {
     std::vector<double> forward;
