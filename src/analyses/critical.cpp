@@ -246,9 +246,12 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
     name_modes(result.critical_speeds, scene, result.model.order);
     if (scene.operation) {
+        const bool backward_too = !scene.rotor.bearings_rotation_invariant();
+        const auto peaks = peaks_for_margins(scene, result.model);
         result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
-                                                       peaks_for_margins(scene, result.model),
-                                                       !scene.rotor.bearings_rotation_invariant());
+                                                       peaks, backward_too);
+        operation::note_unlisted(*scene.operation, result.critical_speeds, peaks, *result.margins,
+                                 backward_too, result.model.notes);
         operation::note_unknown_damping(result.critical_speeds, result.model.notes);
     }
     if (map)

@@ -1,5 +1,6 @@
 #include "analyses/stability.h"
 
+#include "analyses/names/mode_naming.h"
 #include "analyses/notes/drive.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
@@ -233,8 +234,10 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         add_growth(*all, result);
     }
     stage.emplace("unstable bands", 0.3, 0.6);
-    if (grid.size() > 1)
+    if (grid.size() > 1) {
         search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
+        settle_rounding(result, model.rotor.damped());
+    }
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed())
@@ -366,6 +369,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     result.neutral_pairs = neutral_pairs(scene.rotor);
     const auto all_but_map = [&] {
         answer(scene, grid, model, result);
+        name_modes(result.ends, scene, result.model.order);
         add_level1(scene, result);
     };
     if (scene.map) // which the other processes need not wait with

@@ -159,6 +159,22 @@ void add_growth_of_all_speeds(const ends::AllMotions &motions, results::Stabilit
     }
 }
 
+void settle_rounding(results::StabilityResult &result, bool damped) {
+    constexpr double hardly = 1e-8;
+    const double top = std::max(std::abs(result.speeds.front()), std::abs(result.speeds.back()));
+    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i) {
+        const bool inside =
+            std::any_of(result.unstable.begin(), result.unstable.end(), [&](const auto &band) {
+                return result.speeds[i] >= band.first && result.speeds[i] <= band.second;
+            });
+        double &growth = result.growth[i];
+        if (inside || !(std::abs(growth) <= hardly * top) || (damped && growth < 0))
+            continue;
+        growth = 0;
+        result.verdict[i] = results::Verdict::neutral;
+    }
+}
+
 std::vector<double> described(const std::vector<double> &speeds,
                               const stability::StabilityModel &model) {
     std::vector<double> forward;

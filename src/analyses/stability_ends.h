@@ -42,6 +42,11 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
                         results::Form form, const stability::MotionsAt &at,
                         const std::vector<double> &grid, results::StabilityResult &result);
 
+/// Growth below 1e-8 of the highest speed outside of the unstable bands is what rounding leaves of
+/// none: the search for bands looks more sharply than the eigenvalues at a speed can. So is decay
+/// as slow of a rotor without damping.
+void settle_rounding(results::StabilityResult &result, bool damped);
+
 /// The longest run of speeds that a Hill series describes.
 [[nodiscard]] std::vector<double> described(const std::vector<double> &speeds,
                                             const stability::StabilityModel &model);

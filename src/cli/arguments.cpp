@@ -88,8 +88,12 @@ void add_unit_options(CLI::App &app, Arguments &arguments) {
     app.add_flag_callback(
         "--peak-to-peak", [entry] { entry("peak_to_peak=true"); },
         "amplitudes of vibration from peak to peak");
+}
+
+void add_json_units_option(CLI::App &app, Arguments &arguments) {
     app.add_flag_callback(
-        "--json-units", [entry] { entry("json=true"); }, "JSON in these units too, instead of SI");
+        "--json-units", [&arguments] { arguments.overrides.emplace_back("units.json=true"); },
+        "JSON in these units too, instead of SI");
 }
 
 void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
@@ -106,6 +110,7 @@ void add_options(CLI::App &app, const Command &command, Arguments &arguments) {
         ->allow_extra_args(false);
     add_own_options(app, command, arguments);
     add_unit_options(app, arguments);
+    add_json_units_option(app, arguments);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     finish(app, reads_text(command.settings), command.examples);
 }
@@ -125,6 +130,7 @@ void add_compare(CLI::App &root, Arguments &arguments) {
     app.add_option("--set", arguments.overrides, "override an entry of every case; repeatable")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    add_unit_options(app, arguments);
     app.add_flag("--quiet", arguments.quiet, "no text on standard output");
     finish(app, "",
            {"before.json after.json", "critical cases/nelson_mcvaugh cases/nelson_mcvaugh_b",

@@ -5,6 +5,7 @@
 #include "model/errors.h"
 #include "process/processes.h"
 #include "report/common/json.h"
+#include "report/common/units.h"
 #include "report/compare/comparison.h"
 #include "report/report.h"
 
@@ -79,6 +80,15 @@ std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
     return results;
 }
 
+/// What is written is in the units that the options ask for, whatever those of the cases.
+model::OutputUnits units_of(const std::vector<std::string> &overrides) {
+    std::vector<std::string> of_units;
+    for (const std::string &text : overrides)
+        if (text.starts_with("units."))
+            of_units.push_back(text);
+    return input::output_units(of_units);
+}
+
 } // namespace
 
 void compare_results(const Arguments &arguments) {
@@ -87,6 +97,7 @@ void compare_results(const Arguments &arguments) {
     if (process::process_rank() != 0)
         return;
     const report::Comparison comparison = report::compare(std::move(results));
+    report::write_in(units_of(arguments.overrides));
     std::vector<std::filesystem::path> files;
     if (!arguments.json || arguments.out)
         files = report::write_comparison(

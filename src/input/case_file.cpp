@@ -105,6 +105,17 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
     return scene;
 }
 
+model::OutputUnits output_units(const std::vector<std::string> &overrides) {
+    Node tree = parse_toml("", "");
+    ReadContext context;
+    apply_overrides(tree, overrides, context.problems);
+    CheckedTable root(tree, "", context);
+    model::Case scene;
+    read_units(root, scene);
+    context.problems.throw_if_any();
+    return scene.units;
+}
+
 std::string case_text(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
     const fs::path file = find_file(folder_or_file);
     const std::string text = read_text(file);

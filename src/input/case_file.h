@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "model/output_units.h"
 
 #include <filesystem>
 #include <string>
@@ -16,6 +17,10 @@ namespace whirl::input {
 ///         `cases/x/case.toml:12: bearing[0].kxx: expected a stiffness in N/m, got "5 kg"`
 [[nodiscard]] model::Case load_case(const std::filesystem::path &folder_or_file,
                                     const std::vector<std::string> &overrides = {});
+
+/// The units of what is written, by entries of [units] alone: "units.preset=us".
+/// @throws model::BadInput
+[[nodiscard]] model::OutputUnits output_units(const std::vector<std::string> &overrides);
 
 /// The case file as TOML: as it stands, or written anew where overrides change it. Read again it is
 /// the same case.

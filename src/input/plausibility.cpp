@@ -1,4 +1,5 @@
 #include "input/plausibility.h"
+#include "model/mass.h"
 #include "model/rpm.h"
 
 #include <fmt/core.h>
@@ -78,7 +79,7 @@ double surface_speed(const model::Rotor &rotor, double speed) {
 void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) {
     if (!scene.speeds)
         return;
-    constexpr double fastest = 1000; // m/s: discs of steel burst below
+    constexpr double fastest = 500; // m/s: where discs of steel burst
     for (const auto &[key, speed] :
          {std::pair{"speeds.from", scene.speeds->from}, std::pair{"speeds.to", scene.speeds->to}}) {
         const Node *node = find_path(tree, key);
@@ -150,6 +151,47 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
     }
 }
 
+double largest_radius(const model::Rotor &rotor) { return surface_speed(rotor, 1); }
+
+/// An imbalance that puts the centre of mass outside of the rotor: one in g mm without its unit.
+void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
+    const double mass = model::mass_of_shaft_and_discs(rotor);
+    for (std::size_t i = 0; mass > 0 && i < rotor.imbalances.size(); ++i) {
+        const double mr = std::abs(rotor.imbalances[i].mr);
+        if (mr > mass * largest_radius(rotor))
+            remarks.add(fmt::format("an imbalance of {:.6g} kg m moves the centre of mass of a "
+                                    "rotor of {:.6g} kg by {:.4g} m, out of the rotor; it is in "
+                                    "kg m unless it has a unit: \"50 g mm\"",
+                                    mr, mass, mr / mass));
+    }
+}
+
+/// Bearings in which the rotor would sink by more than its length while it turns far faster than it
+/// swings in them: stiffnesses in N/um or N/mm without their unit. (Slow ones are numbers without
+/// dimension, of a paper.)
+void check_stiffness(const model::Case &scene, Remarks &remarks) {
+    constexpr double gravity = 9.80665;
+    constexpr double far_faster = 30;
+    const model::Rotor &rotor = scene.rotor;
+    if (!scene.speeds)
+        return;
+    const double top = std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to));
+    double stiffness = 0;
+    for (const model::Bearing &bearing : rotor.bearings) {
+        if (bearing.depends_on_speed())
+            return;
+        stiffness += std::max(bearing.rows.front().k(0, 0), bearing.rows.front().k(1, 1));
+    }
+    const double mass = model::mass_of_shaft_and_discs(rotor);
+    const double sag = mass * gravity / stiffness;
+    if (stiffness > 0 && sag > rotor.shaft.length() &&
+        top > far_faster * std::sqrt(stiffness / mass))
+        remarks.add(fmt::format("bearings of {:.6g} N/m together let a rotor of {:.6g} kg sink by "
+                                "{:.4g} m, more than its length; stiffnesses are in N/m unless "
+                                "they have a unit: \"100 N/um\"",
+                                stiffness, mass, sag));
+}
+
 template <class Items> void check_names(const char *what, const Items &items, Remarks &remarks) {
     std::set<std::string> seen;
     for (const auto &item : items)
@@ -163,7 +205,12 @@ template <class Items> void check_names(const char *what, const Items &items, Re
 void add_remarks(model::Case &scene, const Node &tree) {
     Remarks remarks(scene);
     const model::Rotor &rotor = scene.rotor;
+    const std::size_t before = scene.remarks.size();
     check_shaft(rotor.shaft, remarks);
+    if (scene.remarks.size() == before) { // a mass that can be relied on
+        check_imbalances(rotor, remarks);
+        check_stiffness(scene, remarks);
+    }
     check_clearances(rotor, remarks);
     check_speeds(scene, tree, remarks);
     check_mode_speed(tree, remarks);

@@ -1,5 +1,9 @@
 #include "operation/margins.h"
 
+#include "model/rpm.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -148,6 +152,63 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
 
 double highest_relevant_speed(const model::Operation &operation) {
     return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
+}
+
+namespace {
+
+bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {
+    ResponsePeak as_peak;
+    return std::any_of(margins.begin(), margins.end(), [&](const SeparationMargin &margin) {
+        as_peak.speed = margin.speed;
+        as_peak.amplification = margin.amplification;
+        return margin.whirl == critical.whirl && together(as_peak, critical);
+    });
+}
+
+/// The largest peak that is judged and belongs to a critical speed, or none.
+const ResponsePeak *peak_of(const CriticalSpeed &critical, const std::vector<ResponsePeak> &peaks) {
+    const ResponsePeak *largest = nullptr;
+    for (const ResponsePeak *peak : judged(peaks))
+        if (has_factor(*peak) && together(*peak, critical) &&
+            (!largest || peak->value > largest->value))
+            largest = peak;
+    return largest;
+}
+
+std::string about(const ResponsePeak &peak) {
+    const std::string where = fmt::format("at {:.6g} rpm{}", peak.speed * model::rpm,
+                                          peak.name.empty() ? std::string() : " of " + peak.name);
+    return counts(peak.amplification)
+               ? fmt::format("the peak of the response next to it, {}, is that of another", where)
+               : fmt::format("its peak of the response, {}, shows a factor of {:.4g}, below {}",
+                             where, *peak.amplification, counted_from);
+}
+
+} // namespace
+
+void note_unlisted(const model::Operation &operation,
+                   const std::vector<CriticalSpeed> &critical_speeds,
+                   const std::vector<ResponsePeak> &peaks,
+                   const std::vector<SeparationMargin> &margins, bool backward_too,
+                   std::vector<std::string> &notes) {
+    for (const CriticalSpeed &critical : critical_speeds) {
+        const bool backward = critical.whirl == Whirl::backward;
+        if (critical.speed <= 0 || critical.speed > highest_relevant_speed(operation) ||
+            !critical.damping.known() || !counts(critical.damping.amplification) ||
+            (backward && !backward_too) || is_listed(critical, margins))
+            continue;
+        const ResponsePeak *peak = peak_of(critical, peaks);
+        if (!peak && !backward)
+            continue; // one with it is listed
+        const std::string factor = critical.damping.amplification
+                                       ? fmt::format("{:.4g}", *critical.damping.amplification)
+                                       : "without limit";
+        notes.push_back(fmt::format(
+            "margins: the {} critical speed {:.6g} rpm, amplification factor {} by its damping, is "
+            "not among them: {}",
+            results::whirl_name(critical.whirl), critical.speed * model::rpm, factor,
+            peak ? about(*peak) : "it has no peak of its own in the response"));
+    }
 }
 
 void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,

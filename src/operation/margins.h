@@ -37,6 +37,15 @@ separation_margins(const model::Operation &operation,
                    const std::vector<results::CriticalSpeed> &critical_speeds,
                    const std::vector<results::ResponsePeak> &peaks, bool backward_too);
 
+/// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
+/// why they have no margin: the peak of the response that is theirs shows less, or they whirl
+/// backward and have none.
+void note_unlisted(const model::Operation &operation,
+                   const std::vector<results::CriticalSpeed> &critical_speeds,
+                   const std::vector<results::ResponsePeak> &peaks,
+                   const std::vector<results::SeparationMargin> &margins, bool backward_too,
+                   std::vector<std::string> &notes);
+
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);
 

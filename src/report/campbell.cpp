@@ -222,8 +222,11 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
     std::stable_sort(modes.begin(), modes.end(), [](const ModeAt &a, const ModeAt &b) {
         return a.frequency().value_or(0) < b.frequency().value_or(0);
     });
-    text += fmt::format("Whirl modes at {:.6g} rpm ({:.6g} rad/s):\n{}", result.speeds.back() * rpm,
-                        result.speeds.back(), text_table(mode_columns, modes));
+    const double last = result.speeds.back();
+    const std::string beside = // in the unit asked for it is the same once more
+        written_factor("speed") ? "" : fmt::format(" ({:.6g} rad/s)", last);
+    text += fmt::format("Whirl modes at {:.6g} rpm{}:\n{}", last * rpm, beside,
+                        text_table(mode_columns, modes));
     if (!result.crossings.empty())
         text += "\nCrossings with multiples of the spin speed:\n" +
                 text_table(crossing_columns(result), result.crossings);

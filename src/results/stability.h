@@ -71,6 +71,7 @@ struct StabilityEnd {
     std::optional<double> frequency_rotating; ///< |Im l| in rotating axes, rad/s; none: the motion
                                               ///< has no single one there
     std::optional<double> frequency; ///< |Im l| in the fixed axes, where the former is none
+    std::string mode; ///< name of the mode that begins or ceases to grow; empty: not known
     EndKind kind = EndKind::pair;
     int growing_below = 0; ///< motions that grow just below this speed
     int growing_above = 0;

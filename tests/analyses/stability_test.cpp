@@ -4,6 +4,7 @@
 #include "analyses/critical.h"
 #include "analyses/show.h"
 #include "analyses/stability.h"
+#include "analyses/stability_ends.h"
 #include "model/errors.h"
 #include "results/campbell.h"
 #include "results/critical.h"
@@ -49,6 +50,25 @@ TEST(UnstableBands, OverlappingInstabilitiesAreOneBand) {
     const auto bands = stability::unstable_bands(at, {0.0, 0.7, 1.4, 2.1});
     ASSERT_EQ(bands.size(), 1U);
     EXPECT_EQ(bands[0], stability::SpeedInterval(0, 2.1));
+}
+
+// Outside of all bands growth of 1e-9 of the highest speed is rounding; inside, or larger, it is
+// not.
+TEST(Growth, OfRoundingOutsideOfTheBandsIsNone) {
+    using results::Verdict;
+    for (const bool damped : {false, true}) {
+        results::StabilityResult result;
+        result.speeds = {0, 100, 200, 300, 400};
+        result.growth = {2e-7, 3e-7, -2e-7, 1e-3, -1e-3};
+        result.verdict = {Verdict::unstable, Verdict::diverges, Verdict::stable, Verdict::unstable,
+                          Verdict::stable};
+        result.unstable = {{90, 110}};
+        settle_rounding(result, damped);
+        EXPECT_EQ(result.growth, (std::vector<double>{0, 3e-7, damped ? -2e-7 : 0, 1e-3, -1e-3}));
+        EXPECT_EQ(result.verdict, (std::vector<Verdict>{Verdict::neutral, Verdict::diverges,
+                                                        damped ? Verdict::stable : Verdict::neutral,
+                                                        Verdict::unstable, Verdict::stable}));
+    }
 }
 
 // A zero root blurred by rounding is no growth, and hides none.

@@ -206,6 +206,61 @@ TEST_P(ModeNames, do_not_depend_on_the_number_of_speeds) {
     }
 }
 
+/// Rotors whose damping depends on the speed, by bearings that couple x and y and by damping that
+/// turns with the shaft on bearings of both kinds.
+class EndNames : public testing::TestWithParam<std::pair<std::string, std::vector<std::string>>> {};
+
+/// The mode of an end is the one that neither grows nor dies out there, by `modes` at that speed;
+/// its line in the diagram grows on the side on which more motions do.
+TEST_P(EndNames, are_those_of_modes_on_the_axis) {
+    const std::string &name = GetParam().first;
+    const std::vector<std::string> &settings = GetParam().second;
+    const json stability = result_of("stability", name, settings);
+    ASSERT_FALSE(stability.is_null());
+    ASSERT_FALSE(stability.at("ends").empty());
+    for (const json &end : stability.at("ends")) {
+        ASSERT_EQ(end.at("kind"), "pair");
+        const double speed = end.at("speed");
+        const auto at = [&](double spin) {
+            std::ostringstream setting;
+            setting.precision(17);
+            setting << "modes.speed=" << spin;
+            std::vector<std::string> all = settings;
+            all.push_back(setting.str());
+            return result_of("modes", name, all);
+        };
+        std::optional<std::pair<double, json>> best;
+        const json there = at(speed);
+        for (const json &mode : there.at("modes")) {
+            const double off =
+                std::abs(mode.at("real").get<double>() / mode.at("frequency").get<double>());
+            if (!best || off < best->first)
+                best = {off, mode.at("label")};
+        }
+        ASSERT_TRUE(best);
+        EXPECT_LE(best->first, 1e-7); // an end is a root to 1e-8 of the speed
+        EXPECT_FALSE(end.at("mode").is_null()) << "at " << speed;
+        EXPECT_EQ(end.at("mode"), best->second) << "at " << speed;
+        const bool grows_above = end.at("growing_above") > end.at("growing_below");
+        for (const double side : {-1.0, 1.0}) {
+            const json beside = at(speed * (1 + side * 1e-3));
+            for (const json &mode : beside.at("modes"))
+                if (mode.at("label") == end.at("mode"))
+                    EXPECT_EQ(mode.at("real") > 0, grows_above == (side > 0)) << speed;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, EndNames,
+    testing::Values(std::pair{std::string("overhung_cross_coupled"), std::vector<std::string>{}},
+                    std::pair{std::string("friswell_taper"),
+                              std::vector<std::string>{"shaft.internal_damping=2e-4"}},
+                    std::pair{std::string("friswell_5_9_1"),
+                              std::vector<std::string>{"shaft.internal_damping=2e-4",
+                                                       "campbell.modes=4"}}),
+    [](const auto &test) { return test.param.first; });
+
 INSTANTIATE_TEST_SUITE_P(Cases, ModeNames, testing::ValuesIn(cases_with_range()),
                          [](const auto &test) { return test.param; });
 

@@ -47,6 +47,14 @@ look() { # name of the folder, arguments of whirl
         fi
     fi
 }
+# A script at the end of a page: what it writes into the attribute data-found must be "true".
+ask() { # name of the folder, what is asked in words, script
+    page=$scratch/$1/asked.html
+    sed '$d' "$scratch/$1/report.html" > "$page" # the last line: </html>
+    printf '<script>%s</script></html>\n' "$3" >> "$page"
+    "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$scratch/profile" --virtual-time-budget=10000 --dump-dom \
+        "file://$page" 2> /dev/null | grep -q 'data-found="true"' || { echo "$scratch/$1: not so: $2"; failed=1; }
+}
 jeffcott=$cases/runup_jeffcott
 look show show "$cases/nelson_mcvaugh"
 look campbell campbell "$cases/friswell_5_9_5" --set speeds.count=11
@@ -59,6 +67,15 @@ look rigid-limit rigid-limit "$cases/rigid_limit"
 look simulate simulate "$jeffcott" --set speeds.count=1 --set simulate.time=13
 look samples samples "$cases/uncertain_jeffcott" --set samples.count=12
 look modes modes "$cases/friswell_5_9_2"
+ask modes "a zoom of one mode's diagram is one of all" '
+    const panes = Array.from(document.querySelectorAll("#plot .panel")), ranges = () => panes.map(p => p.layout.xaxis.range.join());
+    const before = ranges()[0];
+    Plotly.relayout(panes[1], {"xaxis.range[0]": 0.1, "xaxis.range[1]": 0.2}).then(() => setTimeout(() => {
+      const zoomed = panes.length > 1 && ranges().every(r => r === "0.1,0.2");
+      Plotly.relayout(panes[0], {"xaxis.autorange": true}).then(() => setTimeout(() => {
+        document.body.setAttribute("data-found", zoomed && ranges().every(r => r === before));
+      }, 500));
+    }, 500));'
 look modes_of_balls modes "$cases/extractor_two_plane"
 look compare compare critical "$jeffcott" "$jeffcott@bearing[*].k=1e5"
 exit $failed

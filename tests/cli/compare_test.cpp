@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
+#include <sstream>
 #include <unistd.h>
 
 namespace {
@@ -46,10 +48,13 @@ TEST_F(Compare, AResultAgainstItselfIsZero) {
         {"response", cases + "lalanne_three_discs"},
         {"stability", cases + "overhung_cross_coupled"},
         {"modes", rotor},
+        {"simulate", cases + "runup_jeffcott"},
         {"show", rotor}};
     for (const auto &[command, scene] : commands) {
         const json result = compared({command, scene, scene, "--set",
-                                      command == "modes" ? "speeds.count=1" : "speeds.count=5"});
+                                      command == "modes"      ? "speeds.count=1"
+                                      : command == "simulate" ? "simulate.time=3"
+                                                              : "speeds.count=5"});
         EXPECT_EQ(result.at("of"), command);
         EXPECT_GE(result.at("differences").size(), 2U) << command;
         for (const json &at : result.at("differences")) {
@@ -127,6 +132,33 @@ TEST_F(Compare, WritesPictureTableAndPage) {
     EXPECT_NE(done.output.find("within errors"), std::string::npos);
     for (const char *name : {"compare.json", "compare.csv", "report.html"})
         EXPECT_TRUE(fs::exists(out / name)) << name;
+}
+
+/// In the units asked for each number is that in SI by the factor of its unit; its JSON stays in
+/// SI.
+TEST_F(Compare, TextAndTableAreInTheUnitsAskedFor) {
+    std::vector<std::string> arguments{"critical", rotor, rotor + "@shaft.order=2"};
+    const json si = compared(arguments);
+    arguments.insert(arguments.end(), {"--units", "speed=rpm", "--out", (folder / "rpm").string()});
+    const json same = compared(arguments);
+    EXPECT_EQ(same.at("differences"), si.at("differences"));
+    std::ifstream file(folder / "rpm" / "compare.csv");
+    std::string line;
+    std::getline(file, line);
+    EXPECT_EQ(line, "quantity,unit,other,first_value,other_value,difference,relative,error,"
+                    "within_errors");
+    for (const json &at : si.at("differences")) {
+        std::getline(file, line);
+        EXPECT_NE(line.find(",rpm,"), std::string::npos) << line;
+        std::istringstream cells(line.substr(line.find(",rpm,") + 5));
+        std::string cell;
+        std::getline(cells, cell, ','); // the other result
+        for (const char *key : {"first_value", "other_value", "difference"}) {
+            std::getline(cells, cell, ',');
+            const double value = at.at(key).get<double>() * 60 / (2 * std::numbers::pi);
+            EXPECT_NEAR(std::stod(cell), value, 1e-14 * std::abs(value)) << key;
+        }
+    }
 }
 
 TEST_F(Compare, MistakesAreOneMessageAndStatusTwo) {

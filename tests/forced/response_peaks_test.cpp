@@ -5,6 +5,8 @@
 #include "assembly/discretization.h"
 #include "forced/forced_motion.h"
 #include "forced/response_peaks.h"
+#include "forced/station_motion.h"
+#include "input/case_file.h"
 #include "modes/orbits.h"
 #include "results/critical.h"
 #include "results/response.h"
@@ -233,6 +235,46 @@ TEST(ResponsePeaks, TheGridDoesNotMatter) {
         scene.speeds->count = 1001;
         const auto fine = analyses::unbalance_response(scene).peaks;
         tests::expect_same_peaks(coarse, fine);
+    }
+}
+
+// The shipped rotor of three discs at its own 121 speeds: every local maximum of its curves at
+// 60,001 speeds is listed once, within a step of where it is seen there and no lower than it, and
+// nothing else is.
+TEST(ResponsePeaks, OfThreeDiscsAreTheMaximaOfAFineGrid) {
+    model::Case scene = input::load_case(std::string(WHIRL_ROOT) + "/cases/lalanne_three_discs");
+    const auto result = analyses::unbalance_response(scene);
+    ASSERT_EQ(result.speeds.size(), 121U);
+    scene.speeds->count = 60001;
+    const std::vector<double> speeds = scene.speeds->values();
+    const assembly::Discretization d(scene.rotor, result.model.order);
+    forced::StationMotion motion(d, forced::response_formulation(scene).form);
+    std::vector<std::vector<double>> amplitudes(result.nodes.size());
+    for (const double speed : speeds) {
+        motion.solve(speed);
+        for (std::size_t i = 0; i < amplitudes.size(); ++i) {
+            const forced::Phasor u = motion.at(result.nodes[i].z);
+            amplitudes[i].push_back(modes::ellipse_of(u.x, u.y).major);
+        }
+    }
+    const double step = speeds[1] - speeds[0];
+    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+        const std::vector<double> &curve = amplitudes[i];
+        const auto listed = at_place(result, "station", result.nodes[i].z);
+        std::size_t seen = 0;
+        for (std::size_t k = 1; k + 1 < curve.size(); ++k) {
+            if (curve[k] <= curve[k - 1] || curve[k] < curve[k + 1])
+                continue;
+            ASSERT_LT(seen, listed.size()) << speeds[k];
+            EXPECT_NEAR(listed[seen].speed, speeds[k], step);
+            EXPECT_GE(listed[seen].value, curve[k] * (1 - 1e-10)); // rounding of both
+            // The curve is a parabola there: within half a step it falls by less than this.
+            const double fall = 2 * curve[k] - curve[k - 1] - curve[k + 1];
+            EXPECT_LE(listed[seen].value, curve[k] + fall) << speeds[k];
+            ++seen;
+        }
+        EXPECT_EQ(seen, listed.size()) << result.nodes[i].z;
+        EXPECT_GT(seen, 3U) << result.nodes[i].z;
     }
 }
 

@@ -32,6 +32,9 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         {{"speeds.to=\"900 rpm\"", "modes.speed=300"},
          "modes.speed = 300 is in rad/s, 2864.79 rpm"},
         {{"bearing="}, "the rotor has no bearings"},
+        {{"imbalance=[{z = 0.5, mr = 50}]"}, "an imbalance of 50 kg m moves"},
+        {{"bearing[0].k=100", "speeds.to=\"12000 rpm\""},
+         "bearings of 100 N/m together let a rotor"},
         {{"disc=[{name = \"fan\", z = 0.2, mass = 1}, {name = \"fan\", z = 0.5, mass = 1}]"},
          "disc \"fan\" stands more than once"}};
     for (const auto &[overrides, start] : slips) {
@@ -40,6 +43,7 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
     }
     EXPECT_EQ(remarks_of(base, {"imbalance=[{z = 0.5, mr = 1e-4, phase = \"90 deg\"}]"}), "");
+    EXPECT_EQ(remarks_of(base, {"bearing[0].k=100", "speeds.to=5"}), ""); // without dimension
     for (const char *to : {"speeds.to=90", "speeds.to=\"90 rad/s\""})
         EXPECT_EQ(remarks_of(base, {to, "modes.speed=30"}), "") << to;
     EXPECT_EQ(remarks_of(base, {"speeds.to=\"900 rpm\"", "modes.speed=\"300 rpm\""}), "");

@@ -124,6 +124,31 @@ TEST(Margins, LeaveOutHeavilyDampedOnesAndBackwardWhirlThatNothingExcites) {
     EXPECT_FALSE(separation_margins(running, speeds, peaks, false).front().whirl.has_value());
 }
 
+/// A critical speed that its damping would count has no margin only with a word why.
+TEST(Margins, SayWhyACriticalSpeedIsNotAmongThem) {
+    const auto notes_of = [](const std::vector<results::CriticalSpeed> &speeds,
+                             const std::vector<results::ResponsePeak> &peaks, bool backward_too) {
+        std::vector<std::string> notes;
+        operation::note_unlisted(running, speeds, peaks,
+                                 separation_margins(running, speeds, peaks, backward_too),
+                                 backward_too, notes);
+        return notes;
+    };
+    const std::vector<results::CriticalSpeed> speeds{
+        critical(300, Whirl::backward, 10), critical(500, Whirl::forward, 2.4),
+        critical(700, Whirl::forward, 2.7), critical(2600, Whirl::backward, 9)};
+    const auto without = notes_of(speeds, {}, true); // 2600 is 30 % above the range: any AF does
+    ASSERT_EQ(without.size(), 1U);
+    EXPECT_NE(without[0].find("backward critical speed 2864.79 rpm"), std::string::npos); // 300
+    EXPECT_NE(without[0].find("no peak of its own"), std::string::npos);
+    EXPECT_TRUE(notes_of(speeds, {}, false).empty()); // nothing excites it on equal bearings
+    const auto damped =
+        notes_of(speeds, {peak("probe", 0, 301, 1e-6, 9), peak("probe", 0, 710, 1e-6, 2.3)}, true);
+    ASSERT_EQ(damped.size(), 1U);
+    EXPECT_NE(damped[0].find("forward critical speed 6684.51 rpm"), std::string::npos); // 700
+    EXPECT_NE(damped[0].find("shows a factor of 2.3, below 2.5"), std::string::npos);
+}
+
 /// The damping ratio -Re/|lambda| of m l^2 + c l + k is zeta: AF = 1/(2 zeta).
 TEST(Margins, JeffcottRotorByDamping) {
     tests::RigidJeffcott rotor;

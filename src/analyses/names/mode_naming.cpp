@@ -122,4 +122,61 @@ void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &sc
     }
 }
 
+namespace {
+
+/// The frequencies in the fixed axes that the motion of an end may have, rad/s.
+std::vector<double> frequencies_of(const results::StabilityEnd &end) {
+    if (end.frequency)
+        return {*end.frequency};
+    if (!end.frequency_rotating)
+        return {};
+    const double spin = std::abs(end.speed);
+    return {spin + *end.frequency_rotating, std::abs(spin - *end.frequency_rotating)};
+}
+
+/// Name of the mode that neither grows nor dies out at an end; empty where more than one may be it.
+std::string name_at(const results::StabilityEnd &end, const tracking::ModeNames &names) {
+    constexpr double within = 1e-4; // of the frequency: an end is a root, so that rounding is left
+    constexpr double clear = 10;
+    std::string found;
+    for (const double frequency : frequencies_of(end)) {
+        const std::string name = names.nearest(
+            end.speed,
+            {end.speed, {0, frequency}, within * frequency, clear, [](const modes::WhirlMode &) {
+                 return true;
+             }});
+        if (!found.empty() && !name.empty() && name != found)
+            return "";
+        if (!name.empty())
+            found = name;
+    }
+    return found;
+}
+
+/// A mode that hardly grows or dies out.
+bool near_axis(const modes::Spectrum &spectrum, std::size_t place) {
+    const std::complex<double> value = spectrum.modes[place].eigenvalue;
+    return std::abs(value.real()) < 0.01 * std::abs(value);
+}
+
+} // namespace
+
+void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene, int order) {
+    std::vector<double> speeds;
+    for (const results::StabilityEnd &end : ends)
+        if (end.kind == results::EndKind::pair)
+            speeds.push_back(end.speed);
+    const auto form = speeds.empty() ? std::nullopt : form_for_names(scene);
+    if (!form)
+        return;
+    const modes::SpectrumSolver solver(scene.rotor, *form, order);
+    const auto names = tracking::mode_names(solver, *scene.speeds, scene.campbell.modes,
+                                            scene.reduction, {speeds, false, near_axis});
+    if (!names)
+        return;
+    for (results::StabilityEnd &end : ends)
+        if (end.kind == results::EndKind::pair)
+            end.mode = name_at(end, *names);
+}
+
 } // namespace whirl::analyses

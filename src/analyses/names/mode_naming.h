@@ -3,6 +3,7 @@
 #include "model/case.h"
 #include "results/critical.h"
 #include "results/response.h"
+#include "results/stability.h"
 
 #include <vector>
 
@@ -18,5 +19,10 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
 /// critical speeds get none.
 /// @param order  of the shaft elements
 void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order);
+
+/// Names the mode that passes the imaginary axis at each end of kind pair; none at other ends,
+/// where a motion stands still or two meet, nor where critical speeds get none.
+/// @param order  of the shaft elements
+void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene, int order);
 
 } // namespace whirl::analyses

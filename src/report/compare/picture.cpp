@@ -57,15 +57,19 @@ std::string station_name(const Json &node) {
     return place(node.value("name", ""), node.value("z", 0.0));
 }
 
+double largest_of(const Json &values) {
+    double most = 0;
+    for (const Json &value : values)
+        most = std::max(most, value.is_number() ? value.get<double>() : 0);
+    return most;
+}
+
 /// Names of the stations that move most.
 std::vector<std::string> stations_of(const ComparedResult &result) {
     const Json &nodes = result.json.at("nodes");
     std::vector<std::pair<double, std::string>> sizes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        double largest = 0;
-        for (const Json &value : station_curve(result, i).amplitude)
-            largest = std::max(largest, value.is_number() ? value.get<double>() : 0);
-        sizes.emplace_back(-largest, station_name(nodes[i]));
+        sizes.emplace_back(-largest_of(station_curve(result, i).amplitude), station_name(nodes[i]));
     }
     std::sort(sizes.begin(), sizes.end());
     constexpr std::size_t most = 2;
@@ -98,6 +102,22 @@ std::vector<Overlaid> response_curves(const ComparedResult &result,
     return out;
 }
 
+/// Over time, of the balancer or the station that moves most in the first result.
+std::vector<Overlaid> motion_curves(const ComparedResult &result, const ComparedResult &first) {
+    const Json &all = first.json.at("series").at("amplitude");
+    std::size_t place = 0;
+    for (std::size_t i = 1; i < all.size(); ++i)
+        if (largest_of(all[i]) > largest_of(all[place]))
+            place = i;
+    const Json &series = result.json.at("series");
+    std::vector<PlotPoint> line;
+    if (place < series.at("amplitude").size())
+        for (std::size_t i = 0; i < series.at("time").size(); ++i)
+            line.push_back({series.at("time")[i].get<double>(),
+                            plotted(series.at("amplitude")[place], i, micrometres)});
+    return {{result.name, {line}}};
+}
+
 std::vector<Overlaid> curves_of(const Comparison &comparison, std::size_t index) {
     const std::string &command = comparison.command;
     const ComparedResult &result = comparison.results[index];
@@ -107,6 +127,8 @@ std::vector<Overlaid> curves_of(const Comparison &comparison, std::size_t index)
         return response_curves(result, stations_of(comparison.results.front()));
     if (command == "stability")
         return {{result.name, {line_of(result.json.at("speeds"), result.json.at("growth"), 1)}}};
+    if (command == "simulate")
+        return motion_curves(result, comparison.results.front());
     Overlaid out{result.name, {}}; // critical: a mark each
     for (const Json &at : result.json.at("critical_speeds"))
         out.lines.push_back({{at.at("speed").get<double>() * rpm, -static_cast<double>(index)}});
@@ -115,7 +137,7 @@ std::vector<Overlaid> curves_of(const Comparison &comparison, std::size_t index)
 
 bool has_curves(const std::string &command) {
     return command == "campbell" || command == "response" || command == "stability" ||
-           command == "critical";
+           command == "critical" || command == "simulate";
 }
 
 std::string upper_panel(const Comparison &comparison, double pixel, double bottom, double top) {
@@ -138,16 +160,18 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
                           : command == "response"  ? "set ylabel 'Amplitude (µm)'\nset logscale "
                                                      "y\nset format y '10^{%L}'\n"
                           : command == "stability" ? "set ylabel 'Growth (1/s)'\n"
+                          : command == "simulate"  ? "set ylabel 'Amplitude (µm)'\n"
                                                    : "unset ytics\nunset ylabel\n";
     return data + panel_margins(0.09, 0.96, bottom, top) + y +
            (marks ? fmt::format("set yrange [{}:0.7]\n",
                                 0.3 - static_cast<double>(comparison.results.size()))
                   : std::string("set autoscale y\n")) +
-           fmt::format("set xlabel 'Spin speed (rpm)'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
-                       "set key at screen 0.525,{} center center vertical maxrows 4 samplen 4 font "
-                       "',10'\nplot NaN notitle{}\n"
-                       "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n",
-                       1 - 112 * pixel, plots);
+           fmt::format(
+               "set xlabel '{2}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+               "set key at screen 0.525,{0} center center vertical maxrows 4 samplen 4 font "
+               "',10'\nplot NaN notitle{1}\n"
+               "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n",
+               1 - 112 * pixel, plots, command == "simulate" ? "Time (s)" : "Spin speed (rpm)");
 }
 
 std::string lower_panel(const Comparison &comparison, double pixel, double bottom, double top) {

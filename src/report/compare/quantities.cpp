@@ -133,6 +133,31 @@ void add_bands(const Json &bands, const Json &errors, const std::string &of, Qua
 
 void of_stability(const Json &json, Quantities &all) {
     add_bands(list(json, "unstable"), list(json, "unstable_error"), "unstable", all);
+    if (const auto level1 = json.find("level1"); level1 != json.end() && level1->is_object()) {
+        add(all, "critical cross coupling", "N/m", number(*level1, "critical_cross_coupling"),
+            number(*level1, "error"));
+        add(all, "log. decrement without cross coupling", "", item(list(*level1, "log_dec"), 0),
+            std::nullopt);
+    }
+}
+
+/// What is left of a motion with balancers, and the largest amplitudes on the way.
+void of_simulate(const Json &json, Quantities &all) {
+    const auto place = [](const Json &of) {
+        const std::string name = text(of, "name");
+        return name.empty() ? fmt::format("at {:.6g} m", number(of, "z").value_or(0)) : name;
+    };
+    add(all, "residual ratio", "", number(json, "residual_ratio"), std::nullopt);
+    for (const Json &balancer : list(json, "balancers"))
+        add(all, fmt::format("amplitude of {} at the end", place(balancer)), "m",
+            number(balancer, "amplitude"), std::nullopt);
+    for (const Json &station : list(json, "stations")) {
+        add(all, "peak of " + place(station), "m", number(station, "peak"), std::nullopt);
+        add(all, fmt::format("peak of {}, speed", place(station)), "rad/s",
+            number(station, "peak_speed"), std::nullopt);
+        add(all, fmt::format("amplitude of {} at the end", place(station)), "m",
+            number(station, "amplitude"), std::nullopt);
+    }
 }
 
 void of_balance(const Json &json, Quantities &all) {
@@ -189,13 +214,13 @@ std::vector<Quantity> quantities_of(const ComparedResult &result) {
     static const std::map<std::string, void (*)(const Json &, Quantities &)> readers{
         {"critical", of_critical},   {"campbell", of_campbell}, {"response", of_response},
         {"stability", of_stability}, {"balance", of_balance},   {"modes", of_modes},
-        {"show", of_show},           {"samples", of_samples}};
+        {"show", of_show},           {"samples", of_samples},   {"simulate", of_simulate}};
     const std::string command = text(result.json, "command");
     const auto reader = readers.find(command);
     if (reader == readers.end())
         throw model::BadInput(fmt::format(
             "{}: compare knows the results of campbell, critical, response, stability, balance, "
-            "modes, show and samples, got one of {}",
+            "modes, show, samples and simulate, got one of {}",
             result.name, command));
     Quantities all;
     reader->second(result.json, all);

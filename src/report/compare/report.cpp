@@ -4,6 +4,7 @@
 #include "report/common/gnuplot.h"
 #include "report/common/html.h"
 #include "report/common/table.h"
+#include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/compare/comparison.h"
 #include "report/compare/picture.h"
@@ -38,6 +39,38 @@ std::string verdict(const Line &line) {
     return *line.at.within ? "within errors" : "beyond errors";
 }
 
+/// The unit in which a number is read.
+struct LineUnit {
+    std::string name;
+    double factor = 1;
+};
+LineUnit unit_of(const Difference &at) {
+    const auto is_of = [&at](const char *word) {
+        return at.quantity.find(word) != std::string::npos;
+    };
+    std::string quantity;
+    if (at.unit == "rad/s")
+        quantity = is_of("frequency") ? "frequency" : "speed";
+    else if (at.unit == "m")
+        quantity = is_of("centre of mass") || is_of("length") ? "length" : "amplitude";
+    else if (at.unit == "N")
+        quantity = "force";
+    else if (at.unit == "N/m")
+        quantity = "stiffness";
+    else if (at.unit == "kg")
+        quantity = "mass";
+    else if (at.unit == "kg m2")
+        quantity = "inertia";
+    const auto factor = written_factor(quantity);
+    return factor ? LineUnit{unit_name(quantity, at.unit), *factor} : LineUnit{at.unit, 1};
+}
+auto in_its_unit(std::optional<double> Difference::*of) {
+    return [of](const Line &line) {
+        const std::optional<double> &value = line.at.*of;
+        return value ? std::optional(*value * unit_of(line.at).factor) : std::nullopt;
+    };
+}
+
 const Columns<Line> columns{
     {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
     {"quantity",
@@ -45,33 +78,38 @@ const Columns<Line> columns{
      {"Quantity"},
      {"quantity"},
      [](const Line &line) { return line.at.quantity; }},
-    {"unit", "unit", {"Unit"}, {"unit"}, [](const Line &line) { return line.at.unit; }},
+    {"unit", "", {}, {}, [](const Line &line) { return line.at.unit; }},
+    {"first_value", "", {}, {}, [](const Line &line) { return line.at.first_value; }},
+    {"other_value", "", {}, {}, [](const Line &line) { return line.at.other_value; }},
+    {"difference", "", {}, {}, [](const Line &line) { return line.at.difference; }},
+    {"error", "", {}, {}, [](const Line &line) { return line.at.error; }},
+    {"", "unit", {"Unit"}, {"unit"}, [](const Line &line) { return unit_of(line.at).name; }},
     {"other", "other", {"Other result"}, {}, [](const Line &line) { return line.other; }},
-    {"first_value",
+    {"",
      "first_value",
      {"First", "{:.10g}"},
      {"first", precise},
-     [](const Line &line) { return line.at.first_value; }},
-    {"other_value",
+     in_its_unit(&Difference::first_value)},
+    {"",
      "other_value",
      {"Other", "{:.10g}"},
      {"other", precise},
-     [](const Line &line) { return line.at.other_value; }},
-    {"difference",
+     in_its_unit(&Difference::other_value)},
+    {"",
      "difference",
      {"Difference", "{:+.4g}"},
      {"difference", "{:+.4g}"},
-     [](const Line &line) { return line.at.difference; }},
+     in_its_unit(&Difference::difference)},
     {"relative",
      "relative",
      {"Relative", "{:+.3g}"},
      {"relative", "{:+.3g}"},
      [](const Line &line) { return line.at.relative; }},
-    {"error",
+    {"",
      "error",
      {"Both error bars", "{:.2g}"},
      {"error bars", rough},
-     [](const Line &line) { return line.at.error; }},
+     in_its_unit(&Difference::error)},
     {"within_errors", "within_errors", {}, {}, [](const Line &line) { return line.at.within; }},
     {"", "", {"Verdict"}, {""}, verdict}};
 
@@ -104,7 +142,7 @@ std::string sections(const Comparison &comparison) {
     for (std::size_t i = 1; i < comparison.results.size(); ++i)
         html += element("h2", fmt::format("{} against {}", comparison.results[i].name,
                                           comparison.results[0].name)) +
-                page_table(columns, of_other(lines, i));
+                in_written_units(page_table(columns, of_other(lines, i)));
     return html;
 }
 
@@ -188,7 +226,8 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
                                                     const std::filesystem::path &folder) {
     OutputFiles files(folder);
     PlotJobs jobs;
-    const Figure figure = comparison_figure(comparison);
+    Figure figure = comparison_figure(comparison);
+    figure.script = script_in_written_units(figure.script, "");
     std::string still;
     const auto svg = files.reserve("compare.svg");
     if (jobs.start(figure, PictureFormat::svg, svg)) {

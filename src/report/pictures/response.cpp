@@ -255,8 +255,50 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
     return figure;
 }
 
+namespace {
+
+std::string gravity_subtitle(const results::GravityResponse &of, std::size_t drawn) {
+    return fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
+                       readable(of.gravity, 5), drawn, of.stations.size());
+}
+
+/// A shaft that is equally stiff in all directions: it stands still in its sag.
+Figure sag_figure(const model::Case &scene, const ResponseResult &result) {
+    const results::GravityResponse &of = *result.gravity;
+    std::vector<Curve> still;
+    for (const std::size_t i : drawn_of(of.stations)) {
+        const auto &station = of.stations[i];
+        still.push_back({place_text(station.name, station.z),
+                         over_speed(result.speeds, station.sag, still_micrometres)});
+    }
+    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(still, {}));
+    Figure figure;
+    figure.width = room.width;
+    figure.height = 500;
+    const double pixel = 1.0 / figure.height;
+    const Range x = speed_axis(result);
+    figure.script = figure_head("Sag under the weight: " + title_of(scene),
+                                gravity_subtitle(of, still.size()), figure.height) +
+                    "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
+                    panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
+                    panel_axes(result, "Static deflection (µm)", true) +
+                    draw("p", still, true, operation_key(scene, x)) + "unset multiplot\n";
+    return figure;
+}
+
+bool moves(const results::GravityResponse &of) {
+    return std::any_of(of.stations.begin(), of.stations.end(), [](const auto &station) {
+        return std::any_of(station.twice.begin(), station.twice.end(),
+                           [](double value) { return value != 0; });
+    });
+}
+
+} // namespace
+
 Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     const results::GravityResponse &of = *result.gravity;
+    if (!moves(of))
+        return sag_figure(scene, result);
     const bool fine = !of.curves.speeds.empty();
     const std::vector<double> &speeds = fine ? of.curves.speeds : result.speeds;
     std::vector<Curve> circle;
@@ -284,9 +326,7 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     const Range x = speed_axis(result);
     figure.script =
         figure_head("Motion under the weight: " + title_of(scene),
-                    fmt::format("gravity {} m/s² towards −y, {} stations drawn of {}",
-                                readable(of.gravity, 5), circle.size(), of.stations.size()),
-                    figure.height) +
+                    gravity_subtitle(of, circle.size()), figure.height) +
         "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
         logarithmic_axis(circle) +
         panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +

@@ -12,3 +12,14 @@ result.modes.forEach((m, k) => {
       text: `<b>${m.label ?? ""}</b> ${short(m.frequency * hertz, 7)} Hz, ${m.whirl}; y ` +
         (drawnModes[k].atOneInstant ? "at the same instant" : "a quarter period later"), bgcolor: "rgba(255,255,255,0.8)"}]}, panel);
 });
+// All show the same part of the shaft: a zoom of one is one of all.
+const panes = Array.from(panels.children);
+let sharing = false;
+panes.forEach(panel => panel.on("plotly_relayout", change => {
+  const range = change["xaxis.range"] || ["xaxis.range[0]", "xaxis.range[1]"].map(key => change[key]);
+  const all = change["xaxis.autorange"] === true;
+  if (sharing || !(all || range.every(at => at !== undefined))) return;
+  sharing = true;
+  Promise.all(panes.filter(other => other !== panel)
+    .map(other => Plotly.relayout(other, all ? {"xaxis.autorange": true} : {"xaxis.range": range}))).finally(() => { sharing = false; });
+}));
