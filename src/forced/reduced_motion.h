@@ -72,6 +72,8 @@ class ReducedMotion {
     /// @param motions  planar unknowns a column
     /// @param newness  part of a motion that must be new
     void take_in(const Eigen::MatrixXcd &motions, double newness);
+    /// Some of these motions would be new.
+    [[nodiscard]] bool lacks(const Eigen::MatrixXcd &motions, double newness) const;
 
     /// Speeds from `from` to `to` cut at the rows of bearing tables, rad/s.
     [[nodiscard]] std::vector<double> cuts(double from, double to) const;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace whirl::forced {
 
@@ -61,8 +62,9 @@ class Comparison {
 };
 
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
-std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from,
-                                   double to) {
+/// @param beside  false: without the half-power points
+std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
+                                   bool beside) {
     std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
                                from < 0 ? from : to};
     const auto add = [&](double speed) {
@@ -75,7 +77,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
             continue;
         const double apart = std::max(r.width, 1e-6 * std::abs(r.speed));
         for (const double place : {-1.0, 0.0, 1.0})
-            if (place != 0 || r.width > 1e-9 * std::abs(r.speed))
+            if (place == 0 ? r.width > 1e-9 * std::abs(r.speed) : beside)
                 add(r.speed + place * apart);
     }
     std::sort(speeds.begin(), speeds.end());
@@ -100,38 +102,53 @@ std::vector<double> peak_speeds(std::vector<Peak> peaks) {
     return out;
 }
 
+/// What rounding leaves of a motion that the shapes have already is not new.
+constexpr double newness_of_rounding = 1e-8;
+
 /// Takes motions in, all that is new of them where the most of that is not enough.
 /// @returns whether any of them was news
 bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
-    constexpr double most = 1e-6;     // the error of the response is the square of what is left out
-    constexpr double rounding = 1e-8; // what that leaves of a motion known already is not new
+    constexpr double most = 1e-6; // the error of the response is the square of what is left out
     const int before = reduced.size();
-    for (const double newness : {most, rounding})
+    for (const double newness : {most, newness_of_rounding})
         if (motions.cols() > 0 && reduced.size() == before)
             reduced.take_in(motions, newness);
     return reduced.size() > before;
 }
 
-/// Motions of the whole rotor at the speeds where the reduced one differs by more than agreed.
-Eigen::MatrixXcd missing(ReducedMotion &reduced, Comparison &whole,
-                         const std::vector<double> &speeds, double agreed, double &worst) {
-    Eigen::MatrixXcd out;
+/// Compares at speeds and widens the reduced rotor by the motions of the whole one where the two
+/// differ by more than agreed. If the motion at the worst is no news, the rounding of the matrices
+/// tells them apart, and the others are not asked.
+/// @param worst  becomes the largest difference, before
+/// @returns whether any of them was news
+bool widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds,
+                double agreed, double &worst) {
     worst = 0;
     if (reduced.whole())
-        return out;
+        return false;
+    std::vector<std::pair<double, double>> apart; // difference, speed
     for (const double speed : speeds) {
         reduced.enter_piece(speed);
         if (!whole.solve(speed))
             continue;
         const double difference = whole.difference(reduced, speed);
         worst = std::max(worst, difference);
-        if (difference <= agreed)
+        if (difference > agreed)
+            apart.emplace_back(difference, speed);
+    }
+    std::sort(apart.rbegin(), apart.rend());
+    constexpr double plainly = 1e-5; // no rounding
+    Eigen::MatrixXcd motions;
+    for (const auto &[difference, speed] : apart) {
+        if (!whole.solve(speed))
             continue;
         const Eigen::MatrixXcd motion = whole.motion();
-        out.conservativeResize(motion.rows(), out.cols() + motion.cols());
-        out.rightCols(motion.cols()) = motion;
+        if (motions.cols() == 0 && worst < plainly && !reduced.lacks(motion, newness_of_rounding))
+            return false;
+        motions.conservativeResize(motion.rows(), motions.cols() + motion.cols());
+        motions.rightCols(motion.cols()) = motion;
     }
-    return out;
+    return widened(reduced, motions);
 }
 
 /// Of the speeds looked at those that a picture needs: a quantity has changed, or some way is made.
@@ -174,18 +191,18 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Comparison whole(discretization, form, quantities, places, options.drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
+        // First the motions at the resonances, which tell most of those beside them.
         const std::vector<double> speeds =
-            telling_speeds(resonances_about(reduced, from, to), from, to);
-        if (!widened(reduced, missing(reduced, whole, speeds, agreed, out.reduction_error)))
+            telling_speeds(resonances_about(reduced, from, to), from, to, round > 0);
+        if (!widened_at(reduced, whole, speeds, agreed, out.reduction_error) && round > 0)
             break;
     }
     std::optional<PeakSearch> search;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
         double at_peaks = 0;
-        const Eigen::MatrixXcd news =
-            missing(reduced, whole, peak_speeds(search->peaks()), agreed, at_peaks);
-        if (round < most_rounds && widened(reduced, news))
+        if (widened_at(reduced, whole, peak_speeds(search->peaks()), agreed, at_peaks) &&
+            round < most_rounds)
             continue;
         out.reduction_error = std::max(out.reduction_error, at_peaks);
         break;
