@@ -126,6 +126,12 @@ bool widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<dou
     worst = 0;
     if (reduced.whole())
         return false;
+    constexpr double plainly = 1e-5; // no rounding
+    Eigen::MatrixXcd motions;
+    const auto keep = [&motions](const Eigen::MatrixXcd &motion) {
+        motions.conservativeResize(motion.rows(), motions.cols() + motion.cols());
+        motions.rightCols(motion.cols()) = motion;
+    };
     std::vector<std::pair<double, double>> apart; // difference, speed
     for (const double speed : speeds) {
         reduced.enter_piece(speed);
@@ -133,20 +139,19 @@ bool widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<dou
             continue;
         const double difference = whole.difference(reduced, speed);
         worst = std::max(worst, difference);
-        if (difference > agreed)
+        if (difference > plainly)
+            keep(whole.motion());
+        else if (difference > agreed)
             apart.emplace_back(difference, speed);
     }
     std::sort(apart.rbegin(), apart.rend());
-    constexpr double plainly = 1e-5; // no rounding
-    Eigen::MatrixXcd motions;
     for (const auto &[difference, speed] : apart) {
         if (!whole.solve(speed))
             continue;
         const Eigen::MatrixXcd motion = whole.motion();
-        if (motions.cols() == 0 && worst < plainly && !reduced.lacks(motion, newness_of_rounding))
+        if (motions.cols() == 0 && !reduced.lacks(motion, newness_of_rounding))
             return false;
-        motions.conservativeResize(motion.rows(), motions.cols() + motion.cols());
-        motions.rightCols(motion.cols()) = motion;
+        keep(motion);
     }
     return widened(reduced, motions);
 }
