@@ -196,9 +196,15 @@ ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
                     product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
         return {product(s.K), product(s.Ks), product(s.Kss)};
     }
-    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
+    const assembly::FixedSystem &s = fixed_system(bearing_speed);
     return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
             imaginary_unit * mass(s.G) - mass(s.M)};
+}
+
+const assembly::FixedSystem &ReducedMotion::fixed_system(double bearing_speed) const {
+    if (!_assembled || _assembled->first != bearing_speed)
+        _assembled.emplace(bearing_speed, assembly::assemble_fixed(_discretization, bearing_speed));
+    return _assembled->second;
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "assembly/system.h"
 #include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
@@ -116,7 +117,9 @@ class ReducedMotion {
     std::vector<Quantity> _quantities;
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
-    std::vector<double> _rows;  ///< of bearing tables, rad/s
+    std::vector<double> _rows; ///< of bearing tables, rad/s
+    /// Of the bearing speed asked for last.
+    mutable std::optional<std::pair<double, assembly::FixedSystem>> _assembled;
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
     /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
     /// under the weight the unknowns themselves, to see what cancels.
@@ -127,6 +130,7 @@ class ReducedMotion {
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
+    [[nodiscard]] const assembly::FixedSystem &fixed_system(double bearing_speed) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
     [[nodiscard]] const Factors &factors(double speed) const;
     void set_read();
