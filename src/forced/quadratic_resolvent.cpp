@@ -1,13 +1,13 @@
 #include "forced/quadratic_resolvent.h"
 
-#include "linalg/check.h"
+#include "linalg/dense/complex_schur.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::forced {
 
@@ -34,12 +34,10 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     companion.topLeftCorner(m, m) = -_width * at_shift.solve(terms.P1 + 2.0 * _shift * terms.P2);
     companion.topRightCorner(m, m) = -_width * _width * at_shift.solve(terms.P2);
     companion.bottomLeftCorner(m, m).setIdentity();
-    const Eigen::ComplexSchur<Eigen::MatrixXcd> schur(companion, true);
-    if (schur.info() != Eigen::Success)
-        throw linalg::SolverError("the poles of a small quadratic problem were not found");
-    _T = schur.matrixT();
-    _lower = rows.cast<std::complex<double>>() * schur.matrixU().bottomRows(m);
-    _h = schur.matrixU().topRows(m).adjoint() * at_shift.solve(b);
+    linalg::ComplexSchurForm schur = linalg::complex_schur(std::move(companion));
+    _T = std::move(schur.T);
+    _lower = rows.cast<std::complex<double>>() * schur.Q.bottomRows(m);
+    _h = schur.Q.topRows(m).adjoint() * at_shift.solve(b);
     find_residues();
 }
 

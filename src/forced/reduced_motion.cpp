@@ -30,21 +30,23 @@ double slope_of_modulus(Complex value, Complex slope) {
 }
 
 using Wide = long double;
-using WideDense = Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic>;
+template <class Number> using Dense = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
 /// cancels in A V, which is the forces on the nodes: in double precision what is left would be off
 /// by 1e-10 and peaks by that times their amplification.
-Eigen::MatrixXcd planar_product(const WideDense &V, const Eigen::SparseMatrix<Wide> &A) {
-    const Eigen::MatrixXd forces = WideDense(A * V).cast<double>();
-    return (V.cast<double>().transpose() * forces).cast<Complex>();
+template <class Number>
+Eigen::MatrixXcd planar_product(const Dense<Number> &V, const Eigen::SparseMatrix<Number> &A) {
+    const Eigen::MatrixXd forces = Dense<Number>(A * V).template cast<double>();
+    return (V.template cast<double>().transpose() * forces).template cast<Complex>();
 }
 
 /// The same over unknowns in pairs (x, y), the shapes for both directions: pairs again.
-Eigen::MatrixXcd paired_product(const WideDense &V, const Eigen::SparseMatrix<Wide> &A) {
-    std::array<std::vector<Eigen::Triplet<Wide>>, 4> entries;
+template <class Number>
+Eigen::MatrixXcd paired_product(const Dense<Number> &V, const Eigen::SparseMatrix<Number> &A) {
+    std::array<std::vector<Eigen::Triplet<Number>>, 4> entries;
     for (Eigen::Index column = 0; column < A.outerSize(); ++column)
-        for (Eigen::SparseMatrix<Wide>::InnerIterator entry(A, column); entry; ++entry)
+        for (typename Eigen::SparseMatrix<Number>::InnerIterator entry(A, column); entry; ++entry)
             entries[static_cast<std::size_t>(2 * (entry.row() % 2) + column % 2)].emplace_back(
                 static_cast<int>(entry.row() / 2), static_cast<int>(column / 2), entry.value());
     Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(2 * V.cols(), 2 * V.cols());
@@ -52,12 +54,27 @@ Eigen::MatrixXcd paired_product(const WideDense &V, const Eigen::SparseMatrix<Wi
         const auto &list = entries[static_cast<std::size_t>(block)];
         if (list.empty())
             continue;
-        Eigen::SparseMatrix<Wide> part(V.rows(), V.rows());
+        Eigen::SparseMatrix<Number> part(V.rows(), V.rows());
         part.setFromTriplets(list.begin(), list.end());
         out(Eigen::seqN(block / 2, V.cols(), 2), Eigen::seqN(block % 2, V.cols(), 2)) =
             planar_product(V, part);
     }
     return out;
+}
+
+/// Real and imaginary parts of motions, turned so that the real part is as large as it gets; the
+/// other where it is more than that part of the motion.
+Eigen::MatrixXd real_parts(const Eigen::MatrixXcd &motions, double part) {
+    Eigen::MatrixXd out(motions.rows(), 2 * motions.cols());
+    Eigen::Index count = 0;
+    for (Eigen::Index j = 0; j < motions.cols(); ++j) {
+        const Complex square = (motions.col(j).transpose() * motions.col(j)).value();
+        const Eigen::VectorXcd turned = motions.col(j) * std::polar(1.0, -std::arg(square) / 2);
+        out.col(count++) = turned.real();
+        if (turned.imag().norm() > part * turned.norm())
+            out.col(count++) = turned.imag();
+    }
+    return out.leftCols(count);
 }
 
 Eigen::SparseMatrix<Wide> wide(const linalg::Matrix &A) { return Sparse(A.view()).cast<Wide>(); }
@@ -107,21 +124,14 @@ void ReducedMotion::make_shapes(double top, bool reduction) {
                                                             Eigen::MatrixXd::Identity(n, n));
 }
 
+bool ReducedMotion::lacks(const Eigen::MatrixXcd &motions, double newness) const {
+    reduction::PlanarShapes widened = *_shapes;
+    widened.add_newest_first(real_parts(motions, newness), newness);
+    return widened.matrix().cols() > _shapes->matrix().cols();
+}
+
 void ReducedMotion::take_in(const Eigen::MatrixXcd &motions, double newness) {
-    std::vector<Eigen::VectorXd> parts;
-    for (Eigen::Index j = 0; j < motions.cols(); ++j) {
-        // Turned so that its real part is as large as it gets.
-        const Complex square = (motions.col(j).transpose() * motions.col(j)).value();
-        const Eigen::VectorXcd turned = motions.col(j) * std::polar(1.0, -std::arg(square) / 2);
-        const double size = turned.norm();
-        parts.emplace_back(turned.real());
-        if (turned.imag().norm() > newness * size)
-            parts.emplace_back(turned.imag());
-    }
-    Eigen::MatrixXd columns(motions.rows(), std::ssize(parts));
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        columns.col(static_cast<Eigen::Index>(i)) = parts[i];
-    _shapes->add_newest_first(std::move(columns), newness);
+    _shapes->add_newest_first(real_parts(motions, newness), newness);
     _pieces.clear();
     _piece = nullptr;
     _b = _drive.weight() ? weight() : imbalances();
@@ -163,27 +173,38 @@ std::vector<double> ReducedMotion::cuts(double from, double to) const {
 }
 
 ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
-    const WideDense V = _shapes->matrix().cast<Wide>();
+    const Eigen::MatrixXd &plain = _shapes->matrix();
+    const Dense<Wide> V = plain.cast<Wide>();
     if (_form == results::Form::planar) {
         const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
         const linalg::Matrix C = linalg::Matrix::from_entries(
             _discretization.planar_size(),
             modes::planar_support_damping(_discretization, bearing_speed));
         return {planar_product(V, wide(s.K)), imaginary_unit * planar_product(V, wide(C)),
-                planar_product(V, wide(s.G)) - planar_product(V, wide(s.M))};
+                planar_product<double>(plain, s.G.view()) -
+                    planar_product<double>(plain, s.M.view())};
     }
     const auto product = [&V](const linalg::Matrix &A) { return paired_product(V, wide(A)); };
+    const auto mass = [&plain](const linalg::Matrix &A) {
+        return paired_product<double>(plain, Sparse(A.view()));
+    };
     if (_form == results::Form::rotating) {
         const assembly::RotatingSystem s =
             assembly::assemble_rotating(_discretization, bearing_speed, {});
         if (_drive.weight()) // lambda = i s in rotating axes
             return {product(s.K), product(s.Ks) + imaginary_unit * product(s.C),
-                    product(s.Kss) + imaginary_unit * product(s.Cs) - product(s.M)};
+                    product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
         return {product(s.K), product(s.Ks), product(s.Kss)};
     }
-    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
+    const assembly::FixedSystem &s = fixed_system(bearing_speed);
     return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
-            imaginary_unit * product(s.G) - product(s.M)};
+            imaginary_unit * mass(s.G) - mass(s.M)};
+}
+
+const assembly::FixedSystem &ReducedMotion::fixed_system(double bearing_speed) const {
+    if (!_assembled || _assembled->first != bearing_speed)
+        _assembled.emplace(bearing_speed, assembly::assemble_fixed(_discretization, bearing_speed));
+    return _assembled->second;
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "assembly/system.h"
 #include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
@@ -72,6 +73,8 @@ class ReducedMotion {
     /// @param motions  planar unknowns a column
     /// @param newness  part of a motion that must be new
     void take_in(const Eigen::MatrixXcd &motions, double newness);
+    /// Some of these motions would be new.
+    [[nodiscard]] bool lacks(const Eigen::MatrixXcd &motions, double newness) const;
 
     /// Speeds from `from` to `to` cut at the rows of bearing tables, rad/s.
     [[nodiscard]] std::vector<double> cuts(double from, double to) const;
@@ -114,7 +117,9 @@ class ReducedMotion {
     std::vector<Quantity> _quantities;
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
-    std::vector<double> _rows;  ///< of bearing tables, rad/s
+    std::vector<double> _rows; ///< of bearing tables, rad/s
+    /// Of the bearing speed asked for last.
+    mutable std::optional<std::pair<double, assembly::FixedSystem>> _assembled;
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
     /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
     /// under the weight the unknowns themselves, to see what cancels.
@@ -125,6 +130,7 @@ class ReducedMotion {
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
+    [[nodiscard]] const assembly::FixedSystem &fixed_system(double bearing_speed) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
     [[nodiscard]] const Factors &factors(double speed) const;
     void set_read();

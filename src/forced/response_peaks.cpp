@@ -76,8 +76,9 @@ class Comparison {
 };
 
 /// Where the reduced rotor is compared: the resonances, half-power points beside them, the ends.
-std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from,
-                                   double to) {
+/// @param beside  false: without the half-power points
+std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, double from, double to,
+                                   bool beside) {
     std::vector<double> speeds{from < 0 ? (2 * from + to) / 3 : (from + 2 * to) / 3,
                                from < 0 ? from : to};
     const auto add = [&](double speed) {
@@ -90,7 +91,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
             continue;
         const double apart = std::max(r.width, 1e-6 * std::abs(r.speed));
         for (const double place : {-1.0, 0.0, 1.0})
-            if (place != 0 || r.width > 1e-9 * std::abs(r.speed))
+            if (place == 0 ? r.width > 1e-9 * std::abs(r.speed) : beside)
                 add(r.speed + place * apart);
     }
     std::sort(speeds.begin(), speeds.end());
@@ -115,13 +116,15 @@ std::vector<double> peak_speeds(std::vector<Peak> peaks) {
     return out;
 }
 
+/// What rounding leaves of a motion that the shapes have already is not new.
+constexpr double newness_of_rounding = 1e-8;
+
 /// Takes motions in, all that is new of them where the most of that is not enough.
 /// @returns whether any of them was news
 bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
-    constexpr double most = 1e-6;     // the error of the response is the square of what is left out
-    constexpr double rounding = 1e-8; // what that leaves of a motion known already is not new
+    constexpr double most = 1e-6; // the error of the response is the square of what is left out
     const int before = reduced.size();
-    for (const double newness : {most, rounding})
+    for (const double newness : {most, newness_of_rounding})
         if (motions.cols() > 0 && reduced.size() == before)
             reduced.take_in(motions, newness);
     return reduced.size() > before;
@@ -129,15 +132,26 @@ bool widened(ReducedMotion &reduced, const Eigen::MatrixXcd &motions) {
 
 /// The whole rotor and the reduced one beside each other at some speeds.
 struct Compared {
-    Eigen::MatrixXcd missing; ///< motions of the whole rotor where they differ by more than agreed
-    double worst = 0;         ///< largest difference that is more than rounding
+    bool news = false; ///< a motion of the whole rotor widened the reduced one
+    double worst = 0;  ///< largest difference that is more than rounding, before
     std::vector<std::pair<double, double>> rounding; ///< speed, rad/s, and what rounding hides
 };
 
-Compared compared(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds) {
+/// Compares at speeds and widens the reduced rotor by the motions of the whole one where the two
+/// differ by more than agreed. If the motion at the worst is no news, the rounding of the matrices
+/// tells them apart, and the others are not asked.
+Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds,
+                    double agreed) {
     Compared out;
     if (reduced.whole())
         return out;
+    constexpr double plainly = 1e-5; // no rounding
+    Eigen::MatrixXcd motions;
+    const auto keep = [&motions](const Eigen::MatrixXcd &motion) {
+        motions.conservativeResize(motion.rows(), motions.cols() + motion.cols());
+        motions.rightCols(motion.cols()) = motion;
+    };
+    std::vector<std::pair<double, double>> apart; // difference, speed
     for (const double speed : speeds) {
         reduced.enter_piece(speed);
         if (!whole.solve(speed))
@@ -145,12 +159,21 @@ Compared compared(ReducedMotion &reduced, Comparison &whole, const std::vector<d
         const Comparison::Difference difference = whole.difference(reduced, speed);
         out.worst = std::max(out.worst, difference.told);
         out.rounding.emplace_back(speed, difference.rounding);
-        if (difference.told <= agreed)
+        if (difference.told > plainly)
+            keep(whole.motion());
+        else if (difference.told > agreed)
+            apart.emplace_back(difference.told, speed);
+    }
+    std::sort(apart.rbegin(), apart.rend());
+    for (const auto &[difference, speed] : apart) {
+        if (!whole.solve(speed))
             continue;
         const Eigen::MatrixXcd motion = whole.motion();
-        out.missing.conservativeResize(motion.rows(), out.missing.cols() + motion.cols());
-        out.missing.rightCols(motion.cols()) = motion;
+        if (motions.cols() == 0 && !reduced.lacks(motion, newness_of_rounding))
+            return out;
+        keep(motion);
     }
+    out.news = widened(reduced, motions);
     return out;
 }
 
@@ -204,19 +227,20 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Comparison whole(discretization, form, quantities, places, options.drive);
     CertifiedPeaks out;
     for (int round = 0; round < most_rounds; ++round) {
+        // First the motions at the resonances, which tell most of those beside them.
         const std::vector<double> speeds =
-            telling_speeds(resonances_about(reduced, from, to), from, to);
-        const Compared at = compared(reduced, whole, speeds);
+            telling_speeds(resonances_about(reduced, from, to), from, to, round > 0);
+        const Compared at = widened_at(reduced, whole, speeds, agreed);
         out.reduction_error = at.worst;
-        if (!widened(reduced, at.missing))
+        if (!at.news && round > 0)
             break;
     }
     std::optional<PeakSearch> search;
     Compared at_peaks;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
-        at_peaks = compared(reduced, whole, peak_speeds(search->peaks()));
-        if (round >= most_rounds || !widened(reduced, at_peaks.missing))
+        at_peaks = widened_at(reduced, whole, peak_speeds(search->peaks()), agreed);
+        if (round >= most_rounds || !at_peaks.news)
             break;
     }
     out.reduction_error = std::max(out.reduction_error, at_peaks.worst);

@@ -6,6 +6,7 @@
 #include "reduction/projection.h"
 #include "results/formulation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,8 +25,8 @@ Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) 
 } // namespace
 
 std::unique_ptr<FewShapes> FewShapes::of(const assembly::Discretization &d, int modes) try {
-    // A planar mode at rest is two whirl modes; five more for what speed brings down.
-    const int at_rest = modes / 2 + 5;
+    // A planar mode at rest is two whirl modes; more for what speed brings down.
+    const int at_rest = modes / 2 + 3;
     if (d.rigid() || d.planar_size() < 3 * at_rest ||
         free_motions(d, results::Form::general, 0, 0).motions.cols() > 0)
         return nullptr;
@@ -45,6 +46,10 @@ FewShapes::FewShapes(const assembly::Discretization &d, reduction::PlanarShapes 
 
 GeneralSpectrum::Modes FewShapes::modes(double speed, int wanted) const {
     GeneralSpectrum::Modes out = _spectrum.modes(speed, wanted);
+    std::stable_sort(out.modes.begin(), out.modes.end(), [](const auto &a, const auto &b) {
+        return a.eigenvalue.imag() < b.eigenvalue.imag();
+    });
+    out.modes.resize(std::min(out.modes.size(), static_cast<std::size_t>(wanted)));
     const Eigen::MatrixXd &V = _shapes.matrix();
     for (WhirlMode &mode : out.modes) {
         const assembly::Planes planes(mode.shape);

@@ -23,7 +23,8 @@ class FewShapes {
     [[nodiscard]] static std::unique_ptr<FewShapes> of(const assembly::Discretization &d,
                                                        int modes);
 
-    /// As those of GeneralSpectrum, over all unknowns of the rotor.
+    /// As those of GeneralSpectrum, over all unknowns of the rotor; no more than the `wanted`
+    /// lowest.
     [[nodiscard]] GeneralSpectrum::Modes modes(double speed, int wanted) const;
 
     /// Over the amplitudes of the shapes in pairs (x, y).
