@@ -140,8 +140,7 @@ struct Compared {
 /// Compares at speeds and widens the reduced rotor by the motions of the whole one where the two
 /// differ by more than agreed. If the motion at the worst is no news, the rounding of the matrices
 /// tells them apart, and the others are not asked.
-Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds,
-                    double agreed) {
+Compared widened_at(ReducedMotion &reduced, Comparison &whole, const std::vector<double> &speeds) {
     Compared out;
     if (reduced.whole())
         return out;
@@ -230,7 +229,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
         // First the motions at the resonances, which tell most of those beside them.
         const std::vector<double> speeds =
             telling_speeds(resonances_about(reduced, from, to), from, to, round > 0);
-        const Compared at = widened_at(reduced, whole, speeds, agreed);
+        const Compared at = widened_at(reduced, whole, speeds);
         out.reduction_error = at.worst;
         if (!at.news && round > 0)
             break;
@@ -239,7 +238,7 @@ CertifiedPeaks response_peaks(const assembly::Discretization &discretization, re
     Compared at_peaks;
     for (int round = 0;; ++round) { // and at the peaks found, which need not be at resonances
         search.emplace(reduced, from, to);
-        at_peaks = widened_at(reduced, whole, peak_speeds(search->peaks()), agreed);
+        at_peaks = widened_at(reduced, whole, peak_speeds(search->peaks()));
         if (round >= most_rounds || !at_peaks.news)
             break;
     }
