@@ -8,7 +8,7 @@
 #include <cmath>
 #include <complex>
 
-namespace whirl::simulation {
+namespace whirl::simulation::runge_kutta_tests {
 namespace {
 
 using Complex = std::complex<double>;
@@ -91,4 +91,4 @@ TEST(RungeKutta, TheEstimateIsLargerThanTheErrorOfAnOscillator) {
 }
 
 } // namespace
-} // namespace whirl::simulation
+} // namespace whirl::simulation::runge_kutta_tests
