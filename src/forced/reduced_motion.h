@@ -88,10 +88,8 @@ class ReducedMotion {
     [[nodiscard]] double rounding(double speed) const;
     /// Every quantity at a speed of the piece.
     [[nodiscard]] std::vector<Reading> at(double speed) const;
-    /// The same where the poles of the piece have been asked for, from these: next to a pole less
-    /// exact than at().
+    /// The same from the poles, which must have been asked for: next to one less exact than at().
     [[nodiscard]] std::vector<Reading> quickly_at(double speed) const;
-    /// One of them.
     [[nodiscard]] Reading quickly_at(double speed, int quantity) const;
 
   private:
@@ -118,8 +116,7 @@ class ReducedMotion {
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
     std::vector<double> _rows; ///< of bearing tables, rad/s
-    /// Of the bearing speed asked for last.
-    mutable std::optional<std::pair<double, assembly::FixedSystem>> _assembled;
+    mutable std::optional<std::pair<double, assembly::FixedSystem>> _assembled; ///< asked for last
     Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
     /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
     /// under the weight the unknowns themselves, to see what cancels.
