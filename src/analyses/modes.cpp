@@ -261,7 +261,11 @@ names_at(const model::Case &scene, const modes::SpectrumSolver &solver, double s
 
 results::ModesResult mode_shapes(const model::Case &scene) {
     results::ModesResult result;
-    result.speed = scene.modes.speed ? *scene.modes.speed : model::required_speeds(scene).from;
+    if (!scene.modes.speed && !scene.speeds)
+        throw model::BadInput(
+            fmt::format("{}: modes.speed: expected a spin speed (--speed), or [speeds], got none",
+                        scene.file.string()));
+    result.speed = scene.modes.speed ? *scene.modes.speed : scene.speeds->from;
     result.model.formulation = modes::choose_formulation(scene);
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,

@@ -166,6 +166,8 @@ TEST(ModeShapes, need_a_speed) {
     model::Case scene = pinned_shaft(0);
     scene.speeds.reset();
     EXPECT_THROW((void)analyses::mode_shapes(scene), model::BadInput);
+    scene.modes.speed = 100;
+    EXPECT_EQ(analyses::mode_shapes(scene).modes.front().at, 100);
 }
 
 } // namespace
