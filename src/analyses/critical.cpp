@@ -252,6 +252,7 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
                                                        peaks, backward_too);
         operation::note_unlisted(*scene.operation, result.critical_speeds, peaks, *result.margins,
                                  backward_too, result.model.notes);
+        operation::note_without_factor(result.critical_speeds, peaks, result.model.notes);
         operation::note_unknown_damping(result.critical_speeds, result.model.notes);
     }
     if (map)

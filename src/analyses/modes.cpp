@@ -1,15 +1,20 @@
 #include "analyses/modes.h"
 
 #include "analyses/critical.h"
+#include "assembly/discretization.h"
+#include "assembly/planes.h"
+#include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
+#include "model/variants.h"
 #include "modes/dissipation/dissipation.h"
 #include "modes/formulation.h"
 #include "modes/orbits.h"
 #include "modes/spectrum.h"
 #include "results/modes.h"
 #include "results/whirl.h"
+#include "synchronous/critical_speeds.h"
 #include "tracking/mode_names.h"
 
 #include <fmt/format.h>
@@ -162,11 +167,6 @@ std::vector<results::CriticalSpeed> shown_critical_speeds(const model::Case &sce
                                                           std::vector<std::string> &notes) {
     if (scene.modes.speed || scene.speeds->count < 2)
         return {};
-    if (!scene.rotor.balancers.empty()) {
-        notes.emplace_back("no shapes at critical speeds: these are for balls held in place, and "
-                           "the modes here have them free");
-        return {};
-    }
     try {
         std::vector<results::CriticalSpeed> speeds = critical_speeds_of(scene);
         std::erase_if(speeds, [](const results::CriticalSpeed &c) { return c.speed == 0; });
@@ -196,6 +196,47 @@ void add_critical(results::ModesResult &result, const Shapes &shapes,
     }
 }
 
+/// With balancers: at the critical speeds, at which `critical` holds their parts in place. The
+/// rotor stands still in axes that turn with it, bent in the shape of the eigenvector.
+void add_held(results::ModesResult &result, const model::Rotor &as_given,
+              const std::vector<results::CriticalSpeed> &critical_speeds) {
+    if (critical_speeds.empty())
+        return;
+    const assembly::Discretization rotor(model::without_damping(as_given), result.model.order);
+    const modes::Stations stations = modes::Stations::for_drawing(rotor);
+    const int wanted = static_cast<int>(critical_speeds.size());
+    const std::complex<double> i(0, 1);
+    try {
+        // As many as `critical` finds: each direction of a motion alike in two counts there.
+        const auto found = synchronous::all_synchronous_modes(
+            rotor, results::Form::rotating, 2 * wanted, critical_speeds.back().speed);
+        for (const results::CriticalSpeed &critical : critical_speeds)
+            for (const modes::WhirlMode &mode : found.modes) {
+                if (std::abs(mode.eigenvalue.imag() - critical.speed) > 1e-9 * critical.speed)
+                    continue; // of another speed
+                const assembly::Planes planes(mode.shape);
+                const Eigen::VectorXcd w =
+                    stations.deflections(planes.x) + i * stations.deflections(planes.y);
+                const std::complex<double> largest = largest_component(w, -i * w);
+                result.critical.push_back({"",
+                                           critical.speed,
+                                           {0, critical.speed},
+                                           results::Whirl::forward,
+                                           1,
+                                           scaled(w, largest),
+                                           scaled(-i * w, largest),
+                                           {}});
+                break;
+            }
+        result.model.notes.emplace_back(
+            "shapes at critical speeds are those of `critical`, forward, without damping and with "
+            "the parts of balancers held in place; the modes at one speed have them free");
+    } catch (const linalg::SolverError &) {
+        result.model.notes.emplace_back(
+            "no shapes at critical speeds: the eigensolver missed some");
+    }
+}
+
 /// Names of the modes at the speed and of those that are critical at others.
 std::optional<tracking::ModeNames>
 names_at(const model::Case &scene, const modes::SpectrumSolver &solver, double speed,
@@ -220,7 +261,11 @@ names_at(const model::Case &scene, const modes::SpectrumSolver &solver, double s
 
 results::ModesResult mode_shapes(const model::Case &scene) {
     results::ModesResult result;
-    result.speed = scene.modes.speed ? *scene.modes.speed : model::required_speeds(scene).from;
+    if (!scene.modes.speed && !scene.speeds)
+        throw model::BadInput(
+            fmt::format("{}: modes.speed: expected a spin speed (--speed), or [speeds], got none",
+                        scene.file.string()));
+    result.speed = scene.modes.speed ? *scene.modes.speed : scene.speeds->from;
     result.model.formulation = modes::choose_formulation(scene);
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
@@ -230,8 +275,9 @@ results::ModesResult mode_shapes(const model::Case &scene) {
     std::vector<std::string> critical_notes;
     const std::vector<results::CriticalSpeed> critical_speeds =
         shown_critical_speeds(scene, critical_notes);
-    const std::optional<tracking::ModeNames> names =
-        names_at(scene, solver, result.speed, critical_speeds);
+    const std::optional<tracking::ModeNames> names = names_at(
+        scene, solver, result.speed,
+        scene.rotor.balancers.empty() ? critical_speeds : std::vector<results::CriticalSpeed>{});
     const Shapes shapes(solver, names ? &*names : nullptr);
     result.z = shapes.z();
     const modes::Spectrum spectrum = shapes.lowest(result.speed, scene.campbell.modes);
@@ -251,7 +297,10 @@ results::ModesResult mode_shapes(const model::Case &scene) {
                                         "that both differ between their directions");
     result.model.notes.insert(result.model.notes.end(), critical_notes.begin(),
                               critical_notes.end());
-    add_critical(result, shapes, critical_speeds, scene.campbell.modes);
+    if (scene.rotor.balancers.empty())
+        add_critical(result, shapes, critical_speeds, scene.campbell.modes);
+    else
+        add_held(result, scene.rotor, critical_speeds);
     return result;
 }
 

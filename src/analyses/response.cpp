@@ -315,6 +315,7 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
                                                    backward_too);
     operation::note_unlisted(*scene.operation, critical_speeds, result.peaks, *result.margins,
                              backward_too, result.model.notes);
+    operation::note_without_factor(critical_speeds, result.peaks, result.model.notes);
     operation::note_unknown_damping(critical_speeds, result.model.notes);
 }
 

@@ -26,8 +26,7 @@ struct Quantity {
     int bearing = deflection;
     /// Direction in which a probe looks, from x towards y, rad; none: in all, the whole orbit.
     std::optional<double> angle{};
-    /// The deflection is the stretch of this bearing, shaft against pedestal; none: it is a
-    /// place's.
+    /// The deflection is this bearing's stretch, shaft against pedestal; none: that of a place.
     std::optional<int> film{};
 
     /// What is seen of a motion: all of it, or what the probe reads, as a motion in x.
@@ -121,7 +120,6 @@ class ReducedMotion {
     /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
     /// under the weight the unknowns themselves, to see what cancels.
     Eigen::MatrixXd _read;
-
     std::map<int, Piece> _pieces; ///< seen so far, by their numbers
     Piece *_piece = nullptr;
     Eigen::VectorXcd _b;
@@ -133,8 +131,7 @@ class ReducedMotion {
     void set_read();
     /// Numbers of a quantity among those that are read: the first and how many.
     [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> read_of(int quantity) const;
-    /// @param unit  of P u = b, where imbalances have the force speed^2 b: the numbers of a
-    /// quantity
+    /// @param unit  of P u = b (imbalances have the force speed^2 b): the numbers of a quantity
     [[nodiscard]] Reading reading(int quantity, const QuadraticResolvent::Solution &unit,
                                   double speed) const;
     [[nodiscard]] std::vector<Reading> readings(const QuadraticResolvent::Solution &unit,

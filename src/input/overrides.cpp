@@ -74,8 +74,9 @@ std::string obstacle(const Node &node, const PathStep &step, const std::string &
     if (node.kind != Node::Kind::list)
         return fmt::format("expected a list at {}, got {}", where, shown(node));
     if (const auto *index = std::get_if<std::size_t>(&step))
-        return fmt::format("expected an index below {}, got {}: {} has {} items", node.items.size(),
-                           *index, where, node.items.size());
+        return fmt::format("expected an index below {}, got {}: {} has {} item{}",
+                           node.items.size(), *index, where, node.items.size(),
+                           node.items.size() == 1 ? "" : "s");
     return fmt::format("expected the name of an item of {}, there is no {}{}", where, where,
                        step_text(step));
 }

@@ -26,11 +26,31 @@ model::Material read_material(CheckedTable table, const std::string &name) {
     return material;
 }
 
+/// What a tube takes of the section, m; of a cone all that it takes somewhere.
+struct Ring {
+    double inner = 0, outer = 0;
+};
+
+/// Collects a problem where a layer takes what one before it, or the segment, has taken: where two
+/// materials would be counted at one place.
+void check_free(const model::Layer &layer, const std::vector<Ring> &taken, CheckedTable &table) {
+    constexpr double rounding = 1e-9; // of lengths in other units
+    for (const Ring &ring : taken)
+        if (layer.inner < (1 - rounding) * ring.outer && (1 + rounding) * ring.inner < layer.outer)
+            table.fail(table.find("inner") ? "inner" : "outer",
+                       fmt::format("expected a tube beside what lies from {} m to {} m already, "
+                                   "got one from {} m to {} m",
+                                   ring.inner, ring.outer, layer.inner, layer.outer));
+}
+
 /// Tubes given without an inner diameter sit on what lies inside of them.
-std::vector<model::Layer> read_layers(CheckedTable &segment, double inside,
+std::vector<model::Layer> read_layers(CheckedTable &table_of_segment, const model::Segment &segment,
                                       const Materials &materials) {
     std::vector<model::Layer> layers;
-    for (CheckedTable &table : segment.tables("layers")) {
+    std::vector<Ring> taken{{std::min(segment.inner_start, segment.inner_end),
+                             std::max(segment.outer_start, segment.outer_end)}};
+    double inside = taken.front().outer;
+    for (CheckedTable &table : table_of_segment.tables("layers")) {
         model::Layer layer;
         table.text("name");
         layer.outer = table.number("outer", Quantity::length, Range::positive());
@@ -39,12 +59,15 @@ std::vector<model::Layer> read_layers(CheckedTable &segment, double inside,
             table.fail("outer", fmt::format("expected a diameter above the inner one, {} m, got "
                                             "{} m",
                                             layer.inner, layer.outer));
+        else
+            check_free(layer, taken, table);
         layer.material =
             pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
                           table.path_of("material"), table.context().problems)
                 .value_or(model::Material{});
         table.refuse_unknown();
         inside = layer.outer;
+        taken.push_back({layer.inner, layer.outer});
         layers.push_back(layer);
     }
     return layers;
@@ -89,9 +112,10 @@ std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &
                     name, name == "shear" ? Quantity::dimensionless : Quantity::length, range);
             },
             segment);
-        segment.layers =
-            read_layers(table, std::max(segment.outer_start, segment.outer_end), materials);
+        segment.layers = read_layers(table, segment, materials);
         table.refuse_unknown();
+        check_mass_diameters(segment, origin_of(table.node(), "mass_inner"),
+                             table.path_of("mass_inner"), context.problems);
         check_segment(segment, origin_of(table.node(), "inner"), table.path_of("inner"),
                       context.problems);
         segments.push_back(segment);
@@ -135,6 +159,7 @@ model::Segment read_station(CsvTable &table, std::size_t row, const Materials &m
                                  fmt::format("expected a whole number, got {}", *count));
     }
     check_segment(segment, table.origin(row), "inner", context.problems);
+    check_mass_diameters(segment, table.origin(row), "mass_inner", context.problems);
     return segment;
 }
 

@@ -112,15 +112,19 @@ void check_shear_modulus(const model::Material &material, std::optional<double> 
                                  material.E / (2 * (1 + *nu)), material.G, derived));
 }
 
-void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
-                   Problems &problems) {
-    const bool start = segment.inner_start >= segment.outer_start;
-    const bool end = segment.inner_end >= segment.outer_end;
+void check_mass_diameters(const model::Segment &segment, const Origin &origin,
+                          const std::string &key, Problems &problems) {
     if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
         problems.add(origin, key,
                      fmt::format("expected mass_inner below mass_outer, {} m (which a cone must be "
                                  "given), got {} m",
                                  segment.mass_outer, segment.mass_inner));
+}
+
+void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
+                   Problems &problems) {
+    const bool start = segment.inner_start >= segment.outer_start;
+    const bool end = segment.inner_end >= segment.outer_end;
     if (start || end)
         problems.add(origin, key,
                      fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",

@@ -17,6 +17,9 @@ void check_shear_modulus(const model::Material &material, std::optional<double> 
 /// The bore is smaller than the outer diameter at both ends.
 void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
                    Problems &problems);
+/// Collects a problem where what has mass is empty.
+void check_mass_diameters(const model::Segment &segment, const Origin &origin,
+                          const std::string &key, Problems &problems);
 
 /// Checks of the whole scene: every z on the shaft, discs that a rigid body can be
 /// (Ip <= 2 Id, mass where there is inertia), initial angles that fit the balancers. A z beyond an

@@ -70,6 +70,7 @@ SeparationMargin of_peak(const ResponsePeak &peak, const CriticalSpeed *critical
     out.of = peak.of;
     out.z = peak.z;
     out.name = peak.name;
+    out.angle = peak.angle;
     if (critical)
         out.whirl = critical->whirl;
     return out;
@@ -79,6 +80,23 @@ SeparationMargin of_damping(const CriticalSpeed &critical, const model::Operatio
     SeparationMargin out = margin_of(critical.speed, critical.damping.amplification, operation);
     out.source = "damping";
     out.whirl = critical.whirl;
+    return out;
+}
+
+/// Of the peaks of one resonance: of each probe its largest, the one that reads most first; of
+/// stations, whose peaks differ in nothing that is measured, the largest alone.
+std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> peaks) {
+    std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak *a, const ResponsePeak *b) {
+        return a->value > b->value;
+    });
+    std::vector<const ResponsePeak *> out;
+    const auto same_probe = [](const ResponsePeak *a, const ResponsePeak *b) {
+        return a->of != "probe" || a->place == b->place;
+    };
+    for (const ResponsePeak *peak : peaks)
+        if (std::none_of(out.begin(), out.end(),
+                         [&](const ResponsePeak *other) { return same_probe(peak, other); }))
+            out.push_back(peak);
     return out;
 }
 
@@ -124,29 +142,36 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
         if (critical.speed > 0 && (backward_too || critical.whirl != Whirl::backward))
             if (excited.empty() || critical.speed > excited.back()->speed * (1 + one))
                 excited.push_back(&critical);
-    std::vector<SeparationMargin> out;
-    std::vector<const ResponsePeak *> largest(excited.size(), nullptr);
+    std::vector<std::vector<const ResponsePeak *>> theirs(excited.size());
+    std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
     for (const ResponsePeak *peak : judged(peaks)) {
         if (!has_factor(*peak))
             continue;
         const CriticalSpeed *critical = nearest(*peak, excited);
         if (!critical) {
-            out.push_back(of_peak(*peak, nullptr, operation));
+            groups.push_back({of_peak(*peak, nullptr, operation)});
             continue;
         }
         const auto place = std::find(excited.begin(), excited.end(), critical) - excited.begin();
-        const ResponsePeak *&known = largest[static_cast<std::size_t>(place)];
-        if (!known || peak->value > known->value)
-            known = peak;
+        theirs[static_cast<std::size_t>(place)].push_back(peak);
     }
-    for (std::size_t i = 0; i < excited.size(); ++i)
-        if (largest[i])
-            out.push_back(of_peak(*largest[i], excited[i], operation));
-        else if (excited[i]->whirl != Whirl::backward && excited[i]->damping.known())
-            out.push_back(of_damping(*excited[i], operation));
-    std::erase_if(out, [](const SeparationMargin &m) { return !counts(m.amplification); });
-    std::stable_sort(out.begin(), out.end(),
-                     [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    for (std::size_t i = 0; i < excited.size(); ++i) {
+        std::vector<SeparationMargin> group;
+        for (const ResponsePeak *peak : one_a_probe(theirs[i]))
+            group.push_back(of_peak(*peak, excited[i], operation));
+        if (group.empty() && excited[i]->whirl != Whirl::backward && excited[i]->damping.known())
+            group.push_back(of_damping(*excited[i], operation));
+        groups.push_back(std::move(group));
+    }
+    for (auto &group : groups)
+        std::erase_if(group, [](const SeparationMargin &m) { return !counts(m.amplification); });
+    std::erase_if(groups, [](const auto &group) { return group.empty(); });
+    std::stable_sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
+        return a.front().speed < b.front().speed;
+    });
+    std::vector<SeparationMargin> out;
+    for (const auto &group : groups)
+        out.insert(out.end(), group.begin(), group.end());
     return out;
 }
 
@@ -209,6 +234,22 @@ void note_unlisted(const model::Operation &operation,
             results::whirl_name(critical.whirl), critical.speed * model::rpm, factor,
             peak ? about(*peak) : "it has no peak of its own in the response"));
     }
+}
+
+void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
+                         const std::vector<ResponsePeak> &peaks, std::vector<std::string> &notes) {
+    for (const ResponsePeak *peak : judged(peaks))
+        if (peak->of == "probe" && !has_factor(*peak) &&
+            std::any_of(critical_speeds.begin(), critical_speeds.end(), [&](const auto &critical) {
+                return critical.damping.known() && counts(critical.damping.amplification) &&
+                       together(*peak, critical);
+            }))
+            notes.push_back(fmt::format(
+                "margins: what the probe {} reads at its peak, {:.6g} rpm, is not among them: the "
+                "curve does not come down to the half-power points on both sides (other sources of "
+                "vibration, or an end of [speeds] that is too near)",
+                peak->name.empty() ? fmt::format("at z = {:.6g} m", peak->z) : peak->name,
+                peak->speed * model::rpm));
 }
 
 void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,

@@ -27,9 +27,10 @@ namespace whirl::operation {
 
 /// Margins of all critical speeds that an imbalance can excite, ascending, without those of AF <
 /// 2.5. The amplification factor is that of the peak of the response by its half-power points,
-/// where the critical speed has one: of probes, else of stations, the largest peak within its half-
-/// power width; else that of the synchronous eigenvalue. Peaks that belong to no critical speed of
-/// the list get a line of their own.
+/// where the critical speed has one within its half-power width: of each probe, the one that reads
+/// most first, as each must have its margin; without probes of the station that moves most; else
+/// that of the synchronous eigenvalue. Peaks that belong to no critical speed of the list get a
+/// line of their own.
 /// @param backward_too  bearings differ between their directions: imbalance excites backward whirl;
 ///                      it is listed where it has a peak
 [[nodiscard]] std::vector<results::SeparationMargin>
@@ -45,6 +46,11 @@ void note_unlisted(const model::Operation &operation,
                    const std::vector<results::ResponsePeak> &peaks,
                    const std::vector<results::SeparationMargin> &margins, bool backward_too,
                    std::vector<std::string> &notes);
+
+/// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
+void note_without_factor(const std::vector<results::CriticalSpeed> &critical_speeds,
+                         const std::vector<results::ResponsePeak> &peaks,
+                         std::vector<std::string> &notes);
 
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);

@@ -197,14 +197,15 @@ std::string drawn_rotor(const model::Rotor &rotor) {
     return "const rotor = " + drawn.dump() + ";\n";
 }
 
-/// The curves of the still picture for the script of the page.
+/// The curves of the still picture for the script of the page: at the speed, then at critical ones.
 std::string drawn_modes(const ModesResult &result) {
     std::string text = "const drawnModes = [";
-    for (const ModeShape &mode : result.modes) {
-        const ModeCurves curves = mode_curves(mode);
-        text += fmt::format("\n{{x: {}, y: {}, atOneInstant: {}}},", script_array(curves.x),
-                            script_array(curves.y), curves.at_one_instant);
-    }
+    for (const std::vector<ModeShape> *list : {&result.modes, &result.critical})
+        for (const ModeShape &mode : *list) {
+            const ModeCurves curves = mode_curves(mode);
+            text += fmt::format("\n{{x: {}, y: {}, atOneInstant: {}}},", script_array(curves.x),
+                                script_array(curves.y), curves.at_one_instant);
+        }
     return text + "];\n";
 }
 

@@ -95,8 +95,9 @@ void add_cells(pugi::xml_node piece, const Grid &grid) {
 
 std::string to_vtp(const model::Case &scene, const results::ModesResult &result) {
     Grid grid{result.z.size()};
-    for (const auto &mode : result.modes)
-        grid.stations = std::min({grid.stations, mode.x.size(), mode.y.size()});
+    for (const auto *list : {&result.modes, &result.critical})
+        for (const auto &mode : *list)
+            grid.stations = std::min({grid.stations, mode.x.size(), mode.y.size()});
     const std::vector<double> z(result.z.begin(),
                                 result.z.begin() + static_cast<std::ptrdiff_t>(grid.stations));
     pugi::xml_document document;
@@ -116,6 +117,13 @@ std::string to_vtp(const model::Case &scene, const results::ModesResult &result)
     for (const auto &mode : result.modes) {
         ++place;
         const std::string name = mode.label.empty() ? "mode " + std::to_string(place) : mode.label;
+        add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
+        add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
+    }
+    place = 0;
+    for (const auto &mode : result.critical) {
+        const std::string name = fmt::format("critical {}{} at {:.6g} rad/s", ++place,
+                                             mode.label.empty() ? "" : " " + mode.label, mode.at);
         add_array(data, name + " real", "Float64", 3, vectors(grid, mode, true));
         add_array(data, name + " imag", "Float64", 3, vectors(grid, mode, false));
     }

@@ -26,6 +26,7 @@ struct SeparationMargin {
     std::string of;                      ///< "station" or "probe", where the peak is; else empty
     std::optional<double> z;             ///< of that place, m
     std::string name;                    ///< of that place
+    std::optional<double> angle;         ///< in which the probe there looks, rad
     MarginSide side = MarginSide::inside;
     double found = 0;               ///< % of the end of the range that is nearer; inside 0
     std::optional<double> required; ///< %; none inside: no margin would do

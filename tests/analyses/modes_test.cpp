@@ -5,6 +5,7 @@
 #include "results/formulation.h"
 #include "results/modes.h"
 #include "results/whirl.h"
+#include "support/balancer_parts.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -127,10 +128,46 @@ TEST(ModeShapes, dissipate_where_they_move_against_dampers) {
     }
 }
 
+/// With a balancer: the shaft stands still in the axes that turn with it, bent by the centrifugal
+/// forces alone. Of a light pinned shaft with a point mass M at the middle on which a ball stands
+/// on either side, W^2 (M + 2 m) = 48 EI/L^3, and it bends as under a load at the middle.
+TEST(ModeShapes, with_balls_held_at_critical_speeds) {
+    model::Case scene = pinned_shaft(0);
+    model::Segment &segment = scene.rotor.shaft.segments.front();
+    segment.material.rho = 1e-6;                          // no mass beside that of the disc
+    scene.rotor.shaft.shear = model::ShearFormula::given; // nor shear
+    scene.rotor.shaft.shear_coefficient = 1e9;
+    scene.rotor.shaft.order = 4;
+    segment.elements = 1;
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 1e12), tests::isotropic_bearing(1, 1e12)};
+    scene.rotor.discs = {tests::disc(0.5, 2, 0, 0)};
+    model::Balancer balancer;
+    balancer.z = 0.5;
+    balancer.parts = model::Balls{{{2, 0.1, 0.05, 0.1}}};
+    scene.rotor.balancers = {balancer};
+    scene.speeds = model::SpeedRange{0, 500, 3};
+    scene.campbell.modes = 2;
+    const results::ModesResult result = analyses::mode_shapes(scene);
+    ASSERT_FALSE(result.critical.empty());
+    const double stiffness =
+        48 * segment.material.E * std::numbers::pi / 64 * std::pow(segment.outer_start, 4);
+    const results::ModeShape &shape = result.critical.front();
+    EXPECT_NEAR(shape.at / std::sqrt(stiffness / 2.2), 1, 1e-5); // springs 3e5 times as stiff
+    EXPECT_EQ(shape.whirl, results::Whirl::forward);
+    EXPECT_EQ(shape.eigenvalue, std::complex<double>(0, shape.at));
+    for (std::size_t k = 0; k < result.z.size(); ++k) {
+        const double z = std::min(result.z[k], 1 - result.z[k]);
+        EXPECT_NEAR(std::abs(shape.x[k]), 3 * z - 4 * z * z * z, 1e-5);
+        EXPECT_NEAR(std::abs(shape.y[k] + std::complex<double>(0, 1) * shape.x[k]), 0, 1e-12);
+    }
+}
+
 TEST(ModeShapes, need_a_speed) {
     model::Case scene = pinned_shaft(0);
     scene.speeds.reset();
     EXPECT_THROW((void)analyses::mode_shapes(scene), model::BadInput);
+    scene.modes.speed = 100;
+    EXPECT_EQ(analyses::mode_shapes(scene).modes.front().at, 100);
 }
 
 } // namespace

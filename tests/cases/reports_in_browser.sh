@@ -77,5 +77,22 @@ ask modes "a zoom of one mode's diagram is one of all" '
       }, 500));
     }, 500));'
 look modes_of_balls modes "$cases/extractor_two_plane"
+# On paper nothing of a diagram is cut off: what stands at its right end is on the page.
+if command -v pdftotext > /dev/null 2>&1; then
+    "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$scratch/profile" --virtual-time-budget=5000 \
+        --print-to-pdf="$scratch/campbell/report.pdf" "file://$scratch/campbell/report.html" 2> /dev/null
+    pdftotext -bbox "$scratch/campbell/report.pdf" "$scratch/campbell/words.html"
+    # The last number above the words "Spin speed" stands at the right of the page, and on it.
+    awk -F'"' '/<page /{wide = $2} /<word /{
+            text = $0; gsub(/<[^>]*>/, "", text); gsub(/[ \t]/, "", text)
+            right[++words] = $6; top[words] = $4; what[words] = text
+        } END {
+            for (i = 1; i <= words; ++i) if (what[i] == "Spin")
+                for (k = 1; k <= words; ++k)
+                    if (what[k] ~ /^[0-9]+$/ && top[k] < top[i] && top[k] > top[i] - 25 && right[k] > last) last = right[k]
+            exit !(last > 0.75 * wide && last < wide)
+        }' "$scratch/campbell/words.html" ||
+        { echo "$scratch/campbell: the diagram does not fill the paper, or is cut off"; failed=1; }
+fi
 look compare compare critical "$jeffcott" "$jeffcott@bearing[*].k=1e5"
 exit $failed

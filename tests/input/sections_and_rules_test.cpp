@@ -25,7 +25,30 @@ TEST(SectionsAndRules, SectionsOfOtherMake) {
     EXPECT_NE(wrong.find("layers[0].outer: expected a diameter above the inner one, 0.05 m"),
               std::string::npos)
         << wrong;
-    EXPECT_NE(wrong.find("expected mass_inner below mass_outer"), std::string::npos) << wrong;
+    EXPECT_NE(wrong.find("segments[0].mass_inner: expected mass_inner below mass_outer"),
+              std::string::npos)
+        << wrong;
+}
+
+// Where two tubes overlap, both materials would be counted at one place; in the bore there is room.
+TEST(SectionsAndRules, LayersDoNotOverlap) {
+    const auto with = [](const std::string &layers) {
+        return "shaft.segments=[{length = 1, outer = 0.05, inner = 0.03, layers = [" + layers +
+               "]}]";
+    };
+    for (const auto &[layers, key] : std::vector<std::pair<std::string, std::string>>{
+             {"{outer = 0.06, inner = 0.045}", "layers[0].inner"},
+             {"{outer = 0.04, inner = 0.02}", "layers[0].inner"},
+             {"{outer = 0.07}, {outer = 0.08, inner = 0.06}", "layers[1].inner"},
+             {"{outer = 0.07, inner = 0.06}, {outer = 0.065, inner = 0.05}", "layers[1].inner"}}) {
+        const std::string wrong = refusal(sound_case, {with(layers)});
+        EXPECT_NE(wrong.find(key + ": expected a tube beside what lies from"), std::string::npos)
+            << layers << ": " << wrong;
+    }
+    const model::Case scene = load_text(
+        sound_case, {with("{outer = 0.03, inner = 0.01}, {outer = \"60 mm\", inner = \"50 mm\"}, "
+                          "{outer = 0.07}")});
+    EXPECT_EQ(scene.rotor.shaft.segments.at(0).layers.size(), 3U);
 }
 
 // Half the polar inertia of the rotor bounds an anisotropy where no disc stands; a sleeve adds to

@@ -109,6 +109,34 @@ TEST(Margins, AreThoseOfProbesWhereThereAreAny) {
     EXPECT_EQ(margins[0].amplification, 11);
 }
 
+// The factor differs from probe to probe, and with it what is required; a probe that reads less may
+// be the one that fails.
+TEST(Margins, AreThoseOfEveryProbeTheLargestReadingFirst) {
+    std::vector<results::ResponsePeak> peaks{
+        peak("probe", 0.1, 905, 1e-6, 4), peak("probe", 0.9, 900, 3e-6, 3.5),
+        peak("probe", 0.9, 899, 2e-6, 3.6), peak("probe", 0.5, 902, 2e-6, 2.4),
+        peak("probe", 0.5, 400, 2e-7, 20)};
+    for (std::size_t i = 0; i < peaks.size(); ++i) // two at z = 0.9 that look different ways
+        peaks[i].place = std::min<int>(static_cast<int>(i), 3);
+    const auto margins = separation_margins(
+        running, {critical(400, Whirl::forward, 20), critical(900, Whirl::forward, 4)}, peaks,
+        false);
+    ASSERT_EQ(margins.size(), 4U); // without the factor of 2.4
+    EXPECT_EQ(margins[0].speed, 400);
+    EXPECT_EQ(margins[1].speed, 900); // 10 % found, 17 (1 - 1/2) = 8.5 % required
+    EXPECT_TRUE(margins[1].passes);
+    EXPECT_EQ(margins[2].speed, 899); // 10.1 %, 17 (1 - 1/2.1) = 8.9 %
+    EXPECT_TRUE(margins[2].passes);
+    EXPECT_EQ(margins[3].z, 0.1); // 9.5 %, 17 (1 - 1/2.5) = 10.2 %
+    EXPECT_FALSE(margins[3].passes);
+    // A peak that does not come down to its half-power points is not passed over in silence.
+    peaks[0].amplification.reset();
+    std::vector<std::string> notes;
+    operation::note_without_factor({critical(900, Whirl::forward, 4)}, peaks, notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("z = 0.1 m reads at its peak, 8642.11 rpm"), std::string::npos); // 905
+}
+
 TEST(Margins, LeaveOutHeavilyDampedOnesAndBackwardWhirlThatNothingExcites) {
     const std::vector<results::CriticalSpeed> speeds{critical(300, Whirl::backward, 10),
                                                      critical(500, Whirl::forward, 2.4),

@@ -89,6 +89,18 @@ TEST(PlotData, PolarLoopsAreRound) {
         EXPECT_NEAR(std::hypot(x, y + radius * micrometres), radius * micrometres,
                     0.0025 * radius * micrometres);
     EXPECT_GT(points, 40);
+    EXPECT_NE(script.find("set xlabel 'x ("), std::string::npos);
+    // A probe has a phase of its own: it is drawn in the place of the station.
+    result.probes.resize(1);
+    result.probes[0].name = "1Y";
+    result.probes[0].angle = pi / 2;
+    result.curves.values.push_back({1e-6, 2e-6, 1e-6});
+    result.curves.phases.push_back({0, pi / 2, pi});
+    const std::string read = polar_figure(sample_case(), result).script;
+    EXPECT_NE(read.find("1Y, z = 0 m at 90°"), std::string::npos);
+    EXPECT_NE(read.find("set xlabel 'in phase ("), std::string::npos);
+    EXPECT_EQ(read.find("$p1 << EOD"), std::string::npos);
+    EXPECT_NE(read.find("$p0 << EOD\n1 0\n"), std::string::npos) << "1 um at no angle";
 }
 
 TEST(PlotData, SpreadKeepsGapOrderAndRange) {

@@ -44,6 +44,18 @@ TEST(Vtk, ArraysHaveTheDeclaredSizesAndCellsPointAtPoints) {
     }
 }
 
+TEST(Vtk, ModesAtCriticalSpeedsAreToldFromThoseAtOneSpeed) {
+    results::ModesResult result = sample_modes();
+    result.critical = {result.modes[1]};
+    result.critical[0].at = 250;
+    pugi::xml_document document;
+    ASSERT_TRUE(document.load_string(to_vtp(sample_case(), result).c_str()));
+    const auto data = document.child("VTKFile").child("PolyData").child("Piece").child("PointData");
+    for (const char *name : {"1F real", "1F imag", "critical 1 1F at 250 rad/s real",
+                             "critical 1 1F at 250 rad/s imag"})
+        EXPECT_TRUE(data.find_child_by_attribute("Name", name)) << name;
+}
+
 TEST(Vtk, SurfaceHasTheShaftsRadius) {
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(to_vtp(sample_case(), sample_modes()).c_str()));

@@ -2,6 +2,8 @@
 
 #include "report/common/words.h"
 
+#include <fmt/format.h>
+
 namespace whirl::report {
 
 using results::SeparationMargin;
@@ -9,7 +11,12 @@ using results::SeparationMargin;
 namespace {
 
 std::string where(const SeparationMargin &margin) {
-    return margin.z ? margin.of + ", " + place(margin.name, *margin.z) : "";
+    if (!margin.z)
+        return "";
+    const std::string at = margin.of + ", " + place(margin.name, *margin.z);
+    return margin.angle && margin.name.empty() // which of two at one place
+               ? fmt::format("{}, {:.4g}°", at, *margin.angle * degrees)
+               : at;
 }
 
 std::string verdict(const SeparationMargin &margin) { return margin.passes ? "passes" : "fails"; }
@@ -35,6 +42,7 @@ const Columns<SeparationMargin> columns{
     {"of", "", {}, {}, &SeparationMargin::of},
     {"z", "", {}, {}, &SeparationMargin::z},
     {"name", "", {}, {}, &SeparationMargin::name},
+    {"angle", "", {}, {}, &SeparationMargin::angle},
     {"", "", {"Peak at"}, {"peak at"}, where},
     {"side", "", {}, {}, [](const auto &margin) { return results::margin_side_name(margin.side); }},
     {"", "", {"Lies"}, {"lies"}, side},

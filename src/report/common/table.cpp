@@ -106,6 +106,13 @@ bool breaks_at_its_exponent(const std::string &text) {
            text.find_first_not_of("0123456789.e+-") == std::string::npos;
 }
 
+/// "5254.54 … 6225.15": one number would stand below the other.
+bool is_one_range(const std::string &text) {
+    const std::size_t dots = text.find(" … ");
+    return dots != std::string::npos && text.find(" … ", dots + 1) == std::string::npos &&
+           text.find_first_not_of("0123456789.-+e… ") == std::string::npos;
+}
+
 } // namespace
 
 std::string page_table(const Texts &table) {
@@ -120,7 +127,7 @@ std::string page_table(const Texts &table) {
         pugi::xml_node line = (first ? head : body).append_child("tr");
         for (const std::string &text : row) {
             pugi::xml_node cell = line.append_child(first ? "th" : "td");
-            if (!first && breaks_at_its_exponent(text))
+            if (!first && (breaks_at_its_exponent(text) || is_one_range(text)))
                 cell.append_attribute("class") = "number";
             cell.text().set(printable(text).c_str());
         }

@@ -26,5 +26,7 @@ struct ModeCurves {
 /// "1F · 13.97 Hz · forward", with the damping ratio where there is damping.
 /// @param largest  modulus of the eigenvalues drawn together, rad/s: what rounding is measured by
 [[nodiscard]] std::string mode_heading(const results::ModeShape &mode, double largest);
+/// "1F · 5721.2 rpm · forward": of the mode at a critical speed, which is its frequency.
+[[nodiscard]] std::string critical_heading(const results::ModeShape &mode);
 
 } // namespace whirl::report

@@ -64,65 +64,125 @@ ModeCurves mode_curves(const ModeShape &mode) {
     return curves;
 }
 
+namespace {
+
+/// What follows the name and the frequency or speed of a mode.
+std::string motion_words(const ModeShape &mode) {
+    const double modulus = std::abs(mode.eigenvalue);
+    const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
+    return (std::abs(ratio) > 1e-9 ? " · damping ratio " + readable(ratio, 3) : "") + " · " +
+           whirl_style(mode.whirl).name;
+}
+
+std::string name_before(const ModeShape &mode) {
+    return mode.label.empty() ? "" : mode.label + " · ";
+}
+
+} // namespace
+
 std::string mode_heading(const ModeShape &mode, double largest) {
     const double modulus = std::abs(mode.eigenvalue);
     const double frequency = std::abs(mode.eigenvalue.imag());
-    std::string heading = mode.label.empty() ? "" : mode.label + " · ";
     // What is left of zero by rounding, beside its real part or the other modes, is no frequency.
-    heading += frequency > std::max(1e-9 * modulus, 1e-12 * largest)
-                   ? readable(frequency * hertz) + " Hz"
-                   : "no oscillation";
-    const double ratio = modulus > 0 ? -mode.eigenvalue.real() / modulus : 0;
-    if (std::abs(ratio) > 1e-9)
-        heading += " · damping ratio " + readable(ratio, 3);
-    return heading + " · " + whirl_style(mode.whirl).name;
+    return name_before(mode) +
+           (frequency > std::max(1e-9 * modulus, 1e-12 * largest)
+                ? readable(frequency * hertz) + " Hz"
+                : "no oscillation") +
+           motion_words(mode);
 }
 
+std::string critical_heading(const ModeShape &mode) {
+    return name_before(mode) + readable(mode.at * rpm) + " rpm" + motion_words(mode);
+}
+
+namespace {
+
+constexpr double head = 120;   // pixels: above the first panels
+constexpr double pitch = 230;  // from a row of panels to the next
+constexpr double between = 45; // what says that critical speeds follow
+
+/// One shape in a panel whose upper edge is `top` pixels above the bottom of the figure.
+struct ModePanel {
+    const ModeShape &mode;
+    std::string heading;
+    std::string name; ///< of its data
+    bool right = false, alone = false, last = false;
+    double top = 0;
+};
+
+std::string panel_script(const ModePanel &panel, const ModesResult &result, int height) {
+    const double left = panel.right ? 0.545 : 0.05;
+    const double right = panel.alone ? 0.975 : left + 0.43;
+    const ModeCurves curves = mode_curves(panel.mode);
+    // An orbit aslant reaches farther than its parts along x and y.
+    double reach = 1.25;
+    for (const double value : curves.envelope)
+        reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
+    return fmt::format("set yrange [{}:{}]\n", -reach, reach) +
+           mode_data(panel.name, result, curves) +
+           panel_margins(left, right, (panel.top - 175) / height, panel.top / height) +
+           fmt::format(
+               "set title {} font ',12' offset 0,-0.4\n{}\n",
+               plot_text(panel.heading + (curves.at_one_instant ? " · y at the same instant" : "")),
+               panel.last ? "set xlabel 'z (m)'" : "unset xlabel") +
+           curves_over_outline(panel.name) + "unset label\n"; // gnuplot draws it with each panel
+}
+
+/// Two panels a row, the first `top` pixels above the bottom of the figure.
+std::string group_script(const std::vector<ModeShape> &modes, const std::string &name, double top,
+                         const ModesResult &result, int height) {
+    double largest = 0; // rad/s
+    for (const ModeShape &mode : modes)
+        largest = std::max(largest, std::abs(mode.eigenvalue));
+    std::string script;
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+        const bool critical = &modes == &result.critical;
+        script += panel_script(
+            {modes[m], critical ? critical_heading(modes[m]) : mode_heading(modes[m], largest),
+             name + std::to_string(m), m % 2 == 1, modes.size() == 1, m + 2 >= modes.size(),
+             top - pitch * static_cast<double>(m / 2)},
+            result, height);
+    }
+    return script;
+}
+
+double rows_of(const std::vector<ModeShape> &modes) {
+    return static_cast<double>((modes.size() + 1) / 2);
+}
+
+} // namespace
+
 Figure modes_figure(const model::Case &scene, const ModesResult &result) {
-    const std::size_t count = std::max<std::size_t>(1, result.modes.size());
-    const std::size_t columns = count > 1 ? 2 : 1;
-    const std::size_t rows = (count + columns - 1) / columns;
+    const double rows = std::max(1.0, rows_of(result.modes));
+    const double critical_rows = rows_of(result.critical);
     Figure figure;
     figure.width = 1080;
-    figure.height = static_cast<int>(120 + 230 * rows + 40);
-    const double pixel = 1.0 / figure.height;
+    figure.height = static_cast<int>(head + pitch * (rows + critical_rows) + 40 +
+                                     (critical_rows > 0 ? between : 0));
     figure.script = figure_head(
         "Mode shapes: " + title_of(scene),
-        fmt::format("at {} rpm; the orbits' envelope, x where most is seen, y a quarter period "
+        fmt::format("at {} rpm{}; the orbits' envelope, x where most is seen, y a quarter period "
                     "later (equal curves: forward, mirrored: backward)",
-                    readable(result.speed * rpm)),
+                    readable(result.speed * rpm),
+                    result.critical.empty() ? "" : " and at the critical speeds"),
         figure.height);
     const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
-    figure.script += panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80 * pixel);
+    figure.script +=
+        panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80.0 / figure.height);
     figure.script += outline_data(scene.rotor, 1) +
                      "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
                      fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
-    double largest = 0; // rad/s
-    for (const ModeShape &mode : result.modes)
-        largest = std::max(largest, std::abs(mode.eigenvalue));
-    for (std::size_t m = 0; m < result.modes.size(); ++m) {
-        const ModeShape &mode = result.modes[m];
-        const double left = columns == 1 || m % 2 == 0 ? 0.05 : 0.545;
-        const double right = columns == 1 ? 0.975 : left + 0.43;
-        const std::size_t row = m / columns;
-        const double top = figure.height - 120.0 - 230.0 * static_cast<double>(row);
-        const std::string name = "m" + std::to_string(m);
-        const bool last = m + columns >= count;
-        const ModeCurves curves = mode_curves(mode);
-        // An orbit aslant reaches farther than its parts along x and y.
-        double reach = 1.25;
-        for (const double value : curves.envelope)
-            reach = std::isfinite(value) ? std::max(reach, 1.1 * value) : reach;
-        figure.script +=
-            fmt::format("set yrange [{}:{}]\n", -reach, reach) + mode_data(name, result, curves) +
-            panel_margins(left, right, (top - 175) * pixel, top * pixel) +
-            fmt::format("set title {} font ',12' offset 0,-0.4\n{}\n",
-                        plot_text(mode_heading(mode, largest) +
-                                  (curves.at_one_instant ? " · y at the same instant" : "")),
-                        last ? "set xlabel 'z (m)'" : "unset xlabel");
-        figure.script += curves_over_outline(name);
-    }
+    double top = figure.height - head;
     figure.script += result.modes.empty() ? "plot NaN notitle\n" : "";
+    figure.script += group_script(result.modes, "m", top, result, figure.height);
+    if (!result.critical.empty()) {
+        top -= pitch * rows + between;
+        figure.script +=
+            fmt::format("set label 103 'At the critical speeds' at screen 0.5,{} center "
+                        "font ',13'\n",
+                        (top + 40) / figure.height);
+        figure.script += group_script(result.critical, "c", top, result, figure.height);
+    }
     figure.script += "unset multiplot\n";
     return figure;
 }

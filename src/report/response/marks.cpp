@@ -27,11 +27,11 @@ const std::vector<double> &phases_of(const ResponseResult &result, std::size_t i
     return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
 }
 
-std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::size_t station) {
+std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::size_t place,
+                                           const std::string &of = "station") {
     std::vector<const ResponsePeak *> peaks;
     for (const ResponsePeak &peak : result.peaks)
-        if (peak.of == "station" && peak.place == static_cast<int>(station) &&
-            std::isfinite(peak.value))
+        if (peak.of == of && peak.place == static_cast<int>(place) && std::isfinite(peak.value))
             peaks.push_back(&peak);
     return peaks;
 }
@@ -163,10 +163,44 @@ bool has_polar(const ResponseResult &result) {
 
 namespace {
 
-std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t station) {
+/// What the polar plot has a curve of.
+struct PolarLine {
+    std::string name;
+    std::size_t curve = 0; ///< among those of the result
+    std::vector<const ResponsePeak *> peaks;
+};
+
+/// The probes, whose readings have amplitude and phase in one direction; without any the stations.
+std::vector<PolarLine> polar_lines(const ResponseResult &result) {
+    std::vector<PolarLine> lines;
+    const std::size_t before = result.nodes.size() + result.bearings.size();
+    for (std::size_t i = 0; i < result.probes.size(); ++i) {
+        const auto &probe = result.probes[i];
+        if (before + i < result.curves.values.size())
+            lines.push_back({fmt::format("{} at {:.4g}°", place_text(probe.name, probe.z),
+                                         probe.angle * degrees),
+                             before + i, peaks_of(result, i, "probe")});
+    }
+    if (lines.empty())
+        for (const std::size_t i : drawn_nodes(result))
+            lines.push_back(
+                {place_text(result.nodes[i].name, result.nodes[i].z), i, peaks_of(result, i)});
+    return lines;
+}
+
+double largest_of(const ResponseResult &result, const PolarLine &line) {
+    double most = 0;
+    for (const double value : amplitudes_of(result, line.curve))
+        most = std::max(most, value);
+    for (const ResponsePeak *peak : line.peaks)
+        most = std::max(most, peak->value);
+    return most;
+}
+
+std::vector<PlotPoint> polar_points(const ResponseResult &result, std::size_t curve) {
     std::vector<PlotPoint> points;
-    const std::vector<double> &amplitude = amplitudes_of(result, station);
-    const std::vector<double> &phase = phases_of(result, station);
+    const std::vector<double> &amplitude = amplitudes_of(result, curve);
+    const std::vector<double> &phase = phases_of(result, curve);
     for (std::size_t k = 0; k < amplitude.size() && k < phase.size(); ++k) {
         const double size = amplitude[k] * micrometres;
         if (size == 0)
@@ -240,17 +274,17 @@ std::string rings(double largest) {
     return script + data_block("rings", circles);
 }
 
-/// Peaks of a station with their speeds, where there is room.
-std::string polar_peaks(const ResponseResult &result, std::size_t station, double range,
+/// Peaks of a curve with their speeds, where there is room.
+std::string polar_peaks(const ResponseResult &result, const PolarLine &line, double range,
                         double pixels) {
     LabelPlacer placer;
     std::vector<PlotPoint> tops;
     std::string script;
     int unnamed = 0;
-    for (const PlotPoint &point : polar_points(result, station))
+    for (const PlotPoint &point : polar_points(result, line.curve))
         placer.block({(point.x / range + 1) / 2 - 3 / pixels,
                       (*point.y / range + 1) / 2 - 3 / pixels, 6 / pixels, 6 / pixels});
-    for (const ResponsePeak *peak : peaks_of(result, station)) {
+    for (const ResponsePeak *peak : line.peaks) {
         const double size = peak->value * micrometres;
         const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
         tops.push_back(top);
@@ -276,23 +310,23 @@ std::string polar_peaks(const ResponseResult &result, std::size_t station, doubl
 } // namespace
 
 Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
-    const std::size_t largest = largest_station(result).value_or(0);
-    double most = 0;
-    for (const double value : amplitudes_of(result, largest))
-        most = std::max(most, value * micrometres);
-    for (const ResponsePeak *peak : peaks_of(result, largest))
-        most = std::max(most, peak->value * micrometres);
+    const std::vector<PolarLine> lines = polar_lines(result);
+    const PolarLine *largest = nullptr;
+    double most = 0; // micrometres
+    for (const PolarLine &line : lines)
+        if (const double here = largest_of(result, line) * micrometres;
+            !largest || here > most * (1 + 1e-9)) { // not for rounding to choose among equal ones
+            largest = &line;
+            most = here;
+        }
     const double range = 1.15 * most;
-    std::vector<std::string> names{"peaks of " +
-                                   place_text(result.nodes[largest].name, result.nodes[largest].z)};
+    std::vector<std::string> names{"peaks of " + largest->name};
     std::string data;
     std::string plots = "$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle";
-    const std::vector<std::size_t> drawn = drawn_nodes(result);
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
         const LineStyle style = series_style(i);
-        const auto &node = result.nodes[drawn[i]];
-        names.push_back(place_text(node.name, node.z));
-        data += data_block(fmt::format("p{}", i), {smooth(polar_points(result, drawn[i]))});
+        names.push_back(lines[i].name);
+        data += data_block(fmt::format("p{}", i), {smooth(polar_points(result, lines[i].curve))});
         plots += fmt::format(", $p{} with lines lc rgb '{}' lw 1.8 dt {} title {}", i, style.colour,
                              style.dash, plot_text(names.back()));
     }
@@ -305,16 +339,19 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
     const double pixel = 1.0 / figure.height;
     figure.script =
         figure_head("Polar plot: " + title_of(scene),
-                    fmt::format("amplitude (µm) at the angle of the phase of x, from {} to {} rpm",
+                    fmt::format("{} (µm) at the angle of {}, from {} to {} rpm",
+                                result.probes.empty() ? "amplitude" : "reading of the probes",
+                                result.probes.empty() ? "the phase of x" : "its phase",
                                 short_speed(result.speeds.front() * rpm),
                                 short_speed(result.speeds.back() * rpm)),
                     figure.height) +
         panel_margins(room.left, room.right, 1 - 730 * pixel, 1 - (730 - pixels) * pixel) +
         fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb '#BBBBBB'\n"
-                    "set yzeroaxis lc rgb '#BBBBBB'\nset xlabel 'x (µm)'\nset ylabel 'y (µm)'\n"
+                    "set yzeroaxis lc rgb '#BBBBBB'\nset xlabel '{2} (µm)'\nset ylabel '{3} (µm)'\n"
                     "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
-                    -range, range) +
-        rings(most) + polar_peaks(result, largest, range, pixels) + data + "plot " + plots +
+                    -range, range, result.probes.empty() ? "x" : "in phase",
+                    result.probes.empty() ? "y" : "a quarter ahead") +
+        rings(most) + polar_peaks(result, *largest, range, pixels) + data + "plot " + plots +
         "\nunset multiplot\n";
     return figure;
 }

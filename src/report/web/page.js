@@ -1,3 +1,8 @@
+// On paper diagrams are as wide as it (A4 with its margins), however wide the window was.
+window.addEventListener("beforeprint", () => document.querySelectorAll(".js-plotly-plot").forEach(plot => {
+  plot.style.zoom = 690 / plot.querySelector(".main-svg").width.baseVal.value; // what was drawn, not the window
+}));
+window.addEventListener("afterprint", () => document.querySelectorAll(".js-plotly-plot").forEach(plot => { plot.style.zoom = ""; }));
 // Tables are sorted by a click on a heading, or Enter on it; a second one turns the order round.
 document.querySelectorAll("table").forEach(table => {
   const number = cell => { const text = cell.textContent.trim().replace(/\u2212/g, "-"); const value = parseFloat(text); return isNaN(value) ? null : value; };
