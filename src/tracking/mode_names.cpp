@@ -65,9 +65,15 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     }
     Tracking tracking;
     int computed = modes + 2;
+    std::optional<int> left = wanted.most_more;
     for (int attempt = 0; attempt < 4; ++attempt) {
         _spectra = spectra_alone(solver, _speeds, computed, follow);
-        tracking = track(solver, _spectra, modes);
+        tracking = track(solver, _spectra, modes, left);
+        if (left && attempt > 0)
+            *left -= static_cast<int>(_speeds.size());
+        if (tracking.cut_short || left.value_or(0) < 0)
+            throw model::AnalysisFailure("following the lines takes more speeds than names are "
+                                         "worth");
         if (std::none_of(tracking.lines.begin(), tracking.lines.end(), [&](const Line &line) {
                 return comes_from_beyond(line, _spectra, asked, wanted);
             }))

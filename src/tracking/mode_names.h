@@ -19,6 +19,9 @@ struct ModesToName {
     bool beyond_range;          ///< also at speeds beyond those of the case
     /// Which of a spectrum at one of these speeds; of the others a name may be missing.
     std::function<bool(const modes::Spectrum &, std::size_t place)> which;
+    /// Spectra that may be solved beside the first one at each speed; where that does not suffice,
+    /// there are no names. None: as many as it takes.
+    std::optional<int> most_more = std::nullopt;
 };
 
 /// Names of the modes of a case at any speeds: those that the lines of its Campbell diagram have,
@@ -28,7 +31,7 @@ class ModeNames {
     /// @param range   the speeds of the case
     /// @param modes   of its Campbell diagram
     /// @param follow  as in spectra_at
-    /// @throws model::AnalysisFailure where modes are not found.
+    /// @throws model::AnalysisFailure where modes are not found, or not with the spectra allowed.
     ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
               bool follow, const ModesToName &wanted);
 

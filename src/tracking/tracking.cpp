@@ -136,8 +136,10 @@ ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b
     const Matching direct = match_by_vectors(a, b, _important);
     if (!direct.ambiguous)
         return plain(direct, a.spectrum, b.spectrum);
-    if (depth == deepest || _budget <= 0 || _left_in_step <= 0)
+    if (depth == deepest || _budget <= 0 || _left_in_step <= 0) {
+        _cut_short = _cut_short || _budget <= 0;
         return settle(a, b);
+    }
     --_budget;
     --_left_in_step;
     const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
@@ -154,9 +156,9 @@ ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b
 }
 
 Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spectrum> &spectra,
-               int important) {
+               int important, std::optional<int> most_between) {
     // Most steps need none; an event (modes veer, or turn real) needs eight.
-    const int budget = 100 + 4 * static_cast<int>(spectra.size());
+    const int budget = most_between.value_or(100 + 4 * static_cast<int>(spectra.size()));
     ModeFollower follower(solver, important, budget);
     GrowingLines lines(spectra.size());
     Tracking out;
@@ -172,6 +174,7 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
     }
     out.lines = lines.finished();
     out.gaps = follower.gaps();
+    out.cut_short = follower.cut_short();
     return out;
 }
 

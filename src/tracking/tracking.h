@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace whirl::tracking {
@@ -33,6 +34,7 @@ struct Tracking {
     std::vector<Line> lines;
     std::vector<Rates> rates; ///< of the modes of each speed
     std::vector<Gap> gaps;
+    bool cut_short = false; ///< more speeds in between would have been solved than were allowed
 };
 
 /// Follows modes from one speed to another, with more speeds in between where it must.
@@ -56,12 +58,15 @@ class ModeFollower {
     [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b);
 
     [[nodiscard]] const std::vector<Gap> &gaps() const { return _gaps; }
+    /// The budget did not suffice.
+    [[nodiscard]] bool cut_short() const { return _cut_short; }
 
   private:
     const modes::SpectrumSolver &_solver;
     int _important;
     int _budget;
     int _left_in_step = 0;
+    bool _cut_short = false;
     std::vector<Gap> _gaps;
 
     [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b, int depth);
@@ -71,7 +76,9 @@ class ModeFollower {
 
 /// Lines through all spectra, by the left and right vectors of their modes. The number of speeds
 /// solved in between is bounded by a multiple of the speeds given.
+/// @param most_between  another bound on it
 [[nodiscard]] Tracking track(const modes::SpectrumSolver &solver,
-                             const std::vector<modes::Spectrum> &spectra, int important);
+                             const std::vector<modes::Spectrum> &spectra, int important,
+                             std::optional<int> most_between = std::nullopt);
 
 } // namespace whirl::tracking

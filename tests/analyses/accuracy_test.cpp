@@ -96,4 +96,26 @@ TEST(Accuracy, refuses_a_rigid_shaft) {
     EXPECT_THROW((void)analyses::accuracy(scene), model::BadInput);
 }
 
+// A shaft without mass bends as a cubic, which every order from 2 on has in it: what is left is
+// rounding. Full matrices of many unknowns would take long, and lose the slow motions among the
+// fast.
+TEST(Accuracy, shafts_of_hardly_any_mass_have_few_rows_and_these_are_exact) {
+    model::Case scene = shaft_on_springs();
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.08, tests::weightless_steel());
+    scene.rotor.anisotropies = {{"", 0.4, 0.05, 0}};
+    const results::AccuracyResult result = analyses::accuracy(scene);
+    ASSERT_EQ(result.model.formulation.form, results::Form::rotating);
+    EXPECT_FALSE(result.model.notes.empty());
+    int compared = 0;
+    for (const results::AccuracyRow &row : result.rows) {
+        EXPECT_LE(row.unknowns, 110);
+        if (row.order < 2)
+            continue;
+        ASSERT_TRUE(row.true_error) << row.order;
+        EXPECT_LT(*row.true_error, 1e-11) << row.order; // 1e3 of rounding of full matrices
+        ++compared;
+    }
+    EXPECT_GE(compared, 8);
+}
+
 } // namespace

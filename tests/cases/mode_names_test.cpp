@@ -208,11 +208,12 @@ TEST_P(ModeNames, do_not_depend_on_the_number_of_speeds) {
 
 /// Rotors whose damping depends on the speed, by bearings that couple x and y and by damping that
 /// turns with the shaft on bearings of both kinds.
-class EndNames : public testing::TestWithParam<std::pair<std::string, std::vector<std::string>>> {};
+class EndsOfCases
+    : public testing::TestWithParam<std::pair<std::string, std::vector<std::string>>> {};
 
 /// The mode of an end is the one that neither grows nor dies out there, by `modes` at that speed;
 /// its line in the diagram grows on the side on which more motions do.
-TEST_P(EndNames, are_those_of_modes_on_the_axis) {
+TEST_P(EndsOfCases, are_those_of_modes_on_the_axis) {
     const std::string &name = GetParam().first;
     const std::vector<std::string> &settings = GetParam().second;
     const json stability = result_of("stability", name, settings);
@@ -252,7 +253,7 @@ TEST_P(EndNames, are_those_of_modes_on_the_axis) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Cases, EndNames,
+    Cases, EndsOfCases,
     testing::Values(std::pair{std::string("overhung_cross_coupled"), std::vector<std::string>{}},
                     std::pair{std::string("friswell_taper"),
                               std::vector<std::string>{"shaft.internal_damping=2e-4"}},
@@ -260,6 +261,21 @@ INSTANTIATE_TEST_SUITE_P(
                               std::vector<std::string>{"shaft.internal_damping=2e-4",
                                                        "campbell.modes=4"}}),
     [](const auto &test) { return test.param.first; });
+
+// Names are counted from the lowest lines on. Of twelve most are damped beyond whirling somewhere.
+TEST(EndNames, do_not_depend_on_how_many_lines_the_diagram_has) {
+    const auto names = [](const std::string &modes) {
+        std::vector<json> out;
+        const json all = result_of("stability", "friswell_5_9_1",
+                                   {"shaft.internal_damping=2e-4", "campbell.modes=" + modes});
+        for (const json &end : all.at("ends"))
+            out.push_back(end.at("mode"));
+        return out;
+    };
+    const std::vector<json> few = names("4");
+    EXPECT_EQ(few, (std::vector<json>{"1F", "2F"}));
+    EXPECT_EQ(names("12"), few);
+}
 
 INSTANTIATE_TEST_SUITE_P(Cases, ModeNames, testing::ValuesIn(cases_with_range()),
                          [](const auto &test) { return test.param; });

@@ -64,10 +64,12 @@ std::optional<results::Form> form_for_names(const model::Case &scene) {
     }
 }
 
+/// Lines that lie nearer than this part of a frequency change their order nowhere but there.
+constexpr double near_lines = 1e-4;
+
 /// On few shapes where these describe the modes as well as names need it.
 std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
                                             const tracking::ModesToName &wanted) {
-    constexpr double enough = 1e-4; // lines that lie nearer change their order nowhere but there
     modes::SpectrumSolver solver(scene.rotor, form, order);
     const auto names = [&] {
         return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
@@ -75,7 +77,7 @@ std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::F
     };
     if (scene.reduction && solver.take_few_shapes(scene.campbell.modes + 2)) {
         auto found = names();
-        if (found && found->left_out() < enough)
+        if (found && found->left_out() < near_lines)
             return found;
         solver.take_all();
     }
@@ -153,10 +155,38 @@ std::string name_at(const results::StabilityEnd &end, const tracking::ModeNames 
     return found;
 }
 
-/// A mode that hardly grows or dies out.
-bool near_axis(const modes::Spectrum &spectrum, std::size_t place) {
-    const std::complex<double> value = spectrum.modes[place].eigenvalue;
-    return std::abs(value.real()) < 0.01 * std::abs(value);
+/// Whether a mode is that of one of the ends, or of few shapes might be.
+bool at_an_end(std::complex<double> value, double speed,
+               const std::vector<results::StabilityEnd> &ends) {
+    constexpr double about = 1e-3; // more than few shapes may leave out
+    for (const results::StabilityEnd &end : ends)
+        if (end.speed == speed)
+            for (const double frequency : frequencies_of(end))
+                if (std::abs(value - std::complex<double>(0, frequency)) < about * frequency)
+                    return true;
+    return false;
+}
+
+/// Names that cost little beside the answer they are for: on few shapes in any form, and of the
+/// whole rotor only where it is small or its bearings change with speed.
+std::optional<tracking::ModeNames> names_beside(const model::Case &scene, results::Form form,
+                                                int order, const tracking::ModesToName &wanted) {
+    constexpr double enough = 0.1 * near_lines; // an end's motion is looked for as near as that
+    constexpr int small = 30;                   // unknowns of one plane
+    const auto names = [&](const modes::SpectrumSolver &solver) {
+        return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+                                    wanted);
+    };
+    modes::SpectrumSolver few(scene.rotor, results::Form::general, order);
+    if (scene.reduction && few.take_few_shapes(scene.campbell.modes + 2)) {
+        auto found = names(few);
+        if (found && found->left_out() < enough)
+            return found;
+    }
+    const modes::SpectrumSolver whole(scene.rotor, form, order);
+    if (whole.discretization().planar_size() > small && !scene.rotor.bearings_depend_on_speed())
+        return std::nullopt;
+    return names(whole);
 }
 
 } // namespace
@@ -169,9 +199,11 @@ void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &sce
     const auto form = speeds.empty() ? std::nullopt : form_for_names(scene);
     if (!form)
         return;
-    const modes::SpectrumSolver solver(scene.rotor, *form, order);
-    const auto names = tracking::mode_names(solver, *scene.speeds, scene.campbell.modes,
-                                            scene.reduction, {speeds, false, near_axis});
+    const auto which = [&ends](const modes::Spectrum &spectrum, std::size_t place) {
+        return at_an_end(spectrum.modes[place].eigenvalue, spectrum.speed, ends);
+    };
+    constexpr int most_more = 60; // the names come beside the answer
+    const auto names = names_beside(scene, *form, order, {speeds, false, which, most_more});
     if (!names)
         return;
     for (results::StabilityEnd &end : ends)

@@ -21,7 +21,8 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
 void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &scene, int order);
 
 /// Names the mode that passes the imaginary axis at each end of kind pair; none at other ends,
-/// where a motion stands still or two meet, nor where critical speeds get none.
+/// where a motion stands still or two meet, nor where critical speeds get none, nor where the lines
+/// of a large rotor can be followed neither on few shapes nor through few speeds.
 /// @param order  of the shaft elements
 void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene, int order);
 
