@@ -2,6 +2,7 @@
 
 #include "simulation/dry/dry_state.h"
 #include "simulation/moving_parts.h"
+#include "simulation/plane_system.h"
 
 #include <Eigen/Dense>
 
@@ -90,8 +91,7 @@ class RotorMotion {
     mutable Eigen::MatrixXd _forces;   ///< 2r x 2: alone, per unit of spin acceleration
     mutable Eigen::MatrixXd _planes;   ///< 4P x 2: accelerations of the planes
     mutable Eigen::MatrixXd _loads;    ///< 4P x 2
-    mutable Eigen::MatrixXd _coupling; ///< 4P x 4P: Q, block diagonal
-    mutable Eigen::MatrixXd _system;   ///< 4P x 4P
+    mutable PlaneBlocks _coupling;     ///< Q
     mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
     mutable Eigen::VectorXd _drag;     ///< 2r: C v with constant supports
     mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
