@@ -21,14 +21,14 @@ template <class A, class B> double turning(const A &a, const B &b) {
 }
 
 template <int planes>
-void solve_planes(const Eigen::MatrixXd &products, const PlaneBlocks &coupling, Eigen::MatrixXd &y,
-                  int columns) {
-    const PlaneSystem<planes> system(products, coupling);
+void solve_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
+                  Eigen::MatrixXd &y, int columns) {
+    const reduction::PlaneSystem<planes> system(products, coupling);
     for (int column = 0; column < columns; ++column)
         system.solve(y.col(column).data());
 }
 
-void solve_many_planes(const Eigen::MatrixXd &products, const PlaneBlocks &coupling,
+void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
                        Eigen::MatrixXd &y, int columns) {
     const Index entries = products.rows();
     Eigen::MatrixXd A = Eigen::MatrixXd::Identity(2 * entries, 2 * entries);

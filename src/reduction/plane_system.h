@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace whirl::simulation {
+namespace whirl::reduction {
 
 /// Blocks of 4 x 4, one a plane, side by side.
 using PlaneBlocks = Eigen::Matrix<double, 4, Eigen::Dynamic>;
@@ -82,4 +82,4 @@ template <int planes> class PlaneSystem {
     }
 };
 
-} // namespace whirl::simulation
+} // namespace whirl::reduction
