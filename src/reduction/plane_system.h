@@ -36,8 +36,9 @@ template <int planes> class PlaneSystem {
     void solve(double *column) const {
         Eigen::Map<Column> b(column);
         Column y = b;
-        each([&]<int k>() {
+        for (int k = 0; k < size; ++k)
             std::swap(y(k), y(_pivots[k]));
+        each([&]<int k>() {
             y.template tail<size - 1 - k>() -= y(k) * _A.col(k).template tail<size - 1 - k>();
         });
         each([&]<int from_last>() {

@@ -174,8 +174,9 @@ class DescentSearch {
 
     Descent descent() {
         for (int step = 0; step < most_steps; ++step) {
-            const std::vector<SpeedInterval> bands =
-                step == 0 ? _varied.bands(_dI, _speeds) : _varied.likely_bands(_dI, _speeds);
+            std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
+            if (bands.empty() && step == 0) // which is an answer
+                bands = _varied.bands(_dI, _speeds);
             if (bands.empty() || !close(bands) || (_varied.by_monodromy() && !follow()))
                 break;
         }
