@@ -247,7 +247,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         result.unstable_error = stability::band_errors(at, model, arrangement, result.unstable,
                                                        {grid.front(), grid.back()});
         stage.emplace("permissible anisotropy", 0.65, 0.8);
-        result.permissible = stability::permissible_anisotropies(model, arrangement, grid);
+        result.permissible =
+            stability::permissible_anisotropies(model, arrangement, grid, finder.shapes());
     }
     stage.emplace("arrangements of the balls", 0.8, 1.0);
     const std::vector<balancers::Arrangement> arrangements =

@@ -1,7 +1,6 @@
 #include "simulation/motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -21,47 +20,25 @@ template <class A, class B> double turning(const A &a, const B &b) {
     return a.col(0).dot(b.col(1)) - a.col(1).dot(b.col(0));
 }
 
-/// b = A^-1 b for the first columns. Elimination with row pivoting, written out: of so few unknowns
-/// a general one spends most of its time on finding out how many there are.
-template <int size> void solve_of_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
-    std::array<std::array<double, size>, size> left; // by columns
-    std::copy_n(A.data(), size * size, left.front().data());
-    std::array<int, size> pivots;
-    for (int k = 0; k < size; ++k) {
-        int pivot = k;
-        for (int i = k + 1; i < size; ++i)
-            pivot = std::abs(left[k][i]) > std::abs(left[k][pivot]) ? i : pivot;
-        pivots[k] = pivot;
-        if (pivot != k)
-            for (int j = k; j < size; ++j)
-                std::swap(left[j][k], left[j][pivot]);
-        left[k][k] = 1 / left[k][k];
-        for (int i = k + 1; i < size; ++i)
-            left[k][i] *= left[k][k];
-        for (int j = k + 1; j < size; ++j)
-            for (int i = k + 1; i < size; ++i)
-                left[j][i] -= left[k][i] * left[j][k];
-    }
-    for (int column = 0; column < columns; ++column) {
-        std::array<double, size> y;
-        std::copy_n(b.col(column).data(), size, y.data());
-        for (int k = 0; k < size; ++k) {
-            std::swap(y[k], y[pivots[k]]);
-            for (int i = k + 1; i < size; ++i)
-                y[i] -= left[k][i] * y[k];
-        }
-        for (int k = size - 1; k >= 0; --k) {
-            y[k] *= left[k][k];
-            for (int i = 0; i < k; ++i)
-                y[i] -= left[k][i] * y[k];
-        }
-        std::copy_n(y.data(), size, b.col(column).data());
-    }
+template <int planes>
+void solve_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
+                  Eigen::MatrixXd &y, int columns) {
+    const reduction::PlaneSystem<planes> system(products, coupling);
+    for (int column = 0; column < columns; ++column)
+        system.solve(y.col(column).data());
 }
 
-void solve_of_any_size(const Eigen::MatrixXd &A, Eigen::MatrixXd &b, int columns) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(A);
-    b.leftCols(columns) = factors.solve(b.leftCols(columns)).eval();
+void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
+                       Eigen::MatrixXd &y, int columns) {
+    const Index entries = products.rows();
+    Eigen::MatrixXd A = Eigen::MatrixXd::Identity(2 * entries, 2 * entries);
+    for (Index i = 0; i < entries; ++i)
+        for (Index k = 0; k < entries; ++k) {
+            const Index block = 4 * (k / 2);
+            A.block<2, 4>(2 * i, block) +=
+                products(i, k) * coupling.block<2, 4>(2 * (k % 2), block);
+        }
+    y.leftCols(columns) = A.partialPivLu().solve(y.leftCols(columns)).eval();
 }
 
 } // namespace
@@ -93,8 +70,7 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _forces.setZero(2 * r, 2);
     _planes.setZero(4 * planes, 2);
     _loads.resize(4 * planes, 2);
-    _coupling.resize(4 * planes, 4 * planes);
-    _system.resize(4 * planes, 4 * planes);
+    _coupling.resize(4, 4 * planes);
     _turned.resize(r, 2);
     _drag.resize(2 * r);
     _push.resize(2 * r);
@@ -130,9 +106,16 @@ Spin::At RotorMotion::spin(double t, const double *state) const {
 }
 
 balancers::PlaneVector RotorMotion::at_plane(int plane, const double *p) const {
-    const ConstPair motion(p, _rows.rows(), 2);
-    const Eigen::Matrix2d values = _rows.middleCols<2>(2 * plane).transpose().lazyProduct(motion);
-    return {values(0, 0), values(0, 1), values(1, 0), values(1, 1)};
+    const Index r = _rows.rows();
+    const double *w = _rows.col(2 * plane).data();
+    const double *phi = _rows.col(2 * plane + 1).data();
+    balancers::PlaneVector out = balancers::PlaneVector::Zero();
+    for (Index i = 0; i < r; ++i) {
+        const Eigen::Vector2d at(p[i], p[r + i]);
+        out.head<2>() += w[i] * at;
+        out.tail<2>() += phi[i] * at;
+    }
+    return out;
 }
 
 balancers::PlaneMotion RotorMotion::motion_of(int plane, const double *state) const {
@@ -210,8 +193,8 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
             add_sliding(i, e);
             _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
             _loads.col(1).segment<4>(at) += e.per_spin;
-            _coupling.block<4, 4>(at, at).noalias() -= e.u * _friction[i].row.transpose() / e.a;
-            _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
+            _coupling.middleCols<4>(at).noalias() -= e.u * _friction[i].row.transpose() / e.a;
+            _coupling.block<2, 2>(2, at + 2) += e.tilt;
         }
     }
     fixed_loads(spin);
@@ -235,7 +218,7 @@ void RotorMotion::fixed_loads(const Spin::At &spin) const {
             const Index at = 4 * mass.plane;
             _loads.col(0).segment<4>(at) += e.force;
             _loads.col(1).segment<4>(at) -= e.u;
-            _coupling.block<2, 2>(at + 2, at + 2) += e.tilt;
+            _coupling.block<2, 2>(2, at + 2) += e.tilt;
             continue;
         }
         for (Index axis = 0; axis < 2; ++axis) {
@@ -262,34 +245,26 @@ void RotorMotion::solve_accelerations(int columns) const {
     const Index entries = _rows.cols();
     if (entries == 0)
         return;
-    _system.setIdentity();
-    for (Index i = 0; i < entries; ++i)
-        for (Index k = 0; k < entries; ++k) {
-            const Index block = 4 * (k / 2);
-            _system.block<2, 4>(2 * i, block) +=
-                _products(i, k) * _coupling.block<2, 4>(2 * k, block);
-        }
     const auto planes = entries / 2;
     for (Index column = 0; column < columns; ++column)
         gather(column);
     switch (planes) { // sizes known to the compiler are much faster
     case 1:
-        solve_of_size<4>(_system, _planes, columns);
+        solve_planes<1>(_products, _coupling, _planes, columns);
         break;
     case 2:
-        solve_of_size<8>(_system, _planes, columns);
+        solve_planes<2>(_products, _coupling, _planes, columns);
         break;
     case 3:
-        solve_of_size<12>(_system, _planes, columns);
+        solve_planes<3>(_products, _coupling, _planes, columns);
         break;
     default:
-        solve_of_any_size(_system, _planes, columns);
+        solve_many_planes(_products, _coupling, _planes, columns);
     }
     for (Index column = 0; column < columns; ++column) {
         for (Index plane = 0; plane < planes; ++plane)
             _loads.col(column).segment<4>(4 * plane).noalias() -=
-                _coupling.block<4, 4>(4 * plane, 4 * plane) *
-                _planes.col(column).segment<4>(4 * plane);
+                _coupling.middleCols<4>(4 * plane) * _planes.col(column).segment<4>(4 * plane);
         const ConstPlanar load(_loads.col(column).data(), 2, entries);
         Pair(_forces.col(column).data(), _rows.rows(), 2).noalias() +=
             _rows.lazyProduct(load.transpose());

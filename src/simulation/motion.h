@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reduction/plane_system.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/moving_parts.h"
 
@@ -87,15 +88,14 @@ class RotorMotion {
     mutable std::vector<balancers::PlaneMotion> _motions; ///< of the planes
     mutable std::vector<balancers::MassEquation> _free_equations;
     mutable std::vector<balancers::MassEquation> _fixed_equations;
-    mutable Eigen::MatrixXd _forces;   ///< 2r x 2: alone, per unit of spin acceleration
-    mutable Eigen::MatrixXd _planes;   ///< 4P x 2: accelerations of the planes
-    mutable Eigen::MatrixXd _loads;    ///< 4P x 2
-    mutable Eigen::MatrixXd _coupling; ///< 4P x 4P: Q, block diagonal
-    mutable Eigen::MatrixXd _system;   ///< 4P x 4P
-    mutable Eigen::MatrixXd _turned;   ///< r x 2: gyroscopic matrix times p
-    mutable Eigen::VectorXd _drag;     ///< 2r: C v with constant supports
-    mutable Eigen::VectorXd _push;     ///< 2r: K p + C v
-    mutable Eigen::VectorXd _external; ///< 2r: loads from outside
+    mutable Eigen::MatrixXd _forces;          ///< 2r x 2: alone, per unit of spin acceleration
+    mutable Eigen::MatrixXd _planes;          ///< 4P x 2: accelerations of the planes
+    mutable Eigen::MatrixXd _loads;           ///< 4P x 2
+    mutable reduction::PlaneBlocks _coupling; ///< Q
+    mutable Eigen::MatrixXd _turned;          ///< r x 2: gyroscopic matrix times p
+    mutable Eigen::VectorXd _drag;            ///< 2r: C v with constant supports
+    mutable Eigen::VectorXd _push;            ///< 2r: K p + C v
+    mutable Eigen::VectorXd _external;        ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 
     void rotor_forces(const Spin::At &spin, const double *p, const double *v) const;

@@ -103,12 +103,51 @@ struct OdeSolver::Data {
     Handle<SUNLinearSolver, FreeSolver> linear;
     std::unique_ptr<void, FreeStepper> stepper;
     double t = 0;
-    OdeCounts before; ///< of what ran before the last start
+    OdeCounts before;            ///< of what ran before the last start
+    std::vector<double> resting; ///< y in axes that stand still, where those of `y` turn
+
+    [[nodiscard]] bool turns() const { return problem.axes.speed != 0; }
+
+    /// exp(i angle) times the vectors of y.
+    void turn(double cosine, double sine, double *y) const {
+        const TurningAxes &axes = problem.axes;
+        for (const int first : axes.first) {
+            double *x = y + first;
+            for (int i = 0; i < axes.count; ++i) {
+                const double along = x[i];
+                const double across = x[axes.count + i];
+                x[i] = cosine * along - sine * across;
+                x[axes.count + i] = sine * along + cosine * across;
+            }
+        }
+    }
+
+    /// dy/dt; in turning axes exp(-i angle) dy/dt - i speed y, by y in resting axes.
+    void rates_in_axes(double at, const double *y, double *out) {
+        if (!turns()) {
+            problem.rates(at, y, out);
+            return;
+        }
+        const TurningAxes &axes = problem.axes;
+        const double angle = axes.speed * at;
+        const double cosine = std::cos(angle);
+        const double sine = std::sin(angle);
+        std::copy(y, y + problem.size, resting.begin());
+        turn(cosine, sine, resting.data());
+        problem.rates(at, resting.data(), out);
+        turn(cosine, -sine, out);
+        for (const int first : axes.first)
+            for (int i = first; i < first + axes.count; ++i) {
+                out[i] += axes.speed * y[i + axes.count];
+                out[i + axes.count] -= axes.speed * y[i];
+            }
+    }
 
     static int rates(double t, N_Vector y, N_Vector out, void *self) {
-        const auto &problem = static_cast<Data *>(self)->problem;
+        auto &data = *static_cast<Data *>(self);
+        const auto &problem = data.problem;
         double *values = N_VGetArrayPointer(out);
-        problem.rates(t, N_VGetArrayPointer(y), values);
+        data.rates_in_axes(t, N_VGetArrayPointer(y), values);
         // A trial step that is far too long may overflow: it is repeated with a shorter one.
         const bool finite = std::all_of(values, values + problem.size,
                                         [](double value) { return std::isfinite(value); });
@@ -155,6 +194,9 @@ struct OdeSolver::Data {
             pair.b.data(), pair.embedded_b.data()));
         if (!table)
             throw linalg::SolverError("the integrator cannot start");
+        // The estimate is the error of order 7, and the solution goes on with order 8: it is taken
+        // as it is.
+        require(ARKStepSetErrorBias(stepper.get(), 1.0));
         require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
     }
 };
@@ -163,6 +205,7 @@ OdeSolver::OdeSolver(OdeProblem problem, OdeMethod method) : _data(std::make_uni
     Data &d = *_data;
     d.problem = std::move(problem);
     d.method = method;
+    d.resting.resize(d.problem.size);
     SUNContext context = nullptr;
     if (SUNContext_Create(nullptr, &context) != 0)
         throw linalg::SolverError("SUNDIALS: cannot start");
@@ -181,6 +224,9 @@ void OdeSolver::start(double t, const double *y, double step) {
     Data &d = *_data;
     d.before = counts();
     std::copy(y, y + d.problem.size, N_VGetArrayPointer(d.y.get()));
+    const double angle = d.problem.axes.speed * t;
+    if (d.turns())
+        d.turn(std::cos(angle), -std::sin(angle), N_VGetArrayPointer(d.y.get()));
     d.t = t;
     d.create();
     if (step > 0)
@@ -205,7 +251,16 @@ double OdeSolver::next_step() const {
     return step;
 }
 
-const double *OdeSolver::state() const { return N_VGetArrayPointer(_data->y.get()); }
+const double *OdeSolver::state() const {
+    Data &d = *_data;
+    const double *y = N_VGetArrayPointer(d.y.get());
+    if (!d.turns())
+        return y;
+    std::copy(y, y + d.problem.size, d.resting.begin());
+    const double angle = d.problem.axes.speed * d.t;
+    d.turn(std::cos(angle), std::sin(angle), d.resting.data());
+    return d.resting.data();
+}
 
 OdeCounts OdeSolver::counts() const {
     OdeCounts total = _data->before;

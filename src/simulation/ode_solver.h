@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace whirl::simulation {
 
@@ -9,6 +10,14 @@ namespace whirl::simulation {
 enum class OdeMethod {
     explicit_high_order, ///< Runge-Kutta of Verner, order 8 with an estimate of order 7
     implicit_stiff       ///< diagonally implicit Runge-Kutta of Kennedy and Carpenter, order 5
+};
+
+/// Axes that turn, in which a motion that goes round with them stands still, so that it is followed
+/// in long steps. The problem is stated and answered in axes that stand still all the same.
+struct TurningAxes {
+    double speed = 0; ///< rad/s; 0: integrated as it is
+    int count = 0;    ///< of the vectors: x of all, then y of all, from each of `first` on
+    std::vector<int> first;
 };
 
 /// An initial value problem of fixed size.
@@ -19,6 +28,7 @@ struct OdeProblem {
     /// Writes the error allowed in each entry, > 0; the local error is kept below it in the mean
     /// square over the entries.
     std::function<void(const double *y, double *allowed)> allowed_error;
+    TurningAxes axes = {};
 };
 
 struct OdeCounts {
@@ -43,7 +53,7 @@ class OdeSolver {
     /// One step, not beyond `end` (which is met exactly). @returns the time reached.
     /// @throws SolverError where no step is small enough.
     double step(double end);
-    /// y at the time reached; `size` entries, valid until the next call.
+    /// y at the time reached; `size` entries, valid until the next call of any of these.
     [[nodiscard]] const double *state() const;
     /// Step size it will try next.
     [[nodiscard]] double next_step() const;

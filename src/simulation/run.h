@@ -51,6 +51,7 @@ class Run {
     [[nodiscard]] static Scales scales_of(const MotionScene &motion);
     void allowed_error(const double *state, double *allowed) const;
     [[nodiscard]] OdeProblem problem();
+    [[nodiscard]] TurningAxes axes() const;
     [[nodiscard]] OdeMethod method() const {
         return _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order;
     }

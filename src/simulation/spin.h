@@ -22,6 +22,10 @@ class Spin {
     /// @param run_up  (time s, speed rad/s), times ascending, at least one
     explicit Spin(const std::vector<std::pair<double, double>> &run_up);
 
+    /// The same speed at all times.
+    [[nodiscard]] bool constant() const {
+        return _pieces.size() == 1 && _pieces.front().acceleration == 0;
+    }
     /// Times at which the acceleration jumps, ascending, > 0.
     [[nodiscard]] std::vector<double> jumps() const;
     /// @param t      s

@@ -3,6 +3,7 @@
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
 #include "model/case.h"
+#include "model/errors.h"
 #include "results/formulation.h"
 #include "rigid/tilt_motion.h"
 #include "stability/anisotropy_limit.h"
@@ -50,21 +51,30 @@ double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int ord
 /// One element of a rotor with its dI varied.
 class Varied {
   public:
+    /// @param shapes  good for the rotor as it is, or none
     Varied(const StabilityModel &model, const balancers::Arrangement &arrangement,
-           std::size_t index)
-        : _model(model), _arrangement(arrangement), _index(index) {}
+           std::size_t index, std::shared_ptr<const Eigen::MatrixXd> shapes)
+        : _model(model), _arrangement(arrangement), _index(index), _shapes(std::move(shapes)) {}
 
     [[nodiscard]] bool by_monodromy() const {
         return _model.form == results::Form::hill && _model.harmonics == 0;
     }
 
-    /// By the monodromy matrix on shapes that were good for another dI, and with the steps in time
+    /// On shapes that were good for another dI, where there are some, and with the steps in time
     /// that did: the search has the last word with its own.
     [[nodiscard]] MotionSolver solver(double dI) const {
         StabilityModel model = model_with(dI);
         model.experience = _experience;
-        return {model, _arrangement, by_monodromy() ? _shapes : nullptr};
+        return {model, _arrangement, _by_shapes || by_monodromy() ? _shapes : nullptr};
     }
+
+    /// The whole rotor.
+    [[nodiscard]] MotionSolver whole(double dI) const { return {model_with(dI), _arrangement}; }
+
+    /// What the shapes tell is still to be found with the whole rotor. By the monodromy matrix all
+    /// is by shapes.
+    [[nodiscard]] bool to_be_refined() const { return _by_shapes && _shapes && !by_monodromy(); }
+    void leave_shapes() { _by_shapes = false; }
 
     /// Without damping the smallest anisotropy opens a band at every critical speed that it splits.
     [[nodiscard]] bool splits_critical_speeds(double dI, double top) const {
@@ -84,16 +94,20 @@ class Varied {
 
     /// The dI between 0 and an unstable one at which this speed is just stable.
     [[nodiscard]] double just_stable(double speed, double unstable) const {
-        SignBracket bracket(0, unstable);
-        while (bracket.width() > 1e-12 * unstable) {
-            const double next = bracket.next();
-            const double growth = growth_of(solver(next).at(speed));
-            if (growth > 0)
-                bracket.unstable_at(next, growth);
-            else
-                bracket.stable_at(next, growth);
+        const auto growth = [&](double dI) { return growth_of(solver(dI).at(speed)); };
+        return just_stable(growth, {0, unstable}, unstable);
+    }
+
+    /// The same by the whole rotor, near what the shapes told; none where it is not there.
+    [[nodiscard]] std::optional<double> refined(double speed, double told) const {
+        const auto growth = [&](double dI) { return growth_of(whole(dI).at(speed)); };
+        for (const double share : {1e-8, 1e-6, 1e-4}) {
+            const double low = told * (1 - share);
+            const double high = told * (1 + share);
+            if (growth(low) <= 0 && growth(high) > 0)
+                return just_stable(growth, {low, high}, high);
         }
-        return bracket.stable();
+        return std::nullopt;
     }
 
     [[nodiscard]] std::vector<SpeedInterval> bands(double dI,
@@ -108,7 +122,7 @@ class Varied {
     [[nodiscard]] std::vector<SpeedInterval> likely_bands(double dI,
                                                           const std::vector<double> &speeds) const {
         const MotionSolver motions = solver(dI);
-        if (motions.by_monodromy() == nullptr || !_shapes)
+        if (!to_be_refined() && (motions.by_monodromy() == nullptr || !_shapes))
             return bands(dI, speeds);
         return unstable_bands([&motions](double speed) { return motions.at(speed); }, speeds);
     }
@@ -122,7 +136,22 @@ class Varied {
     const balancers::Arrangement &_arrangement;
     std::size_t _index;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes; ///< good for one dI, a start for others
+    bool _by_shapes = true;
     std::shared_ptr<StepExperience> _experience = std::make_shared<StepExperience>();
+
+    template <class Growth>
+    [[nodiscard]] static double just_stable(const Growth &growth, SignBracket bracket,
+                                            double size) {
+        while (bracket.width() > 1e-12 * size) {
+            const double next = bracket.next();
+            const double here = growth(next);
+            if (here > 0)
+                bracket.unstable_at(next, here);
+            else
+                bracket.stable_at(next, here);
+        }
+        return bracket.stable();
+    }
 
     [[nodiscard]] StabilityModel model_with(double dI) const {
         StabilityModel out = _model;
@@ -135,6 +164,7 @@ class Varied {
 struct Descent {
     std::optional<double> dI; ///< none: stable up to the largest
     double unstable = 0;      ///< least dI that was found to be unstable
+    double speed = 0;         ///< rad/s, at which dI is just stable
 };
 
 class DescentSearch {
@@ -144,7 +174,9 @@ class DescentSearch {
 
     Descent descent() {
         for (int step = 0; step < most_steps; ++step) {
-            const std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
+            std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
+            if (bands.empty() && step == 0) // which is an answer
+                bands = _varied.bands(_dI, _speeds);
             if (bands.empty() || !close(bands) || (_varied.by_monodromy() && !follow()))
                 break;
         }
@@ -170,9 +202,12 @@ class DescentSearch {
         _out.unstable = _dI;
         double next = _dI;
         for (const SpeedInterval &band : bands) {
-            const double stable = _varied.just_stable(strongest_speed(at, band), next);
-            if (stable < next)
+            const double speed = strongest_speed(at, band);
+            const double stable = _varied.just_stable(speed, next);
+            if (stable < next) {
                 _last = band;
+                _out.speed = speed;
+            }
             next = stable;
         }
         const bool unchanged = _dI - next < 1e-11 * _dI;
@@ -234,14 +269,54 @@ std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enoug
     return out;
 }
 
-std::optional<double> permissible(const Varied &varied, double largest, bool undamped,
+/// The speed at which growth begins: the strongest just above dI. The descent's last one was that
+/// of a wider band.
+double first_to_grow(const Varied &varied, const Descent &found,
+                     const std::vector<double> &speeds) {
+    constexpr double above = 1e-3;
+    constexpr double near = 0.01;
+    const double dI = *found.dI * (1 + above);
+    const auto at_speed = [&speeds, &found](double share) {
+        return std::clamp(found.speed * (1 + share), speeds.front(), speeds.back());
+    };
+    std::vector<double> around{at_speed(-near), found.speed, at_speed(near)};
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    const MotionSolver solver = varied.solver(dI);
+    for (const SpeedInterval &band : varied.likely_bands(dI, around))
+        if (band.first <= found.speed && found.speed <= band.second)
+            return strongest_speed([&solver](double speed) { return solver.at(speed); }, band);
+    return found.speed;
+}
+
+/// By shapes, and what comes out found again with the whole rotor; or with the whole rotor.
+Descent descent(Varied &varied, double largest, const std::vector<double> &speeds) {
+    try {
+        Descent found = DescentSearch(varied, largest, speeds).descent();
+        if (!found.dI || !varied.to_be_refined())
+            return found;
+        if (*found.dI > 0)
+            if (const std::optional<double> dI =
+                    varied.refined(first_to_grow(varied, found, speeds), *found.dI)) {
+                found.dI = dI;
+                return found;
+            }
+    } catch (const model::AnalysisFailure &) {
+        if (!varied.to_be_refined())
+            throw; // the whole rotor is no better
+    }
+    varied.leave_shapes();
+    return DescentSearch(varied, largest, speeds).descent();
+}
+
+std::optional<double> permissible(Varied &varied, double largest, bool undamped,
                                   const std::vector<double> &speeds) {
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     if (undamped && varied.splits_critical_speeds(1e-3 * largest, top))
         return 0;
     constexpr std::size_t few = 41; // on the way; what comes out is verified
     const std::vector<double> coarse = thinned(speeds, few);
-    const Descent found = DescentSearch(varied, largest, coarse).descent();
+    const Descent found = descent(varied, largest, coarse);
     if (!found.dI || *found.dI == 0)
         return found.dI;
     return verified(varied, found, speeds);
@@ -251,7 +326,8 @@ std::optional<double> permissible(const Varied &varied, double largest, bool und
 
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                         const std::vector<double> &grid) {
+                         const std::vector<double> &grid,
+                         const std::shared_ptr<const Eigen::MatrixXd> &shapes) {
     const model::Rotor &rotor = model.rotor;
     constexpr std::size_t enough = 101;
     const std::vector<double> speeds = thinned(grid, enough);
@@ -262,7 +338,7 @@ permissible_anisotropies(const StabilityModel &model, const balancers::Arrangeme
         const AnisotropyLimit limit =
             anisotropy_limit(assembly::Discretization(rotor, model.order), i);
         const double largest = std::min(0.999 * singular, limit.dI);
-        const Varied varied(model, arrangement, i);
+        Varied varied(model, arrangement, i, model.form == results::Form::hill ? nullptr : shapes);
         results::PermissibleAnisotropy entry{element.z, element.name, 0.0,
                                              {},        largest,      limit.of_disc};
         if (largest > 0)
