@@ -10,16 +10,16 @@ namespace whirl::linalg {
 /// exchanged: whoever solves with it looks at the residual.
 class DenseSymmetricFactor {
   public:
-    /// The lower triangle counts.
+    /// Of a matrix given by its parts, of which the lower triangles count.
     /// @throws SolverError where a pivot is zero or not a number.
-    void factorize(const Eigen::MatrixXcd &A);
+    void factorize(const Eigen::MatrixXd &re, const Eigen::MatrixXd &im);
 
     [[nodiscard]] Eigen::VectorXcd solve(const Eigen::VectorXcd &b) const;
-    [[nodiscard]] Eigen::Index size() const { return _inverse.size(); }
+    [[nodiscard]] Eigen::Index size() const { return _re.rows(); }
 
   private:
-    Eigen::MatrixXd _re, _im;  ///< L
-    Eigen::VectorXcd _inverse; ///< of the pivots
+    Eigen::MatrixXd _re, _im;                 ///< L
+    Eigen::VectorXd _inverse_re, _inverse_im; ///< of the pivots
     Eigen::VectorXd _row_re, _row_im;
 };
 

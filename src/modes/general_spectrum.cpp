@@ -29,7 +29,7 @@ GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
                                  assembly::FixedSystem system)
     : _discretization(discretization), _bearing_speed(0), _system(std::move(system)) {}
 
-GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
+GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors errors) const {
     using linalg::Matrix;
     const Matrix D = Matrix::sum(1, _system.C, speed, _system.G);
     const Matrix K = Matrix::sum(1, _system.K, speed, _system.Kc);
@@ -37,7 +37,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
         zero_modes(_discretization, results::Form::general, _bearing_speed, speed);
     linalg::QuadraticOptions options;
     options.zeros = zeros.eigenvalues;
-    options.condition = true;
+    options.condition = errors == Errors::with_left_vectors;
     options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * elastic_scale(_discretization);
@@ -79,14 +79,14 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted) const {
     return out;
 }
 
-GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted) const {
+GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted, Errors errors) const {
     const int all = _system.M.size();
     int ask = std::min(all, wanted);
     Modes out;
     // Where double precision does not resolve as many side by side, fewer: the caller sees it.
     for (bool solved = false; !solved;) {
         try {
-            out = solve(speed, ask);
+            out = solve(speed, ask, errors);
             solved = true;
         } catch (const linalg::SolverError &) {
             if (ask <= 4)
@@ -103,7 +103,7 @@ GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted) const {
         // Real eigenvalues took the places; ask for as many more.
         ask = std::min(all, ask + std::max(4, wanted - found));
         try {
-            out = solve(speed, ask);
+            out = solve(speed, ask, errors);
         } catch (const linalg::SolverError &) {
             return out; // what lies above cannot be resolved beside what is found
         }

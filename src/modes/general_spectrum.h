@@ -22,8 +22,13 @@ class GeneralSpectrum {
         double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
     };
 
+    /// Whether errors are judged by the left vectors too, a factorisation each: for those that are
+    /// handed on, not for beginnings and names.
+    enum class Errors { with_left_vectors, of_right_vectors };
+
     /// At least `wanted` whirl modes of least modulus, or all.
-    [[nodiscard]] Modes modes(double speed, int wanted) const;
+    [[nodiscard]] Modes modes(double speed, int wanted,
+                              Errors errors = Errors::with_left_vectors) const;
 
     [[nodiscard]] const assembly::FixedSystem &system() const { return _system; }
 
@@ -32,7 +37,7 @@ class GeneralSpectrum {
     double _bearing_speed;
     assembly::FixedSystem _system;
 
-    [[nodiscard]] Modes solve(double speed, int wanted) const;
+    [[nodiscard]] Modes solve(double speed, int wanted, Errors errors) const;
 };
 
 } // namespace whirl::modes

@@ -13,6 +13,8 @@ namespace whirl::modes {
 
 namespace {
 
+using Complex = std::complex<double>;
+
 /// Gauss's three points on [0, 1] with their weights: exact to degree 5 in each piece.
 constexpr std::array<std::pair<double, double>, 3> gauss{{
     {0.11270166537925831, 5.0 / 18},
@@ -149,10 +151,14 @@ OrbitSense orbit_sense(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y,
     double backward = 0;
     double size = 0;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const Ellipse orbit = ellipse_of(x(i), y(i));
-        const double area = stations.masses()(i) * orbit.major * orbit.minor;
+        // As in ellipse_of, by squares.
+        const double with =
+            std::norm(Complex(x(i).real() - y(i).imag(), x(i).imag() + y(i).real()));
+        const double against =
+            std::norm(Complex(x(i).real() + y(i).imag(), x(i).imag() - y(i).real()));
+        const double area = stations.masses()(i) * (with - against) / 4;
         ((area > 0) == (spin_speed >= 0) ? forward : backward) += std::abs(area);
-        size += stations.masses()(i) * orbit.major * orbit.major;
+        size += stations.masses()(i) * (with + against + 2 * std::sqrt(with * against)) / 4;
     }
     const double swept = forward + backward;
     if (!(swept > straight * size))

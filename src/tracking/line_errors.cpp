@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -52,6 +54,34 @@ void carry(std::vector<std::optional<double>> &values, const std::vector<double>
     divide(true);
 }
 
+/// What `of` gives at all places, asked at so many that between two neighbours it changes by little
+/// or is the larger of both: the errors between them are no smaller.
+std::vector<double> along(std::size_t count, const std::function<double(std::size_t)> &of) {
+    constexpr std::size_t stride = 4;
+    constexpr double like = 1.2;
+    std::vector<double> out(count);
+    for (std::size_t k = 0; k < count; k += stride)
+        out[k] = of(k);
+    out.back() = of(count - 1);
+    const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t a, std::size_t b) {
+        if (b - a < 2)
+            return;
+        const double larger = std::max(out[a], out[b]);
+        const std::size_t middle = (a + b) / 2;
+        if (larger > like * std::min(out[a], out[b])) {
+            out[middle] = of(middle);
+            fill(a, middle);
+            fill(middle, b);
+        } else {
+            std::fill(out.begin() + static_cast<std::ptrdiff_t>(a) + 1,
+                      out.begin() + static_cast<std::ptrdiff_t>(b), larger);
+        }
+    };
+    for (std::size_t k = 0; k < count; k += stride)
+        fill(k, std::min(k + stride, count - 1));
+    return out;
+}
+
 } // namespace
 
 LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &solver,
@@ -80,13 +110,13 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (probes.size() == spectra.size())
             continue;
-        std::vector<double> follows(spectra.size(), 1);
-        for (std::size_t k = 0; k < spectra.size() && !series; ++k)
-            if (lines[i].place[k] != Line::absent)
-                follows[k] =
-                    residual.of(spectra[k].modes[static_cast<std::size_t>(lines[i].place[k])],
-                                spectra[k].speed);
-        carry(errors[i], follows);
+        carry(errors[i], along(spectra.size(), [&](std::size_t k) {
+                  const int place = lines[i].place[k];
+                  return series || place == Line::absent
+                             ? 1.0
+                             : residual.of(spectra[k].modes[static_cast<std::size_t>(place)],
+                                           spectra[k].speed);
+              }));
     }
     return errors;
 }

@@ -59,7 +59,7 @@ TEST(DenseSymmetricFactor, agrees_with_a_dense_solution) {
             for (int j = 0; j <= i; ++j)
                 A(i, j) = A(j, i) = i == j ? 2.0 + 3.0 * number(i, j + 1) : number(i, j);
         }
-        factor.factorize(A);
+        factor.factorize(A.real(), A.imag());
         const Eigen::VectorXcd expected = A.fullPivLu().solve(b);
         // Rounding times the condition, and the growth that pivots of any size leave.
         EXPECT_LT((factor.solve(b) - expected).norm(), 1e-10 * expected.norm()) << size;
@@ -68,7 +68,8 @@ TEST(DenseSymmetricFactor, agrees_with_a_dense_solution) {
 
 TEST(DenseSymmetricFactor, refuses_a_pivot_of_zero) {
     DenseSymmetricFactor factor;
-    EXPECT_THROW(factor.factorize(Eigen::MatrixXcd::Zero(2, 2)), SolverError);
+    EXPECT_THROW(factor.factorize(Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)),
+                 SolverError);
 }
 
 } // namespace

@@ -42,6 +42,19 @@ Eigen::MatrixXd product(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B) {
     return out;
 }
 
+Eigen::VectorXd product(const Eigen::MatrixXd &A, const Eigen::VectorXd &b) {
+    Eigen::VectorXd out = Eigen::VectorXd::Zero(A.rows());
+    if (A.size() == 0)
+        return out;
+    const PetscBLASInt rows = blas_size(A.rows());
+    const PetscBLASInt columns = blas_size(A.cols());
+    const PetscBLASInt step = 1;
+    const double one = 1;
+    BLASgemv_("N", &rows, &columns, &one, A.data(), &rows, b.data(), &step, &one, out.data(),
+              &step);
+    return out;
+}
+
 Eigen::MatrixXd solution(Eigen::MatrixXd A, Eigen::MatrixXd B) {
     const PetscBLASInt n = blas_size(A.rows());
     const PetscBLASInt columns = blas_size(B.cols());

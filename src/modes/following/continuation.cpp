@@ -140,12 +140,14 @@ bool Continuation::set_guesses(Run &run, FollowedSpeed &at) {
     if (!solve_reduced(*_model, at.speed, reduced, neighbours, _wanted, run.nearby))
         return false;
     std::vector<SymmetricPair *> asked_for;
+    std::vector<SymmetricPair *> counted;
     const std::vector<double> enough = enough_errors(reduced, _wanted);
     for (std::size_t i = 0; i < reduced.size(); ++i)
         if (enough[i] < counted_error)
             asked_for.push_back(&reduced[i]);
         else
-            reduced[i].rate = _model->rate(at.speed, reduced[i]);
+            counted.push_back(&reduced[i]);
+    _model->set_rates(at.speed, counted);
     _model->set_vectors(asked_for);
     for (std::size_t i = 0; i < reduced.size(); ++i)
         if (at.pairs[i].Mx.size() == 0)

@@ -36,6 +36,16 @@ Eigen::MatrixXcd ReducedMatrices::times(const Eigen::MatrixXcd &Y) const {
     return parts_times(all, Y);
 }
 
+Eigen::VectorXcd ReducedMatrices::times(const Eigen::VectorXcd &y) const {
+    Eigen::VectorXd parts(2 * y.size());
+    parts << y.real(), -y.imag();
+    Eigen::VectorXcd out(all.rows());
+    out.real() = linalg::product(all, parts);
+    parts << y.imag(), y.real();
+    out.imag() = linalg::product(all, parts);
+    return out;
+}
+
 ReducedModel::ReducedModel(const SymmetricProblem &problem)
     : _problem(problem), _basis(problem.size(), 0), _K_basis(problem.size(), 0) {}
 
@@ -106,6 +116,8 @@ void ReducedModel::project(Eigen::Index first) {
         reduced[k]->bottomLeftCorner(further, first) =
             reduced[k]->topRightCorner(first, further).transpose();
     }
+    _all.resize(5 * size(), 2 * size());
+    _all << parts_of(_M), parts_of(_D), parts_of(_K), parts_of(_D1), parts_of(_K1);
 }
 
 Eigen::VectorXcd ReducedModel::coordinates(const Eigen::VectorXcd &vector) const {
@@ -126,18 +138,27 @@ void ReducedModel::set_vectors(const std::vector<SymmetricPair *> &pairs) const 
 }
 
 ReducedMatrices ReducedModel::at(double speed) const {
-    ReducedMatrices out{_M, _D + speed * _D1, _K + speed * _K1, {}};
-    out.all.resize(3 * size(), 2 * size());
-    out.all << parts_of(out.M), parts_of(out.D), parts_of(out.K);
+    const Eigen::Index n = size();
+    ReducedMatrices out{_all.topRows(3 * n)};
+    out.all.bottomRows(2 * n) += speed * _all.bottomRows(2 * n);
     return out;
 }
 
-std::complex<double> ReducedModel::rate(double speed, const SymmetricPair &pair) const {
-    const Eigen::VectorXcd &y = pair.reduced;
-    const std::complex<double> l = pair.value;
-    const auto form = [&y](const Eigen::MatrixXcd &A) { return y.cwiseProduct(A * y).sum(); };
-    const std::complex<double> change = form(_D1);
-    return -(l * change + form(_K1)) / (2.0 * l * form(_M) + form(_D) + speed * change);
+void ReducedModel::set_rates(double speed, const std::vector<SymmetricPair *> &pairs) const {
+    const Eigen::Index n = size();
+    Eigen::MatrixXcd Y(n, std::ssize(pairs));
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        Y.col(static_cast<Eigen::Index>(i)) = pairs[i]->reduced;
+    const Eigen::MatrixXcd products = parts_times(_all, Y);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const auto form = [&](Eigen::Index matrix) {
+            return Y.col(column).cwiseProduct(products.col(column).segment(matrix * n, n)).sum();
+        };
+        const std::complex<double> l = pairs[i]->value;
+        const std::complex<double> change = form(3);
+        pairs[i]->rate = -(l * change + form(4)) / (2.0 * l * form(0) + form(1) + speed * change);
+    }
 }
 
 } // namespace whirl::modes

@@ -12,11 +12,11 @@ namespace whirl::modes {
 
 /// Q(l) = l^2 M + l D + K of a reduced problem at one speed: small, full, complex and symmetric.
 struct ReducedMatrices {
-    Eigen::MatrixXcd M, D, K;
     Eigen::MatrixXd all; ///< M, D and K below each other, the imaginary parts beside the real ones
 
     /// The products with columns, below each other.
     [[nodiscard]] Eigen::MatrixXcd times(const Eigen::MatrixXcd &Y) const;
+    [[nodiscard]] Eigen::VectorXcd times(const Eigen::VectorXcd &y) const;
 };
 
 /// A symmetric problem on the space of shapes that it has at some speeds (Ritz): few unknowns, as
@@ -39,14 +39,15 @@ class ReducedModel {
     void set_vectors(const std::vector<SymmetricPair *> &pairs) const;
 
     [[nodiscard]] ReducedMatrices at(double speed) const;
-    /// dl/dspeed of a pair at a speed from its value and coordinates.
-    [[nodiscard]] std::complex<double> rate(double speed, const SymmetricPair &pair) const;
+    /// dl/dspeed of pairs at a speed from their values and coordinates.
+    void set_rates(double speed, const std::vector<SymmetricPair *> &pairs) const;
 
   private:
     const SymmetricProblem &_problem;
     Eigen::MatrixXcd _basis, _K_basis; ///< basis^H K basis = 1 with the real part of K
     Eigen::MatrixXd _parts;            ///< of the basis: real, imaginary beside
     Eigen::MatrixXcd _M, _D, _K, _D1, _K1;
+    Eigen::MatrixXd _all; ///< all five below each other, the imaginary parts beside the real ones
 
     void append(Eigen::VectorXcd x);
     void project(Eigen::Index first);

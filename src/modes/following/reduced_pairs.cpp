@@ -61,6 +61,30 @@ Group columns_by_rows(Eigen::MatrixXd sizes) {
     return out;
 }
 
+/// The lower triangle of Q(l), its parts apart.
+void set_Q(const ReducedMatrices &matrices, Complex l, Eigen::MatrixXd &re, Eigen::MatrixXd &im) {
+    const Eigen::MatrixXd &all = matrices.all;
+    const Eigen::Index n = all.cols() / 2;
+    const double l_re = l.real();
+    const double l_im = l.imag();
+    const double square_re = (l * l).real();
+    const double square_im = (l * l).imag();
+    re.resize(n, n);
+    im.resize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        const double *a = &all(0, j);     // real parts of M, D and K
+        const double *b = &all(0, n + j); // imaginary ones
+        double *__restrict out_re = &re(0, j);
+        double *__restrict out_im = &im(0, j);
+        for (Eigen::Index i = j; i < n; ++i) {
+            out_re[i] = square_re * a[i] - square_im * b[i] + l_re * a[n + i] - l_im * b[n + i] +
+                        a[2 * n + i];
+            out_im[i] = square_re * b[i] + square_im * a[i] + l_re * b[n + i] + l_im * a[n + i] +
+                        b[2 * n + i];
+        }
+    }
+}
+
 class ReducedSolution {
   public:
     ReducedSolution(const ReducedModel &model, double speed, std::vector<SymmetricPair> &pairs,
@@ -100,7 +124,7 @@ class ReducedSolution {
     std::vector<SymmetricPair> &_pairs;
     const std::vector<const SymmetricPair *> &_nearest;
     std::vector<NearbyFactors> &_nearby;
-    Eigen::MatrixXcd _Q;
+    Eigen::MatrixXd _Q_re, _Q_im;
     Eigen::MatrixXcd _Y, _MY, _DY, _KY; ///< coordinates, and what the matrices make of them
     Eigen::MatrixXcd _guesses;
     std::vector<bool> _grouped;
@@ -159,7 +183,7 @@ class ReducedSolution {
 
     void set(Eigen::Index i, const Eigen::VectorXcd &y) {
         _Y.col(i) = y.normalized();
-        const Eigen::VectorXcd all = _matrices.times(_Y.col(i));
+        const Eigen::VectorXcd all = _matrices.times(Eigen::VectorXcd(_Y.col(i)));
         _MY.col(i) = all.head(y.size());
         _DY.col(i) = all.segment(y.size(), y.size());
         _KY.col(i) = all.tail(y.size());
@@ -168,8 +192,8 @@ class ReducedSolution {
     void inverse_step(Eigen::Index i) {
         const Complex l = pair(i).value;
         const auto factorize = [&](Complex value) {
-            _Q = (value * value) * _matrices.M + value * _matrices.D + _matrices.K;
-            _nearby[static_cast<std::size_t>(i)].factor.factorize(_Q);
+            set_Q(_matrices, value, _Q_re, _Q_im);
+            _nearby[static_cast<std::size_t>(i)].factor.factorize(_Q_re, _Q_im);
         };
         try {
             factorize(l);

@@ -89,7 +89,8 @@ std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretiz
 
 SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
     : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
-      _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()) {
+      _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()),
+      _inverse_scales(_scales.cwiseInverse()) {
     Sparse all(_size, _size);
     all.setIdentity();
     for (Sparse A : matrices) {
@@ -98,6 +99,7 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
     }
     _Q = all.cast<Complex>();
     _Q.makeCompressed();
+    _absolute_sums.resize(_size, parts);
     for (int part = 0; part < parts; ++part)
         add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
     _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
@@ -106,6 +108,7 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
     Sparse A = _scales.asDiagonal() * matrix * _scales.asDiagonal();
     A.prune(0.0);
+    _absolute_sums.col(part) = A.cwiseAbs() * Eigen::VectorXd::Ones(_size);
     Rows &rows = _parts[static_cast<std::size_t>(part)];
     for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
         const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
@@ -138,7 +141,7 @@ double SymmetricProblem::energy(const Eigen::VectorXcd &b, double size) const {
 }
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
-    Eigen::VectorXcd out = shape.cwiseQuotient(_scales);
+    Eigen::VectorXcd out = shape.cwiseProduct(_inverse_scales);
     if (conjugates())
         out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
     return out;
@@ -201,20 +204,8 @@ Eigen::VectorXcd SymmetricProblem::times(Part part, const Eigen::VectorXcd &x) c
 }
 
 double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
-    const Eigen::VectorXd sizes = x.cwiseAbs2().cwiseSqrt();
-    const double *size = sizes.data();
-    const auto form = [&](Part part) {
-        const Rows &A = _parts[static_cast<std::size_t>(part)];
-        double sum = 0;
-        for (std::size_t r = 0; r < A.row.size(); ++r) {
-            double row = 0;
-            for (int p = A.start[r]; p < A.start[r + 1]; ++p)
-                row += std::abs(A.value[static_cast<std::size_t>(p)]) *
-                       size[A.column[static_cast<std::size_t>(p)]];
-            sum += row * size[A.row[r]];
-        }
-        return sum;
-    };
+    const Eigen::VectorXd squares = x.cwiseAbs2();
+    const auto form = [&](Part part) { return _absolute_sums.col(part).dot(squares); };
     const double turn = std::abs(speed);
     return form(stiffness) + form(stiffness_turned) + turn * form(circulatory) +
            l * (form(damping) + form(damping_turned) + turn * form(gyroscopic) + l * form(mass));

@@ -61,7 +61,8 @@ class SymmetricProblem {
     /// One of the real matrices times a vector.
     [[nodiscard]] Eigen::VectorXcd times(Part part, const Eigen::VectorXcd &x) const;
 
-    /// |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|: what the entries add up to in x^T Q(l) x.
+    /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|, what the entries add up to in x^T Q(l) x:
+    /// with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly alike.
     [[nodiscard]] double absolute_form(double l, double speed, const Eigen::VectorXcd &x) const;
 
     /// L D L^T of Q(l) at a speed; the same object each time.
@@ -80,7 +81,9 @@ class SymmetricProblem {
     int _size = 0;
     results::Form _form = results::Form::general;
     std::vector<Rows> _parts;
-    Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
+    Eigen::MatrixXd _absolute_sums; ///< over the rows of |A|, a part each column
+    Eigen::VectorXd _scales;        ///< unknowns of the form over those of this problem
+    Eigen::VectorXd _inverse_scales;
     mutable linalg::SymmetricFactor::Sparse _Q;
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor;
     mutable std::map<int, linalg::RealEnergy> _energies; ///< by the exponent of two
