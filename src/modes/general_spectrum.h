@@ -22,10 +22,6 @@ class GeneralSpectrum {
         double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
     };
 
-    /// Whether errors are judged by the left vectors too, a factorisation each: for those that are
-    /// handed on, not for beginnings and names.
-    enum class Errors { with_left_vectors, of_right_vectors };
-
     /// At least `wanted` whirl modes of least modulus, or all.
     [[nodiscard]] Modes modes(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;

@@ -108,7 +108,7 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
-                                                      Keep keep) const {
+                                                      Keep keep, Errors errors) const {
     linalg::QuadraticOptions options;
     options.shift = shift;
     options.fewest = 1;
@@ -116,7 +116,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.zeros = _zeros;
-        options.condition = true;
+        options.condition = errors == Errors::with_left_vectors;
         options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
@@ -145,7 +145,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep) const {
+                                                      Keep keep, Errors errors) const {
     // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
     const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
@@ -154,16 +154,17 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
         (near_zero ? std::abs(speed) : std::max(std::abs(speed), support_scale(_discretization)));
     const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
     try {
-        return up_to(speed, radius, least, keep, slow);
+        return up_to(speed, radius, least, keep, errors, slow);
     } catch (const linalg::SolverError &) {
         if (fast == slow)
             throw;
-        return up_to(speed, radius, least, keep, fast);
+        return up_to(speed, radius, least, keep, errors, fast);
     }
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep, double shift) const {
+                                                      Keep keep, Errors errors,
+                                                      double shift) const {
     if (_exhausted_speed != speed)
         _exhausted.clear();
     _exhausted_speed = speed;
@@ -172,13 +173,13 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
     const int first = std::min(all, std::max(least, _usual));
     const double needed = first < all ? radius : 0; // of all asked for, those that are resolved
     for (const Exhausted &known : _exhausted)
-        if (known.shift == shift && known.keep == keep)
+        if (known.shift == shift && known.keep == keep && known.errors == errors)
             return reaching(known.found, needed);
     double reached = 0;
     for (int wanted = first;; wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
-        Eigenvalues out = solve(speed, wanted, shift, keep);
+        Eigenvalues out = solve(speed, wanted, shift, keep, errors);
         if (out.exhausted) {
-            _exhausted.push_back({shift, keep, out});
+            _exhausted.push_back({shift, keep, errors, out});
             return reaching(out, needed);
         }
         // No more can be resolved beside those found: enough where they reach as far as asked.
@@ -197,12 +198,12 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
                                                             int least) const {
-    return up_to(speed, radius, least, Keep::best);
+    return up_to(speed, radius, least, Keep::best, Errors::of_right_vectors);
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
                                                        int least) const {
-    return up_to(speed, radius, least, Keep::accurate);
+    return up_to(speed, radius, least, Keep::accurate, Errors::of_right_vectors);
 }
 
 /// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
@@ -277,7 +278,7 @@ RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const 
     for (int attempt = 0; attempt <= 12; ++attempt) {
         Eigenvalues found;
         try {
-            found = eigenvalues(speed, radius, wanted);
+            found = up_to(speed, radius, wanted, Keep::best, Errors::with_left_vectors);
         } catch (const linalg::SolverError &) {
             if (out.modes.empty())
                 throw;

@@ -83,14 +83,17 @@ class RotatingSpectrum {
     struct Exhausted {
         double shift = 0;
         Keep keep = Keep::best;
+        Errors errors = Errors::of_right_vectors;
         Eigenvalues found;
     };
     mutable double _exhausted_speed = 0;
     mutable std::vector<Exhausted> _exhausted; ///< at that speed
-    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
-                                    double shift) const;
-    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
+                                    Errors errors) const;
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
+                                    Errors errors, double shift) const;
+    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep,
+                                    Errors errors) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;

@@ -135,8 +135,7 @@ GeneralSpectrum::Modes SpectrumSolver::planar_damped(double speed, int wanted) c
                          : Data::made(_data->planar_damped, _data->d, 0.0).modes(speed, wanted);
 }
 
-GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted,
-                                               GeneralSpectrum::Errors errors) const {
+GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted, Errors errors) const {
     return _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted, errors)
                          : Data::made(_data->general, _data->d, 0.0).modes(speed, wanted, errors);
 }
@@ -147,10 +146,9 @@ Spectrum SpectrumSolver::damped(double speed, int wanted) const {
     if (_data->following)
         if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
             return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
-    return spectrum_of(speed,
-                       _data->form == results::Form::planar_damped
-                           ? planar_damped(speed, wanted)
-                           : general(speed, wanted, GeneralSpectrum::Errors::with_left_vectors));
+    return spectrum_of(speed, _data->form == results::Form::planar_damped
+                                  ? planar_damped(speed, wanted)
+                                  : general(speed, wanted, Errors::with_left_vectors));
 }
 
 bool SpectrumSolver::take_few_shapes(int modes) {
@@ -173,11 +171,10 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
         if (problem == nullptr)
             return;
         const auto start = [this](double speed, int modes) {
-            return starting_pairs(
-                _data->form == results::Form::planar_damped
-                    ? planar_damped(speed, modes)
-                    : general(speed, modes, GeneralSpectrum::Errors::of_right_vectors),
-                _data->form);
+            return starting_pairs(_data->form == results::Form::planar_damped
+                                      ? planar_damped(speed, modes)
+                                      : general(speed, modes, Errors::of_right_vectors),
+                                  _data->form);
         };
         _data->following = std::make_unique<Continuation>(*problem, _data->d, start);
     }

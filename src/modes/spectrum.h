@@ -97,8 +97,7 @@ class SpectrumSolver {
 
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] GeneralSpectrum::Modes planar_damped(double speed, int wanted) const;
-    [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted,
-                                                 GeneralSpectrum::Errors errors) const;
+    [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
     void classify(Spectrum &spectrum) const;

@@ -15,6 +15,10 @@ namespace whirl::modes {
 /// overdamped motion of an isotropic rotor a minute frequency.)
 inline constexpr double real_axis = 0.02;
 
+/// Whether errors are judged by the left vectors too, a factorisation each: for those that are
+/// handed on, not for beginnings, names and what is followed.
+enum class Errors { with_left_vectors, of_right_vectors };
+
 /// One whirl mode at one spin speed.
 struct WhirlMode {
     std::complex<double> eigenvalue; ///< Im >= 0, 1/s

@@ -45,8 +45,7 @@ FewShapes::FewShapes(const assembly::Discretization &d, reduction::PlanarShapes 
       _matrices(d, _spectrum.system()), _stiffness(_shapes.metric()) {}
 
 GeneralSpectrum::Modes FewShapes::modes(double speed, int wanted) const {
-    GeneralSpectrum::Modes out =
-        _spectrum.modes(speed, wanted, GeneralSpectrum::Errors::of_right_vectors);
+    GeneralSpectrum::Modes out = _spectrum.modes(speed, wanted, Errors::of_right_vectors);
     std::stable_sort(out.modes.begin(), out.modes.end(), [](const auto &a, const auto &b) {
         return a.eigenvalue.imag() < b.eigenvalue.imag();
     });
