@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace whirl::modes {
 
@@ -108,7 +109,7 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
-                                                      Keep keep, Errors errors) const {
+                                                      Keep keep) const {
     linalg::QuadraticOptions options;
     options.shift = shift;
     options.fewest = 1;
@@ -116,7 +117,6 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.zeros = _zeros;
-        options.condition = errors == Errors::with_left_vectors;
         options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
@@ -125,6 +125,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
             solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
     }
     Eigenvalues out;
+    out.shift = shift;
     out.exhausted = found.method == linalg::QuadraticMethod::dense;
     out.complete_radius = std::max(0.0, found.complete_radius - shift);
     const int last = keep == Keep::best ? 0 : std::max(1, _harmonics - 1);
@@ -145,7 +146,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep, Errors errors) const {
+                                                      Keep keep) const {
     // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
     const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
@@ -154,17 +155,16 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
         (near_zero ? std::abs(speed) : std::max(std::abs(speed), support_scale(_discretization)));
     const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
     try {
-        return up_to(speed, radius, least, keep, errors, slow);
+        return up_to(speed, radius, least, keep, slow);
     } catch (const linalg::SolverError &) {
         if (fast == slow)
             throw;
-        return up_to(speed, radius, least, keep, errors, fast);
+        return up_to(speed, radius, least, keep, fast);
     }
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep, Errors errors,
-                                                      double shift) const {
+                                                      Keep keep, double shift) const {
     if (_exhausted_speed != speed)
         _exhausted.clear();
     _exhausted_speed = speed;
@@ -173,13 +173,13 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
     const int first = std::min(all, std::max(least, _usual));
     const double needed = first < all ? radius : 0; // of all asked for, those that are resolved
     for (const Exhausted &known : _exhausted)
-        if (known.shift == shift && known.keep == keep && known.errors == errors)
+        if (known.shift == shift && known.keep == keep)
             return reaching(known.found, needed);
     double reached = 0;
     for (int wanted = first;; wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
-        Eigenvalues out = solve(speed, wanted, shift, keep, errors);
+        Eigenvalues out = solve(speed, wanted, shift, keep);
         if (out.exhausted) {
-            _exhausted.push_back({shift, keep, errors, out});
+            _exhausted.push_back({shift, keep, out});
             return reaching(out, needed);
         }
         // No more can be resolved beside those found: enough where they reach as far as asked.
@@ -198,12 +198,12 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
                                                             int least) const {
-    return up_to(speed, radius, least, Keep::best, Errors::of_right_vectors);
+    return up_to(speed, radius, least, Keep::best);
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
                                                        int least) const {
-    return up_to(speed, radius, least, Keep::accurate, Errors::of_right_vectors);
+    return up_to(speed, radius, least, Keep::accurate);
 }
 
 /// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
@@ -272,17 +272,34 @@ RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, dou
     return out;
 }
 
-RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const {
+void RotatingSpectrum::judge(Eigenvalues &found, double speed, double highest) const {
+    if (_harmonics > 0)
+        return;
+    const auto rest =
+        std::stable_partition(found.pairs.begin(), found.pairs.end(), [&](const auto &pair) {
+            return pair.value.real() > 0 ||
+                   std::abs(in_fixed_frame(pair, speed).eigenvalue) <= highest;
+        });
+    std::vector<linalg::ComplexPair> asked(found.pairs.begin(), rest);
+    linalg::assess_condition(_M, _C + speed * _Cs, _K + speed * _Ks + speed * speed * _Kss,
+                             found.shift, asked);
+    std::move(asked.begin(), asked.end(), found.pairs.begin());
+    std::sort(found.pairs.begin(), found.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+}
+
+RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors errors) const {
     double radius = std::abs(speed);
+    double highest = 0; // of those wanted
     Modes out;
+    Eigenvalues found;
     for (int attempt = 0; attempt <= 12; ++attempt) {
-        Eigenvalues found;
         try {
-            found = up_to(speed, radius, wanted, Keep::best, Errors::with_left_vectors);
+            found = eigenvalues(speed, radius, wanted);
         } catch (const linalg::SolverError &) {
             if (out.modes.empty())
                 throw;
-            return out; // beside those found (a rotor of few masses) no more can be resolved
+            break; // beside those found (a rotor of few masses) no more can be resolved
         }
         out = modes_of(found, speed);
         std::vector<double> lowest;
@@ -291,12 +308,17 @@ RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted) const 
         std::sort(lowest.begin(), lowest.end());
         const auto last = static_cast<std::size_t>(wanted) - 1;
         const bool enough = lowest.size() > last && lowest[last] <= out.complete_radius;
+        highest = lowest.size() > last ? (1 + 1e-9) * lowest[last]
+                                       : std::numeric_limits<double>::infinity();
         if (enough || std::isinf(found.complete_radius))
             break;
         radius = lowest.size() > last ? 1.001 * (lowest[last] + std::abs(speed))
                                       : 1.5 * std::max(radius, found.complete_radius);
     }
-    return out;
+    if (errors == Errors::of_right_vectors)
+        return out;
+    judge(found, speed, highest);
+    return modes_of(found, speed);
 }
 
 } // namespace whirl::modes

@@ -29,6 +29,7 @@ class RotatingSpectrum {
     struct Eigenvalues {
         std::vector<linalg::ComplexPair> pairs; ///< by modulus, ascending
         double complete_radius = 0;             ///< all of smaller modulus are in `pairs`
+        double shift = 0;                       ///< that they were found from
         bool exhausted = false;                 ///< from its shift no more can be resolved
     };
     /// All of modulus up to `radius` (1/s), and at least `least`, or all there are.
@@ -55,7 +56,8 @@ class RotatingSpectrum {
     };
     /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all.
     /// @throws linalg::SolverError
-    [[nodiscard]] Modes modes(double speed, int wanted) const;
+    [[nodiscard]] Modes modes(double speed, int wanted,
+                              Errors errors = Errors::with_left_vectors) const;
 
     [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
     /// The constant terms of Hill's series at a speed.
@@ -83,21 +85,21 @@ class RotatingSpectrum {
     struct Exhausted {
         double shift = 0;
         Keep keep = Keep::best;
-        Errors errors = Errors::of_right_vectors;
         Eigenvalues found;
     };
     mutable double _exhausted_speed = 0;
     mutable std::vector<Exhausted> _exhausted; ///< at that speed
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
-                                    Errors errors) const;
-    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
-                                    Errors errors, double shift) const;
-    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep,
-                                    Errors errors) const;
+                                    double shift) const;
+    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
     [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
+    /// Residual and rounding by left vectors of the motions up to a modulus as seen from the fixed
+    /// frame, 1/s, and of all that grow: a factorisation each.
+    void judge(Eigenvalues &found, double speed, double highest) const;
     [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
 };
 

@@ -140,7 +140,7 @@ GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted, Errors 
                          : Data::made(_data->general, _data->d, 0.0).modes(speed, wanted, errors);
 }
 
-Spectrum SpectrumSolver::damped(double speed, int wanted) const {
+Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
     if (_data->few)
         return spectrum_of(speed, _data->few->modes(speed, wanted));
     if (_data->following)
@@ -148,7 +148,7 @@ Spectrum SpectrumSolver::damped(double speed, int wanted) const {
             return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
     return spectrum_of(speed, _data->form == results::Form::planar_damped
                                   ? planar_damped(speed, wanted)
-                                  : general(speed, wanted, Errors::with_left_vectors));
+                                  : general(speed, wanted, errors));
 }
 
 bool SpectrumSolver::take_few_shapes(int modes) {
@@ -189,12 +189,12 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
     return problem == nullptr ? std::vector<WhirlMode>() : modes_near(*problem, speed, guesses);
 }
 
-Spectrum SpectrumSolver::rotating(double speed, int wanted) const {
+Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const {
     RotatingSpectrum::Modes found =
         _data->tables
             ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
-                  .modes(speed, wanted)
-            : _data->rotating->modes(speed, wanted);
+                  .modes(speed, wanted, errors)
+            : _data->rotating->modes(speed, wanted, errors);
     return spectrum_of(speed, std::move(found));
 }
 
@@ -213,12 +213,12 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
     }
 }
 
-Spectrum SpectrumSolver::at(double speed, int wanted) const {
+Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
     try {
         const results::Form form = _data->form;
-        Spectrum spectrum = results::in_rotating_axes(form) ? rotating(speed, wanted)
+        Spectrum spectrum = results::in_rotating_axes(form) ? rotating(speed, wanted, errors)
                             : form == results::Form::general || form == results::Form::planar_damped
-                                ? damped(speed, wanted)
+                                ? damped(speed, wanted, errors)
                                 : symmetric(speed, wanted);
         spectrum.speed = speed;
         for (WhirlMode &mode : spectrum.modes)

@@ -44,7 +44,8 @@ class SpectrumSolver {
 
     /// The `wanted` whirl modes with the lowest frequencies (all, where there are fewer).
     /// @throws model::AnalysisFailure where they cannot be found.
-    [[nodiscard]] Spectrum at(double speed, int wanted) const;
+    [[nodiscard]] Spectrum at(double speed, int wanted,
+                              Errors errors = Errors::with_left_vectors) const;
 
     /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through
     /// these speeds; at() then knows them there, and finds those between by few steps.
@@ -98,8 +99,8 @@ class SpectrumSolver {
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] GeneralSpectrum::Modes planar_damped(double speed, int wanted) const;
     [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted, Errors errors) const;
-    [[nodiscard]] Spectrum damped(double speed, int wanted) const;
-    [[nodiscard]] Spectrum rotating(double speed, int wanted) const;
+    [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
+    [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
     void classify(Spectrum &spectrum) const;
 };
 

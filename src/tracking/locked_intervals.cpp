@@ -108,7 +108,7 @@ std::ptrdiff_t standing_from(const modes::SpectrumSolver &solver, int wanted,
         net += end.enters ? 1 : -1;
     }
     stretch_to(high);
-    const modes::Spectrum there = solver.at(middle, wanted);
+    const modes::Spectrum there = solver.at(middle, wanted, modes::Errors::of_right_vectors);
     const auto standing =
         std::count_if(there.modes.begin(), there.modes.end(),
                       [middle](const modes::WhirlMode &mode) { return locked(mode, middle); });

@@ -27,7 +27,7 @@ struct Count {
 };
 
 Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
-    Count out{speed, 0, solver.at(speed, wanted).modes};
+    Count out{speed, 0, solver.at(speed, wanted, modes::Errors::of_right_vectors).modes};
     const auto others =
         std::partition(out.others.begin(), out.others.end(),
                        [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
@@ -111,8 +111,9 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
 std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, const LockEnd &end,
                                            int wanted) {
     const double step = end.outside - end.speed;
-    const modes::Spectrum near = solver.at(end.outside, wanted);
-    const modes::Spectrum far = solver.at(end.speed + 4 * step, wanted);
+    const modes::Spectrum near = solver.at(end.outside, wanted, modes::Errors::of_right_vectors);
+    const modes::Spectrum far =
+        solver.at(end.speed + 4 * step, wanted, modes::Errors::of_right_vectors);
     const double size = std::abs(end.speed);
     const auto parts_there = [size](const modes::WhirlMode &a, const modes::WhirlMode &b) {
         const double ratio = b.frequency_rotating / a.frequency_rotating;

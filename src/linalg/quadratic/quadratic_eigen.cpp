@@ -261,4 +261,20 @@ QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &
     return result;
 }
 
+void assess_condition(const Sparse &M, const Sparse &D, const Sparse &K, double shift,
+                      std::vector<ComplexPair> &pairs) {
+    const Eigen::VectorXd d = scales_at(shift, M.diagonal(), K.diagonal());
+    const auto scaled = [&d](const Sparse &A) {
+        return Sparse(d.asDiagonal() * A * d.asDiagonal());
+    };
+    std::vector<ComplexPair> copies = pairs;
+    for (ComplexPair &pair : copies)
+        pair.vector = (d.cwiseInverse().asDiagonal() * pair.vector).normalized();
+    QuadraticProblem(scaled(M), scaled(D), scaled(K), shift).assess_condition(copies);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        pairs[i].residual = copies[i].residual;
+        pairs[i].rounding = copies[i].rounding;
+    }
+}
+
 } // namespace whirl::linalg

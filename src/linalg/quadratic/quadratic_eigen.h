@@ -50,4 +50,9 @@ struct QuadraticResult {
                                               const Eigen::SparseMatrix<double> &K,
                                               const QuadraticOptions &options);
 
+/// Residual and rounding of some of the pairs, found from a shift without it, as with `condition`.
+void assess_condition(const Eigen::SparseMatrix<double> &M, const Eigen::SparseMatrix<double> &D,
+                      const Eigen::SparseMatrix<double> &K, double shift,
+                      std::vector<ComplexPair> &pairs);
+
 } // namespace whirl::linalg
