@@ -58,9 +58,10 @@ Span span_of(const model::Segment &segment, int index, double start, double z0, 
 } // namespace
 
 int ShaftMesh::node_at(double z) const {
-    const auto nearer = [z](double a, double b) { return std::abs(a - z) < std::abs(b - z); };
-    const auto found = std::min_element(nodes.begin(), nodes.end(), nearer);
-    return static_cast<int>(found - nodes.begin());
+    const auto after = std::lower_bound(nodes.begin(), nodes.end(), z); // they ascend
+    const auto k = after - nodes.begin();
+    const bool before = after == nodes.end() || (k > 0 && z - *(after - 1) <= *after - z);
+    return static_cast<int>(before ? k - 1 : k);
 }
 
 ShaftMesh make_mesh(const model::Rotor &rotor, int refinement) {
