@@ -4,21 +4,22 @@ namespace whirl::simulation {
 
 namespace {
 
+constexpr double distance = 0.1; // of the embedded solution, over that of Verner's
+constexpr std::array<double, RungeKuttaPair::stages> difference{-3.2721039010281375e-05,
+                                                                0,
+                                                                0,
+                                                                0,
+                                                                0,
+                                                                -0.0005046250618777704,
+                                                                0.0001211723589784759,
+                                                                -20.142336771313868,
+                                                                5.2371785994398286,
+                                                                -8.156744408794658,
+                                                                22.938283273988784,
+                                                                -0.2361324633071542,
+                                                                0.36016794372897754};
+
 constexpr RungeKuttaPair pair_of_verner() {
-    constexpr double distance = 0.1; // of the embedded solution, over that of Verner's
-    constexpr std::array<double, RungeKuttaPair::stages> difference{-3.2721039010281375e-05,
-                                                                    0,
-                                                                    0,
-                                                                    0,
-                                                                    0,
-                                                                    -0.0005046250618777704,
-                                                                    0.0001211723589784759,
-                                                                    -20.142336771313868,
-                                                                    5.2371785994398286,
-                                                                    -8.156744408794658,
-                                                                    22.938283273988784,
-                                                                    -0.2361324633071542,
-                                                                    0.36016794372897754};
     RungeKuttaPair pair;
     pair.order = 8;
     pair.embedded = 7;
