@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <utility>
 
@@ -115,6 +116,30 @@ std::optional<double> largest_difference(Eigenvalues values, const Eigenvalues &
     return largest;
 }
 
+/// Modes that stand still in rotating axes, with or without damping: their frequency is the spin
+/// speed. Where balls are free to turn there are several, and two real eigenvalues stand for one
+/// mode: rounding says which of them.
+bool stands_still(const Study &study, std::complex<double> value) {
+    constexpr double still = 1e-6;
+    return results::in_rotating_axes(study.form) &&
+           std::abs(value.imag() - std::abs(study.speed)) < still * std::abs(study.speed);
+}
+
+/// How many of them are no measure of an error: all, where there is more than one.
+std::size_t left_out(const Study &study, const Eigenvalues &values) {
+    const auto count = std::count_if(values.begin(), values.end(),
+                                     [&](const auto &value) { return stands_still(study, value); });
+    return count > 1 ? static_cast<std::size_t>(count) : 0;
+}
+
+/// largest_difference() of the modes that are the same ones on every mesh.
+std::optional<double> difference(const Study &study, Eigenvalues values, Eigenvalues exact) {
+    if (left_out(study, exact) > 0)
+        for (Eigenvalues *list : {&values, &exact})
+            std::erase_if(*list, [&](const auto &value) { return stands_still(study, value); });
+    return largest_difference(std::move(values), exact);
+}
+
 /// Best of three: the others were disturbed by the machine. Long runs, of which it takes little
 /// away, are not repeated.
 results::AccuracyRow timed_row(const Study &study, int order, int refinement, Eigenvalues &values) {
@@ -146,20 +171,20 @@ results::AccuracyRow measured_row(const Study &study, int order, int refinement,
     Eigenvalues values;
     results::AccuracyRow row = timed_row(study, order, refinement, values);
     row.error_estimate =
-        largest_difference(values, study.eigenvalues(mesh_error::finer_order(order), refinement));
+        difference(study, values, study.eigenvalues(mesh_error::finer_order(order), refinement));
     if (row.error_estimate)
         *row.error_estimate *= mesh_error::estimate_safety;
     // Against an order-p mesh as fine as the reference itself a difference says nothing.
     const int of_reference = study.unknowns(reference.order, reference.refinement);
     if (order == 1 || study.unknowns(order, refinement) < of_reference)
-        row.true_error = largest_difference(std::move(values), reference.values);
+        row.true_error = difference(study, std::move(values), reference.values);
     return row;
 }
 
 Reference reference_at(const Study &study, int order, int refinement) {
     Reference reference{order, refinement, study.eigenvalues(order, refinement), {}};
     reference.converged =
-        largest_difference(study.eigenvalues(order - 2, refinement), reference.values);
+        difference(study, study.eigenvalues(order - 2, refinement), reference.values);
     return reference;
 }
 
@@ -201,6 +226,11 @@ void describe(results::AccuracyResult &result, const Study &study, const Referen
     if (reference.converged)
         result.reference += fmt::format("; order {} differs from it by {:.1e}", reference.order - 2,
                                         *reference.converged);
+    if (const std::size_t still = left_out(study, reference.values); still > 0)
+        result.model.notes.push_back(fmt::format(
+            "errors are those of the other {} modes: {} stand still in the rotor, as balls do that "
+            "are free to turn in it",
+            reference.values.size() - still, still));
     for (const std::complex<double> &value : reference.values)
         result.reference_frequencies.push_back(value.imag());
 }

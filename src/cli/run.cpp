@@ -110,6 +110,11 @@ void run(const Arguments &arguments) {
     } catch (const model::BadInput &problem) { // found late: say where the key stands
         throw model::BadInput(
             input::with_place(problem.what(), arguments.scene, arguments.overrides));
+    } catch (const model::AnalysisFailure &failure) { // what looks like a slip may be why
+        std::string message = failure.what();
+        for (const std::string &remark : scene.remarks)
+            message += "\nnote: " + remark;
+        throw model::AnalysisFailure(message);
     }
 }
 

@@ -70,6 +70,8 @@ class Comparison {
 
     [[nodiscard]] Phasor of(std::size_t i) const {
         const Quantity &quantity = _quantities[i];
+        if (quantity.film)
+            return _full.stretch(*quantity.film);
         return quantity.bearing == Quantity::deflection ? quantity.seen(_full.at(_places[i]))
                                                         : _full.bearing_force(quantity.bearing);
     }

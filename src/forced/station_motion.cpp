@@ -48,6 +48,11 @@ Phasor StationMotion::at(double z) const {
                      : _condensed->at_node(_discretization.shaft_mesh().node_at(z));
 }
 
+Phasor StationMotion::stretch(int bearing) const {
+    return _by_whole ? _whole.motion(stretch_of_bearing(_discretization, bearing))
+                     : _condensed->stretch(bearing);
+}
+
 Phasor StationMotion::bearing_force(int bearing) const {
     return _by_whole ? _whole.bearing_force(bearing) : _condensed->bearing_force(bearing);
 }

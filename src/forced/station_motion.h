@@ -26,6 +26,8 @@ class StationMotion {
     /// At a place where something is attached, in the last solution.
     [[nodiscard]] Phasor at(double z) const;
     [[nodiscard]] Phasor bearing_force(int bearing) const;
+    /// Of the shaft in a bearing, from the pedestal where there is one.
+    [[nodiscard]] Phasor stretch(int bearing) const;
     /// Relative error of the last solution by rounding.
     [[nodiscard]] double rounding() const { return _rounding; }
 

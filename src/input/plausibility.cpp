@@ -28,6 +28,8 @@ constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a un
 constexpr Usual of_clearance{1e-6, 0.02, "m", "it is in m unless it has a unit: \"0.1 mm\""};
 constexpr Usual of_diameter{1e-4, 10, "m", "diameters are in m unless they have a unit: \"50 mm\""};
 
+constexpr Usual of_rolling{0, 1e-3, "m", "it is in m unless it has a unit: \"10 um\""};
+
 /// Collects remarks, each once.
 class Remarks {
   public:
@@ -63,6 +65,13 @@ void check_clearances(const model::Rotor &rotor, Remarks &remarks) {
     for (const model::Bearing &bearing : rotor.bearings)
         if (bearing.clearance)
             remarks.check("a radial clearance", *bearing.clearance, of_clearance);
+}
+
+void check_rolling(const model::Rotor &rotor, Remarks &remarks) {
+    for (const model::Balancer &balancer : rotor.balancers)
+        if (const auto *balls = std::get_if<model::Balls>(&balancer.parts))
+            for (const model::BallRow &row : balls->rows)
+                remarks.check("a lever arm of the resistance to rolling", row.rolling, of_rolling);
 }
 
 /// Speed of the surface of the thickest segment and of discs, as wide as their inertia says, m/s.
@@ -129,6 +138,11 @@ void check_angles(const model::Rotor &rotor, const Node &tree, Remarks &remarks)
     all("anisotropy", rotor.anisotropies.size(), "angle");
     all("balancer", rotor.balancers.size(), "imbalance_phase");
     all("probe", rotor.probes.size(), "angle");
+    for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
+        for (const std::string &list :
+             {fmt::format("balancer[{}].position", i), fmt::format("simulate.ball_angles[{}]", i)})
+            for (int part = 0; find_path(tree, fmt::format("{}[{}]", list, part)); ++part)
+                check_angle(tree, fmt::format("{}[{}]", list, part), remarks);
 }
 
 void check_tables(const model::Case &scene, Remarks &remarks) {
@@ -212,6 +226,7 @@ void add_remarks(model::Case &scene, const Node &tree) {
         check_stiffness(scene, remarks);
     }
     check_clearances(rotor, remarks);
+    check_rolling(rotor, remarks);
     check_speeds(scene, tree, remarks);
     check_mode_speed(tree, remarks);
     check_angles(rotor, tree, remarks);

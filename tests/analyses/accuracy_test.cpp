@@ -4,6 +4,7 @@
 #include "mesh_error/safety.h"
 #include "model/errors.h"
 #include "results/accuracy.h"
+#include "support/balancer_scenes.h"
 #include "support/scenes.h"
 
 #include <gtest/gtest.h>
@@ -116,6 +117,25 @@ TEST(Accuracy, shafts_of_hardly_any_mass_have_few_rows_and_these_are_exact) {
         ++compared;
     }
     EXPECT_GE(compared, 8);
+}
+
+// Balls that balance nothing are free to turn together: motions without damping and with it, all at
+// rest in the rotor, of which rounding picks others on every mesh.
+TEST(Accuracy, free_motions_of_balls_do_not_pass_for_errors) {
+    model::Case scene = shaft_on_springs();
+    for (const double z : {0.1, 0.8})
+        scene.rotor.balancers.push_back(tests::ball_balancer(z, 2, 0.05, 0.15, 0.5));
+    scene.speeds = model::SpeedRange{0, 500, 5};
+    for (const int modes : {6, 7, 8, 9}) {
+        scene.campbell.modes = modes;
+        for (const results::AccuracyRow &row : analyses::accuracy(scene).rows) {
+            SCOPED_TRACE(testing::Message() << modes << " modes, order " << row.order << ", "
+                                            << row.elements << " elements");
+            ASSERT_TRUE(row.error_estimate && row.true_error);
+            if (row.order >= 6) // far below what parts the free motions, 0.5/0.05 1/s of 500
+                EXPECT_LT(std::max(*row.error_estimate, *row.true_error), 1e-5);
+        }
+    }
 }
 
 } // namespace

@@ -163,6 +163,35 @@ TEST(ResponseOrbits, the_largest_use_of_a_clearance_is_a_maximum_not_a_sample) {
         EXPECT_NEAR(plain.peaks[i].value / result.peaks[i].value, 1, rounding);
 }
 
+// A clearance is no part of the equations: beside it peaks and what few shapes leave of them stay
+// as they are, also of bearings on soft pedestals, against which the orbit in the clearance counts.
+TEST(ResponseOrbits, a_clearance_changes_no_peak) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.5, 0.1, tests::steel());
+    scene.rotor.shaft.segments.front().elements = 20; // more unknowns than are taken whole
+    for (const double z : {0.1, 1.4}) {
+        model::Bearing bearing = tests::isotropic_bearing(z, 5e7, 2e4);
+        bearing.pedestal = model::Pedestal(60, 2e8, 1e4);
+        scene.rotor.bearings.push_back(bearing);
+    }
+    scene.rotor.imbalances = {tests::imbalance_at(0.7, mr, 0.7)};
+    scene.speeds = model::SpeedRange{0, 1500, 31};
+    const ResponseResult without = unbalance_response(scene);
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.clearance = 1e-4;
+    const ResponseResult with = unbalance_response(scene);
+    constexpr double agreed = 1e-9; // between the whole rotor and that on few shapes
+    ASSERT_FALSE(without.peaks.empty());
+    ASSERT_EQ(with.peaks.size(), without.peaks.size());
+    for (std::size_t i = 0; i < with.peaks.size(); ++i) {
+        EXPECT_NEAR(with.peaks[i].value / without.peaks[i].value, 1, 2 * agreed);
+        EXPECT_LE(without.peaks[i].error_parts.reduction, agreed);
+        EXPECT_LE(with.peaks[i].error_parts.reduction, agreed);
+    }
+    for (const ClearanceUse &use : with.clearances)
+        EXPECT_LE(use.error, 1e-6); // 20 elements of order 4, and few shapes
+}
+
 TEST(ResponseOrbits, the_largest_use_may_be_at_an_end_of_the_range) {
     const OnPedestals rotor;
     const double below =

@@ -244,6 +244,11 @@ TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {
     EXPECT_EQ(refused.status, 1);
     EXPECT_TRUE(contains(refused.errors, "bearing[0] differs between x and y")) << refused.errors;
     EXPECT_EQ(lines(refused.errors), 1) << refused.errors;
+    // What looks like a slip in the case is said with the failure.
+    const ProgramRun light = run({"rigid-limit", anisotropic, "--set", "material.steel.rho=7.81"});
+    EXPECT_EQ(light.status, 1);
+    EXPECT_TRUE(contains(light.errors, "\nnote: a density of 7.81 kg/m3")) << light.errors;
+    EXPECT_EQ(lines(light.errors), 2) << light.errors;
     EXPECT_FALSE(fs::exists("out/friswell_5_9_2"));
 }
 

@@ -21,6 +21,7 @@ TEST(Plausibility, NothingIsSaidOfAnOrdinaryRotor) {
 }
 
 TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
+    const std::string ball = "balancer=[{z = 0.5, n = 2, mass = 0.1, radius = 0.02}]";
     const std::vector<std::pair<std::vector<std::string>, std::string>> slips{
         {{"material.steel.E=211"}, "a modulus E of 211 Pa"},
         {{"material.steel.rho=7.81"}, "a density of 7.81 kg/m3"},
@@ -35,6 +36,12 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         {{"imbalance=[{z = 0.5, mr = 50}]"}, "an imbalance of 50 kg m moves"},
         {{"bearing[0].k=100", "speeds.to=\"12000 rpm\""},
          "bearings of 100 N/m together let a rotor"},
+        {{ball, "balancer[0].rolling_resistance=8"},
+         "a lever arm of the resistance to rolling of 8 m"},
+        {{ball, "balancer[0].position=[9.42477796076938, 0]"},
+         "balancer[0].position[0] = 9.42478 is in rad"},
+        {{ball, "simulate={time = 1, ball_angles = [[90, 1]]}", "speeds={from = 9, count = 1}"},
+         "simulate.ball_angles[0][0] = 90 is in rad"},
         {{"disc=[{name = \"fan\", z = 0.2, mass = 1}, {name = \"fan\", z = 0.5, mass = 1}]"},
          "disc \"fan\" stands more than once"}};
     for (const auto &[overrides, start] : slips) {

@@ -154,7 +154,8 @@ Figure composite_figure(const model::Case &scene, const results::ShowResult &res
     figure.script =
         figure_head("Composite rotor: " + title_of(scene),
                     fmt::format("{} at z = {} m, capacity E = {}; dashed upright line: the case",
-                                name, readable(balancer.z), readable(balancer.E)),
+                                name, readable(balancer.z),
+                                std::isinf(balancer.E) ? "infinite" : readable(balancer.E)),
                     figure.height) +
         panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
         panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
