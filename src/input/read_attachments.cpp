@@ -125,6 +125,8 @@ double read_rule(CheckedTable &table, const model::Case &scene) {
     const double fastest =
         scene.speeds ? std::max(std::abs(scene.speeds->from), std::abs(scene.speeds->to)) : 0;
     const double speed = own.value_or(scene.operation ? scene.operation->to : fastest);
+    if (std::isnan(speed) || (!own && table.has("speed")))
+        return 0; // said where it is wrong
     if (!(speed > 0)) {
         table.fail("speed", "missing, expected the angular speed in rad/s at which the rule holds, "
                             "or [operation] or [speeds]");

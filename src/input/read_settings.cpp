@@ -137,7 +137,7 @@ void read_speeds(CheckedTable &root, model::Case &scene) {
         table->fail("to", fmt::format("expected {} from = {} rad/s, got {} rad/s",
                                       speeds.count > 1 ? "more than" : "at least", speeds.from,
                                       speeds.to));
-    if (!to && speeds.count > 1)
+    if (!table->has("to") && speeds.count > 1)
         table->fail("to", "missing, expected an angular speed in rad/s where count is above 1");
     table->refuse_unknown();
     scene.speeds = speeds;

@@ -16,7 +16,7 @@ model::Material read_material(CheckedTable table, const std::string &name) {
     material.rho = table.number("rho", Quantity::density, Range::positive());
     const auto nu = table.optional_number("nu", Quantity::dimensionless, {0, 0.5, false, true});
     const auto shear = table.optional_number("G", Quantity::pressure, Range::positive());
-    if (!nu && !shear)
+    if (!table.has("nu") && !table.has("G"))
         table.fail("G", "missing, expected a pressure in Pa greater than 0, or nu");
     material.G = shear.value_or(material.E / (2 * (1 + nu.value_or(0))));
     if (shear)

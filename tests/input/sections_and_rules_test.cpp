@@ -88,5 +88,17 @@ TEST(SectionsAndRules, ImbalanceByTheRulesOfIsoAndApi) {
     }
 }
 
+TEST(SectionsAndRules, WhatIsWrongIsNotMissingBesides) {
+    for (const std::vector<std::string> &wrong : std::vector<std::vector<std::string>>{
+             {"imbalance=[{z = 0.5, grade = 2.5}]", "operation={from = 1, to = \"24000 1/min\"}"},
+             {"imbalance=[{z = 0.5, grade = 2.5, speed = \"fast\"}]"},
+             {"speeds={from = 0, to = \"fast\", count = 3}"},
+             {"material.steel.nu=fast", "material.steel.G="}}) {
+        const std::string message = refusal(sound_case, wrong);
+        EXPECT_NE(message, "");
+        EXPECT_EQ(message.find("missing"), std::string::npos) << message;
+    }
+}
+
 } // namespace
 } // namespace whirl::tests
