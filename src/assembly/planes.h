@@ -20,4 +20,13 @@ struct Planes {
     [[nodiscard]] Eigen::VectorXcd against() const { return x - std::complex<double>(0, 1) * y; }
 };
 
+/// The motion over pairs (x, y) with these planes.
+[[nodiscard]] inline Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x,
+                                               const Eigen::VectorXcd &y) {
+    Eigen::VectorXcd out(2 * x.size());
+    out(Eigen::seqN(0, x.size(), 2)) = x;
+    out(Eigen::seqN(1, y.size(), 2)) = y;
+    return out;
+}
+
 } // namespace whirl::assembly

@@ -1,6 +1,7 @@
 #include "forced/forced_motion.h"
 
 #include "assembly/assemble.h"
+#include "assembly/planes.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/unit_scales.h"
@@ -28,13 +29,6 @@ Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization)
     for (const model::Imbalance &imbalance : discretization.rotor().imbalances)
         for (const auto &[unknown, value] : discretization.deflection_at(imbalance.z))
             out(unknown) += value * std::polar(imbalance.mr, imbalance.phase);
-    return out;
-}
-
-Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
-    Eigen::VectorXcd out(2 * x.size());
-    out(Eigen::seqN(0, x.size(), 2)) = x;
-    out(Eigen::seqN(1, y.size(), 2)) = y;
     return out;
 }
 
@@ -192,14 +186,14 @@ Eigen::VectorXcd ForcedMotion::imbalance_forces(double speed) const {
     const Eigen::VectorXcd planar = (speed * speed) * imbalance_loads(_discretization);
     if (_planar)
         return planar;
-    return in_pairs(planar, -imaginary_unit * planar); // sin = Re(-i exp)
+    return assembly::in_pairs(planar, -imaginary_unit * planar); // sin = Re(-i exp)
 }
 
 /// -i g on w, in rotating axes -i g exp(-i Omega t) on u: x = Re(conj(-i g) exp(i Omega t)), y a
 /// quarter turn ahead.
 Eigen::VectorXcd ForcedMotion::weight_forces() const {
     const Eigen::VectorXcd load = imaginary_unit * _drive.gravity * _weight;
-    return in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
+    return assembly::in_pairs((_rotating ? 1 : 0) * load, imaginary_unit * load);
 }
 
 void ForcedMotion::solve_in_rotating_axes(double speed) {

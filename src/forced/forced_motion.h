@@ -43,9 +43,6 @@ struct Drive {
 /// squared: kg m.
 [[nodiscard]] Eigen::VectorXcd imbalance_loads(const assembly::Discretization &discretization);
 
-/// Components in two directions as unknowns in pairs.
-[[nodiscard]] Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y);
-
 /// Mass of what turns (shaft and discs) as loads on the planar unknowns under a uniform
 /// acceleration of one deflection: kg. Pedestals stand settled under their own weight.
 [[nodiscard]] Eigen::VectorXd weight_loads(const assembly::Discretization &discretization);

@@ -1,5 +1,6 @@
 #include "forced/reduced_motion.h"
 
+#include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
@@ -212,14 +213,14 @@ Eigen::VectorXcd ReducedMotion::imbalances() const {
     if (_form == results::Form::planar)
         return f;
     if (_form == results::Form::rotating) // x + i y stands still
-        return in_pairs(f.real().cast<Complex>(), f.imag().cast<Complex>());
-    return in_pairs(f, -imaginary_unit * f);
+        return assembly::in_pairs(f.real().cast<Complex>(), f.imag().cast<Complex>());
+    return assembly::in_pairs(f, -imaginary_unit * f);
 }
 
 Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forces
     const Eigen::VectorXd load = _shapes->matrix().transpose() * weight_loads(_discretization);
     const Eigen::VectorXcd f = imaginary_unit * _drive.gravity * load.cast<Complex>();
-    return in_pairs(f, imaginary_unit * f);
+    return assembly::in_pairs(f, imaginary_unit * f);
 }
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {

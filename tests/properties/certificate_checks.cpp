@@ -1,5 +1,6 @@
 #include "properties/certificate_checks.h"
 
+#include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "balancers/linear_element.h"
@@ -188,12 +189,12 @@ class DenseResponse {
             const assembly::RotatingSystem s = assembly::assemble_rotating(d, speed, {});
             const Eigen::MatrixXd K = s.stiffness(speed).view();
             _Z = K.cast<Complex>();
-            _load = forced::in_pairs(load.real().cast<Complex>(), load.imag().cast<Complex>());
+            _load = assembly::in_pairs(load.real().cast<Complex>(), load.imag().cast<Complex>());
         } else {
             const DenseRotor rotor(d, form, speed);
             const Complex w(0, speed);
             _Z = w * w * rotor.M + w * rotor.D + rotor.K;
-            _load = forced::in_pairs(load, Complex(0, -1) * load);
+            _load = assembly::in_pairs(load, Complex(0, -1) * load);
         }
         _scale = _Z.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
         _lu.compute(_scale.asDiagonal() * _Z * _scale.asDiagonal());

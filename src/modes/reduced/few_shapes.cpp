@@ -12,18 +12,6 @@
 
 namespace whirl::modes {
 
-namespace {
-
-/// Vectors over planar unknowns of both planes in pairs (x, y).
-Eigen::VectorXcd in_pairs(const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
-    Eigen::VectorXcd out(2 * x.size());
-    out(Eigen::seqN(0, x.size(), 2)) = x;
-    out(Eigen::seqN(1, x.size(), 2)) = y;
-    return out;
-}
-
-} // namespace
-
 std::unique_ptr<FewShapes> FewShapes::of(const assembly::Discretization &d, int modes) try {
     // A planar mode at rest is two whirl modes; more for what speed brings down.
     const int at_rest = modes / 2 + 3;
@@ -53,14 +41,14 @@ GeneralSpectrum::Modes FewShapes::modes(double speed, int wanted) const {
     const Eigen::MatrixXd &V = _shapes.matrix();
     for (WhirlMode &mode : out.modes) {
         const assembly::Planes planes(mode.shape);
-        mode.shape = in_pairs(V * planes.x, V * planes.y);
+        mode.shape = assembly::in_pairs(V * planes.x, V * planes.y);
     }
     return out;
 }
 
 Eigen::VectorXcd FewShapes::amplitudes(const Eigen::VectorXcd &shape) const {
     const assembly::Planes planes(shape);
-    return in_pairs(_onto * planes.x, _onto * planes.y);
+    return assembly::in_pairs(_onto * planes.x, _onto * planes.y);
 }
 
 double FewShapes::left_out(double speed, const WhirlMode &mode) const {
