@@ -229,14 +229,18 @@ QuadraticResult solve_problem(const QuadraticProblem &problem, const Sparse &M, 
     return solve_dense(problem, options);
 }
 
-QuadraticResult solve_scaled(const Sparse &M, const Sparse &D, const Sparse &K,
-                             const QuadraticOptions &options) {
-    const QuadraticProblem problem(M, D, K, options.shift);
-    QuadraticResult result = solve_problem(problem, M, D, K, options);
-    if (options.condition)
-        problem.assess_condition(result.pairs);
-    return result;
-}
+/// The matrices with d on both sides, which makes their entries comparable at the shift.
+struct Scaled {
+    Eigen::VectorXd d;
+    Sparse M, D, K;
+
+    Scaled(const Sparse &mass, const Sparse &damping, const Sparse &stiffness, double shift)
+        : d(scales_at(shift, mass.diagonal(), stiffness.diagonal())), M(of(mass)), D(of(damping)),
+          K(of(stiffness)) {}
+
+  private:
+    [[nodiscard]] Sparse of(const Sparse &A) const { return d.asDiagonal() * A * d.asDiagonal(); }
+};
 
 } // namespace
 
@@ -247,13 +251,13 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
 
 QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
                                 const QuadraticOptions &options) {
-    const Eigen::VectorXd d = scales_at(options.shift, M.diagonal(), K.diagonal());
-    const auto scaled = [&d](const Sparse &A) {
-        return Sparse(d.asDiagonal() * A * d.asDiagonal());
-    };
-    QuadraticResult result = solve_scaled(scaled(M), scaled(D), scaled(K), options);
+    const Scaled scaled(M, D, K, options.shift);
+    const QuadraticProblem problem(scaled.M, scaled.D, scaled.K, options.shift);
+    QuadraticResult result = solve_problem(problem, scaled.M, scaled.D, scaled.K, options);
+    if (options.condition)
+        problem.assess_condition(result.pairs);
     for (ComplexPair &pair : result.pairs) {
-        pair.vector = d.asDiagonal() * pair.vector;
+        pair.vector = scaled.d.asDiagonal() * pair.vector;
         Eigen::Index largest = 0;
         pair.vector.cwiseAbs2().maxCoeff(&largest);
         pair.vector /= pair.vector(largest);
@@ -263,14 +267,11 @@ QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &
 
 void assess_condition(const Sparse &M, const Sparse &D, const Sparse &K, double shift,
                       std::vector<ComplexPair> &pairs) {
-    const Eigen::VectorXd d = scales_at(shift, M.diagonal(), K.diagonal());
-    const auto scaled = [&d](const Sparse &A) {
-        return Sparse(d.asDiagonal() * A * d.asDiagonal());
-    };
+    const Scaled scaled(M, D, K, shift);
     std::vector<ComplexPair> copies = pairs;
     for (ComplexPair &pair : copies)
-        pair.vector = (d.cwiseInverse().asDiagonal() * pair.vector).normalized();
-    QuadraticProblem(scaled(M), scaled(D), scaled(K), shift).assess_condition(copies);
+        pair.vector = (scaled.d.cwiseInverse().asDiagonal() * pair.vector).normalized();
+    QuadraticProblem(scaled.M, scaled.D, scaled.K, shift).assess_condition(copies);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         pairs[i].residual = copies[i].residual;
         pairs[i].rounding = copies[i].rounding;
