@@ -161,8 +161,6 @@ double SpectrumSolver::left_out(double speed, const WhirlMode &mode) const {
     return _data->few ? _data->few->left_out(speed, mode) : 0;
 }
 
-void SpectrumSolver::take_all() { _data->few.reset(); }
-
 void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
     if (_data->few)
         return;

@@ -58,8 +58,6 @@ class SpectrumSolver {
     bool take_few_shapes(int modes);
     /// What the shapes leave out of the eigenvalue of such a mode, estimated, relative to it.
     [[nodiscard]] double left_out(double speed, const WhirlMode &mode) const;
-    /// The modes of the whole rotor again.
-    void take_all();
 
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;

@@ -67,21 +67,31 @@ std::optional<results::Form> form_for_names(const model::Case &scene) {
 /// Lines that lie nearer than this part of a frequency change their order nowhere but there.
 constexpr double near_lines = 1e-4;
 
+std::optional<tracking::ModeNames> names_by(const modes::SpectrumSolver &solver,
+                                            const model::Case &scene,
+                                            const tracking::ModesToName &wanted) {
+    return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
+                                wanted);
+}
+
+/// By the general form on few shapes; none where these leave out more than is allowed.
+std::optional<tracking::ModeNames> names_on_few_shapes(const model::Case &scene, int order,
+                                                       const tracking::ModesToName &wanted,
+                                                       double allowed) {
+    modes::SpectrumSolver few(scene.rotor, results::Form::general, order);
+    if (!scene.reduction || !few.take_few_shapes(scene.campbell.modes + 2))
+        return std::nullopt;
+    auto found = names_by(few, scene, wanted);
+    return found && found->left_out() < allowed ? std::move(found) : std::nullopt;
+}
+
 /// On few shapes where these describe the modes as well as names need it.
 std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
                                             const tracking::ModesToName &wanted) {
-    modes::SpectrumSolver solver(scene.rotor, form, order);
-    const auto names = [&] {
-        return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-                                    wanted);
-    };
-    if (scene.reduction && solver.take_few_shapes(scene.campbell.modes + 2)) {
-        auto found = names();
-        if (found && found->left_out() < near_lines)
+    if (form == results::Form::general)
+        if (auto found = names_on_few_shapes(scene, order, wanted, near_lines))
             return found;
-        solver.take_all();
-    }
-    return names();
+    return names_by(modes::SpectrumSolver(scene.rotor, form, order), scene, wanted);
 }
 
 } // namespace
@@ -173,20 +183,12 @@ std::optional<tracking::ModeNames> names_beside(const model::Case &scene, result
                                                 int order, const tracking::ModesToName &wanted) {
     constexpr double enough = 0.1 * near_lines; // an end's motion is looked for as near as that
     constexpr int small = 30;                   // unknowns of one plane
-    const auto names = [&](const modes::SpectrumSolver &solver) {
-        return tracking::mode_names(solver, *scene.speeds, scene.campbell.modes, scene.reduction,
-                                    wanted);
-    };
-    modes::SpectrumSolver few(scene.rotor, results::Form::general, order);
-    if (scene.reduction && few.take_few_shapes(scene.campbell.modes + 2)) {
-        auto found = names(few);
-        if (found && found->left_out() < enough)
-            return found;
-    }
+    if (auto found = names_on_few_shapes(scene, order, wanted, enough))
+        return found;
     const modes::SpectrumSolver whole(scene.rotor, form, order);
     if (whole.discretization().planar_size() > small && !scene.rotor.bearings_depend_on_speed())
         return std::nullopt;
-    return names(whole);
+    return names_by(whole, scene, wanted);
 }
 
 } // namespace
