@@ -137,17 +137,19 @@ std::string group_script(const std::vector<ModeShape> &modes, const std::string 
     std::string script;
     for (std::size_t m = 0; m < modes.size(); ++m) {
         const bool critical = &modes == &result.critical;
+        const std::size_t row = m / 2;
         script += panel_script(
             {modes[m], critical ? critical_heading(modes[m]) : mode_heading(modes[m], largest),
              name + std::to_string(m), m % 2 == 1, modes.size() == 1, m + 2 >= modes.size(),
-             top - pitch * static_cast<double>(m / 2)},
+             top - pitch * static_cast<double>(row)},
             result, height);
     }
     return script;
 }
 
 double rows_of(const std::vector<ModeShape> &modes) {
-    return static_cast<double>((modes.size() + 1) / 2);
+    const std::size_t rows = (modes.size() + 1) / 2;
+    return static_cast<double>(rows);
 }
 
 } // namespace
