@@ -262,6 +262,7 @@ void answer(const model::Case &scene, const std::vector<double> &grid,
             stability::StabilityModel &model, results::StabilityResult &result) {
     if (!model.conservative) {
         search(grid, model, result);
+        add_neutral_balls(scene.rotor, result);
         return;
     }
     result.growth.assign(result.speeds.size(), 0.0);

@@ -1,5 +1,6 @@
 #include "analyses/stability_ends.h"
 
+#include "balancers/arrangement.h"
 #include "ends/band_ends.h"
 #include "linalg/check.h"
 
@@ -173,6 +174,19 @@ void settle_rounding(results::StabilityResult &result, bool damped) {
         growth = 0;
         result.verdict[i] = results::Verdict::neutral;
     }
+}
+
+void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
+    const auto balancers =
+        balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
+    if (std::none_of(balancers.begin(), balancers.end(),
+                     [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
+        return;
+    for (std::size_t i = 0; i < result.growth.size(); ++i)
+        if (result.growth[i] < 0) {
+            result.growth[i] = 0;
+            result.verdict[i] = results::Verdict::neutral;
+        }
 }
 
 std::vector<double> described(const std::vector<double> &speeds,

@@ -47,6 +47,9 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
 /// as slow of a rotor without damping.
 void settle_rounding(results::StabilityResult &result, bool damped);
 
+/// Balls on one diameter can roll on without any effect, which neither grows nor dies out.
+void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result);
+
 /// The longest run of speeds that a Hill series describes.
 [[nodiscard]] std::vector<double> described(const std::vector<double> &speeds,
                                             const stability::StabilityModel &model);

@@ -35,11 +35,12 @@ class ComplexEntries {
 struct RotatingEntries {
     ComplexEntries M, C, Cs, K, Ks, Kss;
 
-    /// m times the acceleration seen from the fixed frame, u'' + 2 i speed u' - speed^2 u.
-    void inertia(int i, int j, double m) {
-        M.add(i, j, m);
-        Cs.add(i, j, 2.0 * i_unit * m);
-        Kss.add(i, j, -m);
+    /// The acceleration seen from the fixed frame, a = v'' + 2 i speed v' - speed^2 v, of a motion
+    /// v = m u + d conj(u).
+    void inertia(int i, int j, double m, Complex d = 0) {
+        M.add(i, j, m, d);
+        Cs.add(i, j, 2.0 * i_unit * m, 2.0 * i_unit * d);
+        Kss.add(i, j, -m, -d);
     }
     /// -i speed g (u' + i speed u).
     void gyroscopic(int i, int j, double g) {
@@ -109,31 +110,51 @@ Directions directions(const Eigen::Matrix2d &k) {
 }
 
 /// Entry of a column of small motions: M l^2 + C l, or, where its rate alone matters,
-/// (M l + C)(l/drift + 1).
-void add_column(int row, int column, double m, double c, double drift, RotatingEntries &out) {
-    if (drift == 0) {
-        out.M.add(row, column, m);
-        out.C.add(row, column, c);
-        return;
+/// (M l + C)(l/drift + 1); of a motion v = share u + across conj(u).
+struct Column {
+    int row, column;
+    double share;
+    Complex across;
+
+    void add(double m, double c, double drift, RotatingEntries &out) const {
+        if (drift == 0) {
+            put(m, out.M);
+            put(c, out.C);
+            return;
+        }
+        put(m / drift, out.M);
+        put(m + c / drift, out.C);
+        put(c, out.K);
     }
-    out.M.add(row, column, m / drift);
-    out.C.add(row, column, m + c / drift);
-    out.K.add(row, column, c);
+    void put(double value, ComplexEntries &out) const {
+        out.add(row, column, value * share, value * across);
+    }
+};
+
+/// What is no motion of the parts, 1/2 (y + D conj(y)): m (l + far)(l + 2 far).
+void add_held(const Column &along, double m, double far, RotatingEntries &out) {
+    along.put(m, out.M);
+    along.put(3 * far * m, out.C);
+    along.put(2 * far * far * m, out.K);
 }
 
 /// @param first  unknown of the first of its small motions
 void add_small_motions(const Combination &w, const balancers::SmallMotions &parts, int first,
                        RotatingEntries &out) {
     const auto n = static_cast<int>(parts.pull.size());
+    const double share = parts.diameter ? 0.5 : 1;
+    const Complex across = parts.diameter ? -0.5 * *parts.diameter : 0;
     for (int j = 0; j < n; ++j) {
         for (const auto &[i, v] : w) {
-            out.inertia(i, first + j, parts.pull(j) * v);
+            out.inertia(i, first + j, parts.pull(j) * v * share, parts.pull(j) * v * across);
             out.inertia(first + j, i, parts.pull(j) * v / 2);
             out.conjugate_inertia(first + j, i, -v / 2 * parts.conjugate(j));
         }
         for (int k = 0; k < n; ++k)
-            add_column(first + j, first + k, parts.inertia(j, k), parts.damping(j, k),
-                       parts.drift(k), out);
+            Column{first + j, first + k, share, across}.add(
+                parts.inertia(j, k), parts.damping(j, k), parts.drift(k), out);
+        if (parts.diameter)
+            add_held({first + j, first + j, share, -across}, parts.inertia(j, j), parts.far, out);
         out.Kss.add(first + j, first + j, parts.restoring(j));
     }
 }

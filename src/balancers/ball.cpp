@@ -176,14 +176,12 @@ SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
     Eigen::VectorXd damping(n);
     Eigen::VectorXcd conjugate(n);
     double rates = 0;
-    int undamped = 0;
     for (Index g = 0; g < n; ++g) {
         const Group &group = groups[static_cast<std::size_t>(g)];
         mass(g) = group.mass;
         damping(g) = group.mass * group.rate;
         conjugate(g) = group.conjugate;
         rates += group.rate;
-        undamped += group.rate == 0 ? 1 : 0;
     }
     const Eigen::MatrixXd T = means_and_differences(groups);
     SmallMotions out;
@@ -197,10 +195,7 @@ SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
     // Differences that leave the sum as it is are other balanced positions.
     out.drift = Eigen::VectorXd::Constant(n, SmallMotions::far_away * rates);
     out.drift(0) = 0;
-    // All balls on one diameter, along which their motion moves nothing: roots 0 and -h_s.
-    constexpr double rounding = 1e-12;
-    if (std::abs(std::abs(conjugate.sum()) / mass.sum() - 1) < rounding)
-        out.zero_roots = 1 + undamped;
+    out.set_diameter(conjugate.sum() / mass.sum(), rates);
     return out;
 }
 

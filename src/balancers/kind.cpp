@@ -17,6 +17,14 @@ std::unique_ptr<Kind> made(const model::Rings &r) { return std::make_unique<Ring
 
 } // namespace
 
+void SmallMotions::set_diameter(std::complex<double> D, double rate) {
+    constexpr double rounding = 1e-12;
+    if (std::abs(std::abs(D) - 1) > rounding)
+        return;
+    diameter = D / std::abs(D);
+    far = far_away * (rate > 0 ? rate : 1.0); // coupled to nothing: any rate does
+}
+
 double Outline::radius() const {
     double largest = 0;
     for (const double point : points)

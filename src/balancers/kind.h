@@ -53,12 +53,22 @@ struct SmallMotions {
     Eigen::MatrixXd damping;    ///< kg/s
     Eigen::VectorXd restoring;  ///< kg
     Eigen::VectorXd drift;      ///< 1/s
-    int zero_roots = 0;         ///< that are left all the same
+    /// Of all parts on one diameter: their common D = exp(2 i a), |D| = 1. They move across it
+    /// alone, y = 1/2 (y - D conj(y)), which the node drives and feels; what is left of the
+    /// unknown, along it, is no motion of theirs and dies away by itself at the roots -far and -2
+    /// far.
+    std::optional<std::complex<double>> diameter;
+    double far = 0; ///< 1/s
     /// Mean motions of groups of parts that move alike as combinations of y; empty: y themselves.
     Eigen::MatrixXd groups;
 
     /// A drift over the rates of the motions themselves: no motion is as fast, and rounding is far.
     static constexpr double far_away = 1e3;
+
+    /// Sets `diameter` where all parts stand on one.
+    /// @param D     mean of exp(2 i a) over the parts at angles a
+    /// @param rate  of the motions themselves, 1/s
+    void set_diameter(std::complex<double> D, double rate);
 };
 
 /// How the parts are drawn, seen from the side: all lengths are radii, m.

@@ -124,15 +124,16 @@ SmallMotions RingKind::small_motions(const std::vector<double> &angles) const {
     out.damping = Eigen::MatrixXd::Zero(unknowns, unknowns);
     out.restoring = Eigen::VectorXd::Zero(unknowns);
     out.drift = Eigen::VectorXd::Zero(unknowns);
-    constexpr double rounding = 1e-12;
-    if (std::abs(std::abs(D) - 1) < rounding) // all centres on one diameter, as of balls
-        out.zero_roots = _rings.damping > 0 && _rings.drag > 0 ? 1 : 2;
-    if (unknowns == 1)
+    if (unknowns == 1) {
+        out.set_diameter(D, 0);
         return out;
+    }
     const double c = n * _rings.damping;
     out.inertia(1, 1) = n * _rings.inertia / R2;
     out.damping << c, -c, -c, c + n * _rings.drag / R2;
-    out.drift(1) = SmallMotions::far_away * out.damping(1, 1) / out.inertia(1, 1);
+    const double rate = out.damping(1, 1) / out.inertia(1, 1);
+    out.drift(1) = SmallMotions::far_away * rate;
+    out.set_diameter(D, rate);
     return out;
 }
 

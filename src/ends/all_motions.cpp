@@ -45,11 +45,7 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
       _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
                                            borders(discretization.rotor(), from, to))),
       _slow(modes::support_scale(discretization)), _from(from), _to(to) {
-    if (results::in_rotating_axes(form)) {
-        for (const auto &balancer :
-             balancers::balancer_elements(discretization.rotor(), arrangement))
-            _zeros += balancer.parts.zero_roots;
-    } else {
+    if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
     }
@@ -83,8 +79,7 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     std::vector<Root> roots = at(speed).roots;
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
-    // Balls that can roll on without any effect neither grow nor die out.
-    bool neutral = results::in_rotating_axes(_form) && _zeros > 0;
+    bool neutral = false;
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
         // A root that drowns in its noise altogether says nothing, but for one that may be zero.

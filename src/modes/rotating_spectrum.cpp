@@ -8,6 +8,7 @@
 #include "results/whirl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,8 +29,23 @@ const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalue
     return found;
 }
 
-/// Zeros below this part of the shift are blurred by rounding: of a double one the root is left.
-constexpr double blurred = 1e-5;
+/// Rounding makes of two real eigenvalues that are nearly equal (balls alike in two balancers) a
+/// complex pair and back, from speed to speed: below this part of the modulus Im is none.
+constexpr double no_whirl = 1e-10;
+
+/// The two real ones that a pair next to the real axis is as well.
+std::array<linalg::ComplexPair, 2> parted(const linalg::ComplexPair &pair) {
+    // To the phase at which the real part is largest.
+    const double phase = std::arg(pair.vector.array().square().sum()) / 2;
+    const Eigen::VectorXcd vector = std::polar(1.0, -phase) * pair.vector;
+    std::array<linalg::ComplexPair, 2> out{pair, pair};
+    for (std::size_t k = 0; k < 2; ++k) {
+        out[k].value = pair.value.real();
+        out[k].vector =
+            (vector.real() + (k == 0 ? 1.0 : -1.0) * vector.imag()).cast<std::complex<double>>();
+    }
+    return out;
+}
 
 template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
     return shapes != nullptr ? reduction::Projection(*shapes).of(system) : std::move(system);
@@ -50,8 +66,13 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
                                   : Stations::for_orbits(discretization)) {
     if (shapes != nullptr)
         _method = linalg::QuadraticMethod::dense;
-    for (const balancers::BalancerElement &balancer : balancers)
-        _zeros += balancer.parts.zero_roots;
+    _parts = _system.M.size();
+    for (auto balancer = balancers.rbegin(); balancer != balancers.rend(); ++balancer)
+        for (int j = 0; j < balancer->unknowns(); ++j) {
+            _parts -= 2;
+            if (balancer->parts.diameter)
+                _held.emplace_back(_parts, std::sqrt(*balancer->parts.diameter));
+        }
     if (harmonics > 0)
         _supports = reduced(assembly::turning_supports(discretization, bearing_speed,
                                                        2 * (discretization.planar_size() +
@@ -86,6 +107,14 @@ int RotatingSpectrum::largest_term(const Eigen::VectorXcd &vector) const {
     return term;
 }
 
+/// All others have no part along the diameters, up to rounding.
+bool RotatingSpectrum::held(const Eigen::VectorXcd &vector) const {
+    double along = 0;
+    for (const auto &[first, diameter] : _held)
+        along += std::norm(diameter.real() * vector(first) + diameter.imag() * vector(first + 1));
+    return along > 0.5 * vector.segment(_parts, _system.M.size() - _parts).squaredNorm();
+}
+
 linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, double shift) const {
     linalg::QuadraticOptions options;
     options.shift = shift;
@@ -116,7 +145,6 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     linalg::QuadraticResult found;
     if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
-        options.zeros = _zeros;
         options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
@@ -138,10 +166,6 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    if (_harmonics == 0) // known to be zero, they come blurred
-        for (std::size_t i = 0; i < out.pairs.size() && i < static_cast<std::size_t>(_zeros); ++i)
-            if (std::abs(out.pairs[i].value) < blurred * shift)
-                out.pairs[i].value = 0;
     return out;
 }
 
@@ -249,26 +273,36 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
 RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
     Modes out;
     out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
-    std::vector<WhirlMode> real; // two of these make up one motion
-    for (const linalg::ComplexPair &pair : found.pairs) {
+    std::vector<linalg::ComplexPair> real; // two of these make up one motion
+    const auto take = [&](const linalg::ComplexPair &pair, bool stands_for_motion) {
         WhirlMode mode = in_fixed_frame(pair, speed);
         if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
             const double rate = mode.eigenvalue.real();
             out.overdamped.push_back(rate);
             if (rate > 10 * (pair.residual + pair.rounding) * std::abs(pair.value))
                 out.growing.push_back(rate);
-        } else if (pair.value.imag() == 0)
-            real.push_back(std::move(mode));
-        else
+        } else if (stands_for_motion) {
             out.modes.push_back(std::move(mode));
+        }
+    };
+    for (const linalg::ComplexPair &pair : found.pairs) {
+        if (held(pair.vector))
+            continue;
+        const double whirl = std::abs(pair.value.imag());
+        if (whirl == 0)
+            real.push_back(pair);
+        else if (whirl < no_whirl * std::abs(pair.value))
+            for (linalg::ComplexPair &one : parted(pair))
+                real.push_back(std::move(one));
+        else
+            take(pair, true);
     }
-    std::sort(real.begin(), real.end(), [](const WhirlMode &a, const WhirlMode &b) {
-        return a.eigenvalue.real() > b.eigenvalue.real();
-    });
+    std::stable_sort(real.begin(), real.end(),
+                     [](const auto &a, const auto &b) { return a.value.real() > b.value.real(); });
     // Of the two real ones that a complex pair turns into, the one that grows more stands for
     // both, so that a mode stays one mode through a band of instability.
-    real.resize((real.size() + 1) / 2);
-    out.modes.insert(out.modes.end(), real.begin(), real.end());
+    for (std::size_t i = 0; i < real.size(); ++i)
+        take(real[i], 2 * i < real.size());
     return out;
 }
 

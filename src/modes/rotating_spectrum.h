@@ -7,7 +7,9 @@
 #include "modes/orbits.h"
 #include "modes/whirl_mode.h"
 
+#include <complex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::modes {
@@ -70,10 +72,12 @@ class RotatingSpectrum {
     assembly::RotatingSystem _system;
     std::optional<assembly::TurningSupports> _supports;
     Eigen::SparseMatrix<double> _M, _C, _Cs, _K, _Ks, _Kss; ///< of the system, to be combined
+    Eigen::Index _parts = 0;                                ///< first unknown of balancers' parts
+    /// First unknowns and diameters of parts that move across one alone (SmallMotions).
+    std::vector<std::pair<Eigen::Index, std::complex<double>>> _held;
     Stations _stations;
     /// Of a reduced rotor all motions are found.
     linalg::QuadraticMethod _method = linalg::QuadraticMethod::automatic;
-    int _zeros = 0; ///< eigenvalues that are zero: balls that can roll on without any effect
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
     /// Copies of a motion that count.
@@ -94,6 +98,8 @@ class RotatingSpectrum {
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
+    /// Whether it is what holds parts on their way across a diameter: no motion.
+    [[nodiscard]] bool held(const Eigen::VectorXcd &vector) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
     [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;

@@ -30,14 +30,34 @@ struct ZeroRootSystem {
     Eigen::SparseMatrix<double> K, Ks, Kss;
 };
 
+/// What holds parts on their way across a diameter, put into the terms with speed^2, the only ones
+/// that their rows have besides.
+/// @param first  unknown of the first balancer
+void hold_by_speed(const std::vector<balancers::BalancerElement> &balancers, int first,
+                   ZeroRootSystem &system) {
+    for (const balancers::BalancerElement &balancer : balancers) {
+        const int size = 2 * balancer.unknowns();
+        if (balancer.parts.diameter)
+            for (int column = first; column < first + size; ++column)
+                for (int row = first; row < first + size; ++row)
+                    if (const double held = system.K.coeff(row, column); held != 0) {
+                        system.Kss.coeffRef(row, column) += held;
+                        system.K.coeffRef(row, column) = 0;
+                    }
+        first += size;
+    }
+}
+
 /// Rows of balancers have speed^2 as a factor, but for those with a drift: without it they have no
 /// root at zero.
 ZeroRootSystem zero_root_system(const assembly::Discretization &discretization,
                                 const balancers::Arrangement &arrangement, bool frozen) {
-    const assembly::RotatingSystem system = assembly::assemble_rotating(
-        discretization, 0, balancers::balancer_elements(discretization.rotor(), arrangement),
-        frozen);
+    const auto balancers = balancers::balancer_elements(discretization.rotor(), arrangement);
+    const assembly::RotatingSystem system =
+        assembly::assemble_rotating(discretization, 0, balancers, frozen);
     ZeroRootSystem out{system.K.view(), system.Ks.view(), system.Kss.view()};
+    if (!frozen)
+        hold_by_speed(balancers, 2 * discretization.planar_size(), out);
     Eigen::VectorXd alone = Eigen::VectorXd::Zero(out.K.rows()); // rows with Kss alone
     alone.tail(out.K.rows() - 2 * discretization.planar_size()).setOnes();
     for (Eigen::Index column = 0; column < out.K.outerSize(); ++column)

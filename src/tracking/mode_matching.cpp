@@ -82,21 +82,28 @@ std::complex<double> value(const modes::Spectrum &spectrum, Eigen::Index i) {
     return spectrum.modes[static_cast<std::size_t>(i)].eigenvalue;
 }
 
+/// Whirl in the rotor, over the spin speed, of a mode that all but stands still there.
+constexpr double standing = 1e-3;
+
 /// Two modes of different speeds, one of which stands still in the rotor (its eigenvalue in
 /// rotating axes is real) while the other does nearly so: how far apart their eigenvalues in
 /// rotating axes are, where one can become the other. Such a pair has met on the real axis between
-/// the two speeds, where both vectors become one: overlaps say nothing there.
+/// the two speeds, where both vectors become one: overlaps say nothing there. Nor do they where
+/// both stand still beside others of the same eigenvalue, as balls of several balancers do at low
+/// speeds; such lines lie on each other.
 std::optional<double> distance_at_lock(const modes::Spectrum &a, const modes::Spectrum &b,
                                        Eigen::Index i, Eigen::Index j) {
     const modes::WhirlMode &one = a.modes[static_cast<std::size_t>(i)];
     const modes::WhirlMode &other = b.modes[static_cast<std::size_t>(j)];
-    const bool locks = locked(one, a.speed) != locked(other, b.speed);
+    if (one.rotating_vector.size() == 0 || other.rotating_vector.size() == 0)
+        return std::nullopt;
+    const double speed = std::abs(b.speed);
     const double slow = std::max(one.frequency_rotating, other.frequency_rotating);
     const double distance = std::abs(one.rotating_value - other.rotating_value);
-    const bool known = one.rotating_vector.size() > 0 && other.rotating_vector.size() > 0;
-    if (!known || !locks || slow > 0.5 * std::abs(b.speed) || distance > 3 * slow)
-        return std::nullopt;
-    return distance;
+    const bool locks = locked(one, a.speed) != locked(other, b.speed);
+    const bool becomes = locks && slow <= 0.5 * speed && distance <= 3 * slow;
+    const bool stays = slow <= standing * speed && distance <= standing * speed;
+    return becomes || stays ? std::optional(distance) : std::nullopt;
 }
 
 /// Distance of the eigenvalue at b from where that at a goes with the mean of both slopes.
@@ -210,7 +217,8 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
 }
 
 Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there) {
-    const std::complex<double> l = here.modes[static_cast<std::size_t>(place)].eigenvalue;
+    const modes::WhirlMode &mode = here.modes[static_cast<std::size_t>(place)];
+    const std::complex<double> l = mode.eigenvalue;
     const double size = std::abs(l);
     // Two complex eigenvalues that meet on the real axis part along it as fast as they came.
     const double window = std::max(3 * l.imag(), 0.1 * size);
@@ -218,12 +226,19 @@ Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &ther
     const auto count = [&](const std::vector<double> &reals) {
         return std::count_if(reals.begin(), reals.end(), near);
     };
+    // Balls that stand still in the rotor: at rest nothing whirls, and what hardly moves them at
+    // low speeds is lost in rounding.
+    constexpr double hardly = 1e-9;
+    const double still = (there.speed == 0 ? standing : hardly) * std::abs(here.speed);
+    if (mode.rotating_vector.size() > 0 && mode.frequency_rotating <= still &&
+        (there.speed == 0 || std::abs(mode.rotating_value) <= still))
+        return Absence::overdamped;
     if (l.imag() <= 0.5 * size && count(there.overdamped) > count(here.overdamped))
         return count(there.growing) > count(here.growing) ? Absence::divergent
                                                           : Absence::overdamped;
     double highest = 0;
-    for (const modes::WhirlMode &mode : there.modes)
-        highest = std::max(highest, mode.eigenvalue.imag());
+    for (const modes::WhirlMode &other : there.modes)
+        highest = std::max(highest, other.eigenvalue.imag());
     if (size >= 0.9 * there.complete_radius || l.imag() >= 0.9 * highest)
         return Absence::beyond;
     return Absence::lost;
