@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace whirl::analyses {
@@ -88,15 +89,48 @@ results::CampbellMode mode_along(const tracking::Line &line,
     return out;
 }
 
-/// Leaves the lines that are among the `modes` lowest at some speed.
+/// The speeds of the diagram and those between them that name its lines, ascending.
+std::vector<double> with_naming_speeds(const model::SpeedRange &range) {
+    const std::vector<double> own = range.values();
+    const std::vector<double> naming = tracking::naming_speeds(range);
+    std::vector<double> all;
+    std::set_union(own.begin(), own.end(), naming.begin(), naming.end(), std::back_inserter(all));
+    return all;
+}
+
+/// Places of some of these speeds.
+std::vector<std::size_t> places_of(const std::vector<double> &some,
+                                   const std::vector<modes::Spectrum> &spectra) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        if (std::binary_search(some.begin(), some.end(), spectra[k].speed))
+            places.push_back(k);
+    return places;
+}
+
+template <class Item>
+void keep_places(std::vector<Item> &items, const std::vector<std::size_t> &places) {
+    std::vector<Item> kept;
+    for (const std::size_t k : places)
+        kept.push_back(std::move(items[k]));
+    items = std::move(kept);
+}
+
+/// Leaves the lines that are among the `modes` lowest at some speed of the diagram, there.
 /// @returns their names
-std::vector<std::string> keep_lowest(tracking::FollowedLines &found, int modes) {
+std::vector<std::string> keep_lowest(tracking::FollowedLines &found, const model::SpeedRange &range,
+                                     int modes) {
     std::vector<tracking::Line> &lines = found.tracking.lines;
     const std::vector<tracking::LineName> names = tracking::line_names(
-        lines, found.spectra, tracking::naming_places(found.spectra.size()), modes, true);
+        lines, found.spectra, places_of(tracking::naming_speeds(range), found.spectra), modes);
+    const std::vector<std::size_t> own = places_of(range.values(), found.spectra);
+    keep_places(found.spectra, own);
+    keep_places(found.tracking.rates, own);
     std::vector<tracking::Line> lowest;
     std::vector<std::string> labels;
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        keep_places(lines[i].place, own);
+        keep_places(lines[i].absence, own);
         if (!tracking::among_lowest(lines[i], modes))
             continue;
         labels.push_back(names[i].label);
@@ -254,11 +288,11 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
-    tracking::FollowedLines found =
-        tracking::followed_lines(solver, result.speeds, scene.campbell.modes, scene.reduction);
+    tracking::FollowedLines found = tracking::followed_lines(
+        solver, with_naming_speeds(*scene.speeds), scene.campbell.modes, scene.reduction);
     if (process::process_rank() != 0)
         return result;
-    const std::vector<std::string> labels = keep_lowest(found, scene.campbell.modes);
+    const std::vector<std::string> labels = keep_lowest(found, *scene.speeds, scene.campbell.modes);
     const tracking::Tracking &tracking = found.tracking;
     const std::vector<modes::Spectrum> &spectra = found.spectra;
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);

@@ -61,74 +61,88 @@ bool whole(const Line &line) {
     return before != Absence::beyond && before != Absence::lost;
 }
 
-/// Gives out names in the order of the lines.
-class Naming {
+/// Gives out the names of one series, in the order of the lines.
+class Series {
   public:
-    Naming(const std::vector<Line> &lines, const std::vector<modes::Spectrum> &spectra)
-        : _lines(lines), _spectra(spectra), names(lines.size()) {}
+    /// @param prefix  of its names
+    Series(const std::vector<Line> &lines, const std::vector<modes::Spectrum> &spectra,
+           const char *prefix)
+        : _lines(lines), _spectra(spectra), _prefix(prefix) {}
 
-    /// Those of these lines that have none yet, by their beginning at the speeds.
-    void name(Places which, const Places &speeds) {
-        const auto begins = [&](std::size_t i) { return beginning(_lines[i], speeds); };
-        which.erase(
-            std::remove_if(which.begin(), which.end(),
-                           [&](std::size_t i) { return !names[i].label.empty() || !begins(i); }),
-            which.end());
+    /// Those of these lines, by their beginning at the speeds.
+    void name(Places which, const Places &speeds, std::vector<LineName> &names) {
+        const auto begins = [&](std::size_t i) { return *beginning(_lines[i], speeds); };
         std::stable_sort(which.begin(), which.end(),
-                         [&](std::size_t a, std::size_t b) { return *begins(a) < *begins(b); });
+                         [&](std::size_t a, std::size_t b) { return begins(a) < begins(b); });
         for (const std::size_t i : which) {
             const results::Whirl whirl = usual_whirl(_lines[i], _spectra, speeds);
             const auto sense = static_cast<std::size_t>(whirl);
             // Numbers after that of a piece of a line are as unsure as its own.
             _sure[sense] = _sure[sense] && (there(_lines[i], speeds.front()) || whole(_lines[i]));
-            names[i] = {fmt::format("{}{}", ++_counts[sense], letter(whirl)), _sure[sense]};
+            names[i] = {fmt::format("{}{}{}", _prefix, ++_counts[sense], letter(whirl)),
+                        _sure[sense]};
         }
     }
 
   private:
     const std::vector<Line> &_lines;
     const std::vector<modes::Spectrum> &_spectra;
+    const char *_prefix;
     std::array<int, 3> _counts{};
     std::array<bool, 3> _sure{true, true, true};
-
-  public:
-    std::vector<LineName> names;
 };
 
 } // namespace
 
-std::vector<std::size_t> naming_places(std::size_t count) {
-    constexpr std::size_t most = 11;
-    Places out;
-    for (std::size_t i = 0; i < std::min(count, most); ++i)
-        out.push_back(count <= most ? i : (2 * i * (count - 1) + most - 1) / (2 * (most - 1)));
+std::vector<double> naming_speeds(const model::SpeedRange &range) {
+    if (range.count == 1)
+        return {range.from};
+    constexpr std::size_t steps = 10;
+    const std::vector<double> own = range.values();
+    const double last = static_cast<double>(steps);
+    std::vector<double> out;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const std::size_t place = i * (own.size() - 1);
+        // The same numbers where they are among those asked for, not their neighbours by rounding.
+        out.push_back(place % steps == 0
+                          ? own[place / steps]
+                          : range.from + (range.to - range.from) * static_cast<double>(i) / last);
+    }
     return out;
 }
 
 std::vector<LineName> line_names(const std::vector<Line> &lines,
                                  const std::vector<modes::Spectrum> &spectra,
-                                 const std::vector<std::size_t> &naming, int modes, bool all) {
-    Places named;
-    Places others;
+                                 const std::vector<std::size_t> &naming, int modes) {
+    Places first; // all that are there, so that more modes change no number
+    Places late;  // only those of the lowest: how many more are computed is not the same everywhere
+    Places higher; // of the lowest between the naming speeds alone
+    Places others; // that are there between them alone
+    Places unsure;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const auto low = [&, i](std::size_t k) {
+        const bool low = std::any_of(naming.begin(), naming.end(), [&](std::size_t k) {
             return there(lines[i], k) && lines[i].place[k] < modes;
-        };
-        if (std::any_of(naming.begin(), naming.end(), low))
-            named.push_back(i);
-        else if (all && among_lowest(lines[i], modes))
-            others.push_back(i);
+        });
+        if (there(lines[i], naming.front()))
+            first.push_back(i);
+        else if (low)
+            late.push_back(i);
+        else if (among_lowest(lines[i], modes))
+            (beginning(lines[i], naming) ? higher : others).push_back(i);
+        if (!low)
+            unsure.push_back(i);
     }
-    Naming out(lines, spectra);
-    out.name(named, naming);
-    if (!others.empty()) {
-        Places speeds(spectra.size());
-        std::iota(speeds.begin(), speeds.end(), std::size_t{0});
-        out.name(others, speeds);
-        for (const std::size_t i : others)
-            out.names[i].sure = false;
-    }
-    return std::move(out.names);
+    std::vector<LineName> names(lines.size());
+    Series(lines, spectra, "").name(first, naming, names);
+    Series later(lines, spectra, "e");
+    later.name(late, naming, names);
+    later.name(higher, naming, names);
+    Places all(spectra.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    later.name(others, all, names);
+    for (const std::size_t i : unsure)
+        names[i].sure = false;
+    return names;
 }
 
 } // namespace whirl::tracking

@@ -43,15 +43,12 @@ bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spe
 
 ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRange &range, int modes,
                      bool follow, const ModesToName &wanted) {
-    const std::vector<double> own = range.values();
-    std::vector<double> named_at;
-    for (const std::size_t k : naming_places(own.size()))
-        named_at.push_back(own[k]);
+    const std::vector<double> named_at = naming_speeds(range);
     _speeds = named_at;
     for (const double speed : wanted.speeds) {
-        const bool inside = speed >= own.front() && speed <= own.back();
+        const bool inside = speed >= named_at.front() && speed <= named_at.back();
         // Beyond standstill senses change their names.
-        if (inside || (wanted.beyond_range && own.front() >= 0 && speed >= 0))
+        if (inside || (wanted.beyond_range && named_at.front() >= 0 && speed >= 0))
             _speeds.push_back(speed);
     }
     std::sort(_speeds.begin(), _speeds.end());
@@ -82,7 +79,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     }
     _left_out = most_left_out(solver, _spectra, asked, modes, wanted);
     _rates = tracking.rates;
-    const std::vector<LineName> names = line_names(tracking.lines, _spectra, naming, modes, false);
+    const std::vector<LineName> names = line_names(tracking.lines, _spectra, naming, modes);
     for (const modes::Spectrum &spectrum : _spectra)
         _names.emplace_back(spectrum.modes.size());
     for (std::size_t i = 0; i < names.size(); ++i)

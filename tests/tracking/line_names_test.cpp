@@ -111,20 +111,21 @@ TEST(LineNames, of_critical_speeds) {
     }
 }
 
-/// Spread evenly; the same speeds of 11, 101 and 1001.
+/// Spread evenly, whatever the number of speeds.
 TEST(LineNames, naming_speeds_are_eleven) {
-    for (const std::size_t count : {11U, 101U, 1001U}) {
-        const std::vector<std::size_t> places = tracking::naming_places(count);
-        ASSERT_EQ(places.size(), 11U);
-        for (std::size_t i = 0; i < places.size(); ++i)
-            EXPECT_EQ(places[i] * 10, i * (count - 1));
+    for (const int count : {2, 3, 11, 24, 101, 1000}) {
+        const std::vector<double> speeds = tracking::naming_speeds({300, 1700, count});
+        ASSERT_EQ(speeds.size(), 11U);
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+            EXPECT_NEAR(speeds[i], 300 + 140.0 * static_cast<double>(i), 1e-12 * 1700);
+        EXPECT_EQ(speeds.front(), 300);
+        EXPECT_EQ(speeds.back(), 1700);
     }
-    EXPECT_EQ(tracking::naming_places(3), (std::vector<std::size_t>{0, 1, 2}));
-    EXPECT_EQ(tracking::naming_places(1), (std::vector<std::size_t>{0}));
+    EXPECT_EQ(tracking::naming_speeds({300, 300, 1}), (std::vector<double>{300}));
 }
 
-/// A line that begins to whirl late takes the number after those there before, although it is the
-/// slowest; one that comes in from beyond has a name that is not sure, and so have those after it.
+/// Lines that begin to whirl late have numbers of their own; one that comes in from beyond has a
+/// name that is not sure, and so have those after it.
 TEST(LineNames, of_lines_that_begin_later) {
     using tracking::Absence;
     std::vector<modes::Spectrum> spectra(3);
@@ -141,12 +142,12 @@ TEST(LineNames, of_lines_that_begin_later) {
     const tracking::Line last{{no, no, 2},
                               {Absence::overdamped, Absence::overdamped, Absence::none}};
     const auto named = [&](Absence why) {
-        return tracking::line_names({last, late(why), first}, spectra, {0, 1, 2}, 3, false);
+        return tracking::line_names({last, late(why), first}, spectra, {0, 1, 2}, 3);
     };
     for (const Absence why : {Absence::overdamped, Absence::beyond}) {
         const std::vector<tracking::LineName> names = named(why);
-        EXPECT_EQ(names[0].label, "3F");
-        EXPECT_EQ(names[1].label, "2F");
+        EXPECT_EQ(names[0].label, "e2F");
+        EXPECT_EQ(names[1].label, "e1F");
         EXPECT_EQ(names[2].label, "1F");
         EXPECT_EQ(names[0].sure, why == Absence::overdamped);
         EXPECT_EQ(names[1].sure, why == Absence::overdamped);
