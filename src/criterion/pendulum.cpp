@@ -30,7 +30,7 @@ std::vector<balancers::PlacedPendulums> pendulums_of(const model::Case &scene) {
         if (!(pendulums.pivot > 0))
             throw model::BadInput(
                 fmt::format("{}: balancer[{}].pivot: expected a radius above 0 m (the pendulums "
-                            "stand still nowhere else), got {} m",
+                            "stand still nowhere else), got {:.6g} m",
                             scene.file.string(), pendulums.index, pendulums.pivot));
     return out;
 }

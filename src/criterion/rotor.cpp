@@ -35,7 +35,7 @@ model::SpeedRange checked_range(const model::Case &scene) {
         (range.count == 1 && range.from <= 0))
         throw model::BadInput(
             fmt::format("{}: speeds: expected spin speeds from 0 up (one alone: above 0), got "
-                        "from = {} rad/s, to = {} rad/s, count = {}",
+                        "from = {:.6g} rad/s, to = {:.6g} rad/s, count = {}",
                         scene.file.string(), range.from, range.to, range.count));
     return range;
 }

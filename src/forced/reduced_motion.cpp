@@ -135,6 +135,7 @@ void ReducedMotion::take_in(const Eigen::MatrixXcd &motions, double newness) {
     _shapes->add_newest_first(real_parts(motions, newness), newness);
     _pieces.clear();
     _piece = nullptr;
+    _at_first_row.reset();
     _b = _drive.weight() ? weight() : imbalances();
     const Eigen::MatrixXd &V = _shapes->matrix();
     _stretches.setZero(static_cast<Eigen::Index>(_quantities.size()), V.cols());
@@ -174,6 +175,50 @@ std::vector<double> ReducedMotion::cuts(double from, double to) const {
 }
 
 ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
+    if (_rows.empty())
+        return whole_terms(bearing_speed);
+    if (!_at_first_row) // nothing but the bearings changes from row to row
+        _at_first_row = whole_terms(_rows.front());
+    Terms out = *_at_first_row;
+    if (bearing_speed != _rows.front()) {
+        add_bearings(_rows.front(), -1, out);
+        add_bearings(bearing_speed, 1, out);
+    }
+    return out;
+}
+
+void ReducedMotion::add_bearings(double bearing_speed, double share, Terms &out) const {
+    const Eigen::MatrixXd &V = _shapes->matrix();
+    const auto add = [&](Eigen::MatrixXcd &target, Complex factor, int i, int j,
+                         const Eigen::Matrix2d &block) {
+        const Eigen::MatrixXcd product = share * factor * (V.row(i).transpose() * V.row(j));
+        const Eigen::Index planes = _form == results::Form::planar ? 1 : 2;
+        for (Eigen::Index p = 0; p < planes; ++p)
+            for (Eigen::Index q = 0; q < planes; ++q)
+                target(Eigen::seqN(p, V.cols(), planes), Eigen::seqN(q, V.cols(), planes)) +=
+                    block(p, q) * product;
+    };
+    assembly::assemble_bearings(
+        _discretization, bearing_speed,
+        [&](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
+            if (_form == results::Form::rotating) { // the part that is the same from all sides
+                const double along = block.trace() / 2;
+                const double across = (block(1, 0) - block(0, 1)) / 2;
+                block << along, -across, across, along;
+            }
+            if (term == assembly::Term::stiffness)
+                add(out.constant, 1, i, j, block);
+            if (term != assembly::Term::damping)
+                return;
+            if (_form != results::Form::rotating || _drive.weight())
+                add(out.linear, imaginary_unit, i, j, block);
+            if (_form == results::Form::rotating) // of the axes that turn: i times the block
+                add(out.linear, 1, i, j,
+                    Eigen::Matrix2d{{-block(1, 0), -block(0, 0)}, {block(0, 0), -block(1, 0)}});
+        });
+}
+
+ReducedMotion::Terms ReducedMotion::whole_terms(double bearing_speed) const {
     const Eigen::MatrixXd &plain = _shapes->matrix();
     const Dense<Wide> V = plain.cast<Wide>();
     if (_form == results::Form::planar) {
@@ -197,15 +242,9 @@ ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
                     product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
         return {product(s.K), product(s.Ks), product(s.Kss)};
     }
-    const assembly::FixedSystem &s = fixed_system(bearing_speed);
+    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
     return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
             imaginary_unit * mass(s.G) - mass(s.M)};
-}
-
-const assembly::FixedSystem &ReducedMotion::fixed_system(double bearing_speed) const {
-    if (!_assembled || _assembled->first != bearing_speed)
-        _assembled.emplace(bearing_speed, assembly::assemble_fixed(_discretization, bearing_speed));
-    return _assembled->second;
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "assembly/system.h"
 #include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
@@ -63,8 +62,7 @@ class ReducedMotion {
     ReducedMotion(const assembly::Discretization &discretization, results::Form form, double top,
                   std::vector<Quantity> quantities, Drive drive = {}, bool reduction = true);
 
-    /// The shapes are all there are: nothing is left out.
-    [[nodiscard]] bool whole() const { return _whole; }
+    [[nodiscard]] bool whole() const { return _whole; } ///< by all shapes there are
     /// Shapes, in one plane.
     [[nodiscard]] int size() const { return static_cast<int>(_shapes->matrix().cols()); }
 
@@ -96,7 +94,7 @@ class ReducedMotion {
         Eigen::MatrixXcd constant, linear, quadratic;
     };
     struct Factors {
-        double speed; ///< rad/s
+        double speed;
         Eigen::PartialPivLU<Eigen::MatrixXcd> P;
     };
     struct Piece {
@@ -114,18 +112,20 @@ class ReducedMotion {
     std::vector<Quantity> _quantities;
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
-    std::vector<double> _rows; ///< of bearing tables, rad/s
-    mutable std::optional<std::pair<double, assembly::FixedSystem>> _assembled; ///< asked for last
-    Eigen::MatrixXd _stretches; ///< a row a quantity, over the shapes
-    /// The numbers that readings are made of, over the unknowns: of each quantity w, or x and y;
-    /// under the weight the unknowns themselves, to see what cancels.
+    std::vector<double> _rows;                  ///< of bearing tables, rad/s
+    mutable std::optional<Terms> _at_first_row; ///< of the tables, once asked for
+    Eigen::MatrixXd _stretches;                 ///< a row a quantity, over the shapes
+    /// What readings are made of, over the unknowns: of each quantity w, or x and y; under the
+    /// weight the unknowns themselves, to see what cancels.
     Eigen::MatrixXd _read;
     std::map<int, Piece> _pieces; ///< seen so far, by their numbers
     Piece *_piece = nullptr;
     Eigen::VectorXcd _b;
 
     [[nodiscard]] Terms terms(double bearing_speed) const;
-    [[nodiscard]] const assembly::FixedSystem &fixed_system(double bearing_speed) const;
+    [[nodiscard]] Terms whole_terms(double bearing_speed) const;
+    /// Adds a share of what the bearings at a speed are in the terms.
+    void add_bearings(double bearing_speed, double share, Terms &out) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
     [[nodiscard]] const Factors &factors(double speed) const;
     void set_read();

@@ -1,4 +1,5 @@
 #include "input/node.h"
+#include "input/units.h"
 
 #include <fmt/core.h>
 
@@ -64,6 +65,12 @@ std::string in_quotes(std::string_view text) {
     std::replace_if(
         out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     return "\"" + out + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string as_written(const Node *node, double value, std::string_view unit) {
+    return node != nullptr && node->kind == Node::Kind::text && !parse_number(node->text)
+               ? in_quotes(node->text)
+               : fmt::format("{:.6g} {}", value, unit);
 }
 
 std::string shown(const Node &node) {

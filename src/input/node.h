@@ -32,6 +32,9 @@ struct Node {
 /// The value as the user wrote it, for messages: `"5 kg"`, `-3.5`, `a table`.
 [[nodiscard]] std::string shown(const Node &node);
 
+/// A number with its unit as the user wrote it, `"420 mm"`; else its value in SI, `0.42 m`.
+[[nodiscard]] std::string as_written(const Node *node, double value, std::string_view unit);
+
 /// `text` in quotation marks, cut where it is long, control characters replaced.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

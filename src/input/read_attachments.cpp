@@ -27,8 +27,8 @@ model::Disc read_disc_of_geometry(CheckedTable &table, const Materials &material
         pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
                       table.path_of("material"), table.context().problems);
     if (inner >= outer) {
-        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {} m, "
-                                        "got {} m",
+        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} m, "
+                                        "got {:.6g} m",
                                         outer, inner));
         return {};
     }

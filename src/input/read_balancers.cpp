@@ -38,7 +38,7 @@ model::BallRow read_row(CheckedTable &table) {
                         Quantity::length, Range::positive());
     if (row.diameter >= 2 * row.radius && table.has("ball_diameter"))
         table.fail("ball_diameter", fmt::format("expected less than twice the radius of the circle "
-                                                "of ball centres, {} m, got {} m",
+                                                "of ball centres, {:.6g} m, got {:.6g} m",
                                                 2 * row.radius, row.diameter));
     row.rolling = table.number_or("rolling_resistance", 0, Quantity::length, Range::not_negative());
     return row;
@@ -108,9 +108,10 @@ double read_ring_inertia(CheckedTable &table, const model::Rings &rings) {
     if (table.has("outer_radius")) {
         const double outer = table.number("outer_radius", Quantity::length, Range::positive());
         if (outer <= bore)
-            table.fail("outer_radius", fmt::format("expected a radius above that of the bore, "
-                                                   "journal_radius + clearance = {} m, got {} m",
-                                                   bore, outer));
+            table.fail("outer_radius",
+                       fmt::format("expected a radius above that of the bore, "
+                                   "journal_radius + clearance = {:.6g} m, got {:.6g} m",
+                                   bore, outer));
         return rings.mass * (outer * outer + bore * bore) / 2;
     }
     const double inertia = table.number("inertia", Quantity::inertia, Range::positive());
@@ -118,7 +119,7 @@ double read_ring_inertia(CheckedTable &table, const model::Rings &rings) {
     constexpr double rounding = 1e-9; // of inputs with nine digits or more
     if (inertia < least * (1 - rounding))
         table.fail("inertia", fmt::format("expected at least mass (journal_radius + clearance)^2 = "
-                                          "{} kg m2, as all mass lies outside the bore, got {}",
+                                          "{:.6g} kg m2, as all mass lies outside the bore, got {}",
                                           least, inertia));
     return inertia;
 }

@@ -10,12 +10,16 @@ void read_operating_speeds(CheckedTable &table, model::Case &scene) {
     operation.from = table.number("from", Quantity::angular_speed, Range::not_negative());
     operation.to = table.number("to", Quantity::angular_speed, Range::positive());
     operation.trip = table.optional_number("trip", Quantity::angular_speed, Range::positive());
+    const auto written = [&table](const char *key, double value) {
+        return as_written(table.find(key), value, "rad/s");
+    };
     if (operation.to <= operation.from)
-        table.fail("to", fmt::format("expected more than from = {} rad/s, got {} rad/s",
-                                     operation.from, operation.to));
+        table.fail("to", fmt::format("expected more than from = {}, got {}",
+                                     written("from", operation.from), written("to", operation.to)));
     if (operation.trip && *operation.trip < operation.to)
-        table.fail("trip", fmt::format("expected at least to = {} rad/s, got {} rad/s",
-                                       operation.to, *operation.trip));
+        table.fail("trip",
+                   fmt::format("expected at least to = {}, got {}", written("to", operation.to),
+                               written("trip", *operation.trip)));
     table.refuse_unknown();
     scene.operation = operation;
 }

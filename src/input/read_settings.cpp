@@ -134,9 +134,10 @@ void read_speeds(CheckedTable &root, model::Case &scene) {
     speeds.to = to.value_or(speeds.from);
     speeds.count = table->whole_or("count", to ? 101 : 1, 1, largest_count);
     if (speeds.to < speeds.from || (to && speeds.count > 1 && speeds.to == speeds.from))
-        table->fail("to", fmt::format("expected {} from = {} rad/s, got {} rad/s",
-                                      speeds.count > 1 ? "more than" : "at least", speeds.from,
-                                      speeds.to));
+        table->fail("to", fmt::format("expected {} from = {}, got {}",
+                                      speeds.count > 1 ? "more than" : "at least",
+                                      as_written(table->find("from"), speeds.from, "rad/s"),
+                                      as_written(table->find("to"), speeds.to, "rad/s")));
     if (!table->has("to") && speeds.count > 1)
         table->fail("to", "missing, expected an angular speed in rad/s where count is above 1");
     table->refuse_unknown();

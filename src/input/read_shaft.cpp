@@ -37,10 +37,11 @@ void check_free(const model::Layer &layer, const std::vector<Ring> &taken, Check
     constexpr double rounding = 1e-9; // of lengths in other units
     for (const Ring &ring : taken)
         if (layer.inner < (1 - rounding) * ring.outer && (1 + rounding) * ring.inner < layer.outer)
-            table.fail(table.find("inner") ? "inner" : "outer",
-                       fmt::format("expected a tube beside what lies from {} m to {} m already, "
-                                   "got one from {} m to {} m",
-                                   ring.inner, ring.outer, layer.inner, layer.outer));
+            table.fail(
+                table.find("inner") ? "inner" : "outer",
+                fmt::format("expected a tube beside what lies from {:.6g} m to {:.6g} m already, "
+                            "got one from {:.6g} m to {:.6g} m",
+                            ring.inner, ring.outer, layer.inner, layer.outer));
 }
 
 /// Tubes given without an inner diameter sit on what lies inside of them.
@@ -56,9 +57,10 @@ std::vector<model::Layer> read_layers(CheckedTable &table_of_segment, const mode
         layer.outer = table.number("outer", Quantity::length, Range::positive());
         layer.inner = table.number_or("inner", inside, Quantity::length, Range::not_negative());
         if (layer.inner >= layer.outer)
-            table.fail("outer", fmt::format("expected a diameter above the inner one, {} m, got "
-                                            "{} m",
-                                            layer.inner, layer.outer));
+            table.fail("outer",
+                       fmt::format("expected a diameter above the inner one, {:.6g} m, got "
+                                   "{:.6g} m",
+                                   layer.inner, layer.outer));
         else
             check_free(layer, taken, table);
         layer.material =

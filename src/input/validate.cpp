@@ -26,8 +26,8 @@ struct Check {
 void check_position(double &z, const std::string &path, double length, const Check &check) {
     const double margin = 1e-9 * length;
     if (z < -margin || z > length + margin)
-        check.fail(path,
-                   fmt::format("expected a place on the shaft, 0 to {} m, got {} m", length, z));
+        check.fail(path, fmt::format("expected a place on the shaft, 0 to {:.6g} m, got {}", length,
+                                     as_written(find_path(check.root, path), z, "m")));
     else if (!std::isnan(z))
         z = std::clamp(z, 0.0, length);
 }
@@ -42,9 +42,10 @@ void check_disc(const model::Disc &disc, const std::string &path, const Check &c
     // Ip = 2 Id for an infinitely thin disc; published inertias are rounded.
     constexpr double tolerance = 1e-6;
     if (disc.Id < disc.Ip / 2 * (1 - tolerance))
-        check.fail(path + ".Id", fmt::format("expected at least Ip/2 = {} kg m2 for a rigid disc, "
-                                             "got {} kg m2",
-                                             disc.Ip / 2, disc.Id));
+        check.fail(path + ".Id",
+                   fmt::format("expected at least Ip/2 = {:.6g} kg m2 for a rigid disc, "
+                               "got {:.6g} kg m2",
+                               disc.Ip / 2, disc.Id));
     if (disc.mass == 0 && (disc.Id > 0 || disc.Ip > 0))
         check.fail(path + ".mass",
                    "expected a mass in kg greater than 0 where Id or Ip is given, got 0");
@@ -101,24 +102,26 @@ void check_shear_modulus(const model::Material &material, std::optional<double> 
     const double derived = material.poisson_ratio();
     constexpr double round_off = 1e-12; // G = E/2 as printed by a program
     if (derived < -round_off || derived >= 0.5 - round_off)
-        problems.add(origin, key,
-                     fmt::format("expected a shear modulus above E/3 = {} Pa and up to E/2 = {} Pa "
-                                 "(0 <= nu < 0.5), got {} Pa (nu = {:.6g})",
-                                 material.E / 3, material.E / 2, material.G, derived));
+        problems.add(
+            origin, key,
+            fmt::format("expected a shear modulus above E/3 = {:.6g} Pa and up to E/2 = {:.6g} Pa "
+                        "(0 <= nu < 0.5), got {:.6g} Pa (nu = {:.6g})",
+                        material.E / 3, material.E / 2, material.G, derived));
     else if (nu && std::abs(*nu - derived) > 1e-3)
         problems.add(origin, key,
                      fmt::format("expected a shear modulus that agrees with nu within 1e-3, "
-                                 "E/(2 (1 + nu)) = {} Pa, got {} Pa (nu = {:.6g})",
+                                 "E/(2 (1 + nu)) = {:.6g} Pa, got {:.6g} Pa (nu = {:.6g})",
                                  material.E / (2 * (1 + *nu)), material.G, derived));
 }
 
 void check_mass_diameters(const model::Segment &segment, const Origin &origin,
                           const std::string &key, Problems &problems) {
     if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
-        problems.add(origin, key,
-                     fmt::format("expected mass_inner below mass_outer, {} m (which a cone must be "
-                                 "given), got {} m",
-                                 segment.mass_outer, segment.mass_inner));
+        problems.add(
+            origin, key,
+            fmt::format("expected mass_inner below mass_outer, {:.6g} m (which a cone must be "
+                        "given), got {:.6g} m",
+                        segment.mass_outer, segment.mass_inner));
 }
 
 void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
@@ -126,11 +129,12 @@ void check_segment(const model::Segment &segment, const Origin &origin, const st
     const bool start = segment.inner_start >= segment.outer_start;
     const bool end = segment.inner_end >= segment.outer_end;
     if (start || end)
-        problems.add(origin, key,
-                     fmt::format("expected an inner diameter below the outer one, {} m, got {} m{}",
-                                 start ? segment.outer_start : segment.outer_end,
-                                 start ? segment.inner_start : segment.inner_end,
-                                 start ? "" : " (at the end of the segment)"));
+        problems.add(
+            origin, key,
+            fmt::format("expected an inner diameter below the outer one, {:.6g} m, got {:.6g} m{}",
+                        start ? segment.outer_start : segment.outer_end,
+                        start ? segment.inner_start : segment.inner_end,
+                        start ? "" : " (at the end of the segment)"));
 }
 
 void validate(model::Case &scene, const Node &root, Problems &problems) {

@@ -231,7 +231,7 @@ void set_drive(const model::Case &scene, const assembly::Discretization &d, Moti
 void add_notes(const model::Case &scene, MotionScene &motion) {
     for (const model::Balancer &b : scene.rotor.balancers) {
         const std::string name =
-            b.name.empty() ? fmt::format("the balancer at z = {} m", b.z) : b.name;
+            b.name.empty() ? fmt::format("the balancer at z = {:.6g} m", b.z) : b.name;
         const auto kind = balancers::kind_of(b);
         if (!kind->circled().empty() && balancers::capacity(b) < 1)
             motion.notes.push_back(

@@ -1,5 +1,6 @@
 #include "scratch_case.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace whirl::tests {
@@ -120,6 +121,19 @@ TEST(Splines, AreThoseOfOtherPrograms) {
     EXPECT_NEAR(bearing.at(120).k(0, 0), 2840731.6146540027, 40.1);
     EXPECT_NEAR(bearing.at(275).k(0, 0), 1369339.382632293, 40.1);
     EXPECT_NEAR(bearing.at(620).k(0, 0), 2595964.1791044776, 40.1);
+}
+
+/// Every row is a piece to solve for: of two bearings with tables over the same speeds the finer
+/// rows hold the coarser ones.
+TEST(Splines, OverTheSameSpeedsShareTheirRows) {
+    const model::Bearing fine =
+        splined(table_of(uneven, [](double s) { return 1e6 * (2 + std::sin(s / 60)); }));
+    const model::Bearing coarse =
+        splined(table_of(uneven, [](double s) { return 1e6 * (200 + std::sin(s / 60)); }));
+    EXPECT_GT(fine.speeds.size(), 2 * coarse.speeds.size());
+    EXPECT_GT(coarse.speeds.size(), uneven.size());
+    EXPECT_TRUE(std::includes(fine.speeds.begin(), fine.speeds.end(), coarse.speeds.begin(),
+                              coarse.speeds.end()));
 }
 
 TEST(Splines, ThroughThreeRowsAreAParabola) {

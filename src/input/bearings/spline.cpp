@@ -65,44 +65,54 @@ std::vector<double> spline_slopes(const std::vector<double> &x, const std::vecto
 struct Entry {
     CoefficientMatrix matrix;
     Eigen::Index place;
+    double size; ///< of the largest entry of its kind
     std::vector<double> nodes, values, slopes;
 
-    /// Largest second derivative between two nodes: at one of them.
-    [[nodiscard]] double curvature(std::size_t i) const {
+    /// Second derivative at a speed between nodes i and i + 1.
+    [[nodiscard]] double curvature(std::size_t i, double speed) const {
         const double h = nodes[i + 1] - nodes[i];
         const double secant = (values[i + 1] - values[i]) / h;
         const double left = 2 * (3 * secant - 2 * slopes[i] - slopes[i + 1]) / h;
         const double right = 2 * (2 * slopes[i + 1] + slopes[i] - 3 * secant) / h;
-        return std::max(std::abs(left), std::abs(right));
+        return left + (right - left) * (speed - nodes[i]) / h;
     }
 };
 
 std::vector<Entry> entries_of(const model::Bearing &bearing) {
     std::vector<Entry> out;
-    for (const CoefficientMatrix matrix : matrices)
+    for (const CoefficientMatrix matrix : matrices) {
+        double size = 0;
+        for (const BearingCoefficients &row : bearing.rows)
+            size = std::max(size, (row.*matrix).cwiseAbs().maxCoeff());
         for (Eigen::Index place = 0; place < 4; ++place) {
-            Entry entry{matrix, place, bearing.speeds, {}, {}};
+            Entry entry{matrix, place, size, bearing.speeds, {}, {}};
             for (const BearingCoefficients &row : bearing.rows)
                 entry.values.push_back((row.*matrix)(place));
             entry.slopes = spline_slopes(entry.nodes, entry.values);
             out.push_back(std::move(entry));
         }
+    }
     return out;
 }
 
-/// Pieces between two nodes whose chords depart little enough: h^2/8 times the second derivative.
-std::size_t pieces_between(const std::vector<Entry> &entries, const model::Bearing &bearing,
-                           std::size_t i, double departure) {
-    const double h = bearing.speeds[i + 1] - bearing.speeds[i];
-    double pieces = 1;
-    for (const Entry &entry : entries) {
-        double size = 0;
-        for (const BearingCoefficients &row : bearing.rows)
-            size = std::max(size, (row.*entry.matrix).cwiseAbs().maxCoeff());
-        if (size > 0)
-            pieces = std::max(pieces, h * std::sqrt(entry.curvature(i) / (8 * departure * size)));
+/// Speeds from `from` on, without `to`, between nodes i and i + 1: halved until every chord departs
+/// little enough, by at most h^2/8 times the larger second derivative of its ends. Halves, so that
+/// bearings with tables over the same speeds share their rows: each row is a piece to solve for.
+void add_halved(const std::vector<Entry> &entries, std::size_t i, double from, double to,
+                double departure, std::vector<double> &out) {
+    const double square = (to - from) * (to - from);
+    const bool near = std::all_of(entries.begin(), entries.end(), [&](const Entry &entry) {
+        const double bend =
+            std::max(std::abs(entry.curvature(i, from)), std::abs(entry.curvature(i, to)));
+        return square * bend <= 8 * departure * entry.size;
+    });
+    if (near || out.size() > most_rows) {
+        out.push_back(from);
+        return;
     }
-    return static_cast<std::size_t>(std::ceil(std::min(pieces, double(most_rows + 1))));
+    const double middle = from + (to - from) / 2;
+    add_halved(entries, i, from, middle, departure, out);
+    add_halved(entries, i, middle, to, departure, out);
 }
 
 } // namespace
@@ -112,15 +122,10 @@ bool refine_by_spline(model::Bearing &bearing, double departure) {
         return true;
     const std::vector<Entry> entries = entries_of(bearing);
     std::vector<double> speeds;
-    for (std::size_t i = 0; i + 1 < bearing.speeds.size(); ++i) {
-        const std::size_t pieces = pieces_between(entries, bearing, i, departure);
-        const double h = bearing.speeds[i + 1] - bearing.speeds[i];
-        for (std::size_t p = 0; p < pieces; ++p)
-            speeds.push_back(bearing.speeds[i] +
-                             h * static_cast<double>(p) / static_cast<double>(pieces));
-        if (speeds.size() > most_rows)
-            return false;
-    }
+    for (std::size_t i = 0; i + 1 < bearing.speeds.size(); ++i)
+        add_halved(entries, i, bearing.speeds[i], bearing.speeds[i + 1], departure, speeds);
+    if (speeds.size() > most_rows)
+        return false;
     speeds.push_back(bearing.speeds.back());
     std::vector<BearingCoefficients> rows(speeds.size(), bearing.rows.front()); // tilt: constant
     for (const Entry &entry : entries) {

@@ -18,8 +18,8 @@ void read_table_row(CsvTable &table, std::size_t i, model::Bearing &bearing, Pro
     const double speed = table.number(i, "speed", Range::any());
     if (!bearing.speeds.empty() && speed <= bearing.speeds.back())
         problems.add(table.origin(i), "speed",
-                     fmt::format("expected speeds that ascend, got {} rad/s after {}", speed,
-                                 bearing.speeds.back()));
+                     fmt::format("expected speeds that ascend, got {:.6g} rad/s after {:.6g}",
+                                 speed, bearing.speeds.back()));
     bearing.speeds.push_back(speed);
     bearing.rows.push_back(read_coefficients(
         [&](const Coefficient &entry) {

@@ -34,8 +34,10 @@ Difference difference_of(const Quantity *first, const Quantity *other, std::size
     if (!first || !other)
         return out;
     out.difference = other->value - first->value;
-    const double mean = (std::abs(first->value) + std::abs(other->value)) / 2;
-    out.relative = mean > 0 ? *out.difference / mean : 0;
+    if (*out.difference == 0)
+        out.relative = 0;
+    else if (first->value != 0)
+        out.relative = *out.difference / std::abs(first->value);
     if (first->error && other->error) {
         out.error = *first->error + *other->error;
         out.within = std::abs(*out.difference) <= *out.error;

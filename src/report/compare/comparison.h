@@ -16,10 +16,9 @@ struct Difference {
     std::size_t other = 1; ///< place of the other result
     std::optional<double> first_value, other_value;
     std::optional<double> difference; ///< other less first
-    std::optional<double>
-        relative; ///< to the mean of both moduli: the same but for its sign when exchanged
-    std::optional<double> error; ///< sum of both error bars
-    std::optional<bool> within;  ///< |difference| <= error; none: the errors are not known
+    std::optional<double> relative;   ///< to the modulus of the first; none where that is 0
+    std::optional<double> error;      ///< sum of both error bars
+    std::optional<bool> within;       ///< |difference| <= error; none: the errors are not known
 };
 
 struct Comparison {

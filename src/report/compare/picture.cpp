@@ -189,9 +189,9 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
                 continue;
             const double x = number;
             differences.push_back({x, std::max(least_drawn, std::abs(*at.relative))});
-            const double mean = (std::abs(*at.first_value) + std::abs(*at.other_value)) / 2;
-            errors.push_back({x, at.error && mean > 0
-                                     ? std::optional(std::max(least_drawn, *at.error / mean))
+            const double first = std::abs(*at.first_value);
+            errors.push_back({x, at.error && first > 0
+                                     ? std::optional(std::max(least_drawn, *at.error / first))
                                      : std::nullopt});
             high = std::max({high, *differences.back().y, errors.back().y.value_or(0)});
         }
@@ -207,7 +207,8 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
     return data + panel_margins(0.09, 0.96, bottom, top) +
            fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:{}]\nset xrange "
                        "[0.3:*]\nset xtics auto\nset xlabel 'Quantity, number in the table of its "
-                       "result'\nset ylabel 'Relative difference'\nset grid lc rgb '#E4E4E4' lt 1 "
+                       "result'\nset ylabel 'Difference relative to the first'\nset grid lc rgb "
+                       "'#E4E4E4' lt 1 "
                        "lw 0.6\nset key at screen 0.525,{} center center horizontal samplen 2 font "
                        "',10'\nplot NaN notitle{}, keyentry with lines lw 1 lc rgb '#555555' title "
                        "'both error bars'\n",
