@@ -218,16 +218,24 @@ class Follower {
             return;
         if (of_one_action({i, j}, {ti, tj}))
             return;
+        const bool opposite = a(i).action * a(j).action < 0 && b(ti).action * b(tj).action < 0;
+        if (opposite && a(i).action != b(ti).action) // mixed: actions tell which is which
+            std::swap(ti, tj);
         const Complex first_to = continued_copy(a(i), b(ti));
         const Complex second_to = continued_copy(a(j), b(tj));
         const double repeats_from = a(i).repeats;
         const double repeats_to = b(ti).repeats;
         const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;
         for (int k = -reach; k <= reach; ++k) {
-            const Coalescence m{_from,      _to,
-                                a(i).value, a(j).value + Complex(0, k * repeats_from),
-                                first_to,   second_to + Complex(0, k * repeats_to),
-                                ordered,    k};
+            const Coalescence m{_from,
+                                _to,
+                                a(i).value,
+                                a(j).value + Complex(0, k * repeats_from),
+                                first_to,
+                                second_to + Complex(0, k * repeats_to),
+                                ordered,
+                                k,
+                                opposite ? a(i).action : 0};
             if (may_open_a_band(m))
                 _out.coalescences.push_back(m);
         }

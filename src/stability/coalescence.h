@@ -14,6 +14,7 @@ struct Coalescence {
     std::complex<double> first_from, second_from, first_to, second_to; ///< 1/s
     bool ordered = true; ///< false: at `to` it is not known which is which
     int copies = 0;      ///< the second one is that many of its copies away (Motion::repeats)
+    int action = 0;      ///< of the first one at both ends, the second has the other; 0: not known
 };
 
 /// How motions go on from one spin speed to another.

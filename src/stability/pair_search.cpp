@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace whirl::stability {
 
@@ -171,9 +172,121 @@ class CoalescenceSearch {
     }
 };
 
+/// Two motions of opposite actions, which tell which is which at every look: they open a band where
+/// the difference of their frequencies passes zero, and nowhere else.
+class PassingSearch {
+  public:
+    PassingSearch(const MotionsAt &at, const Coalescence &m)
+        : _at(at),
+          _m(m), _low{m.from, m.first_from, m.second_from}, _high{m.to, m.first_to, m.second_to},
+          _size(std::max(std::abs(_low.apart()), std::abs(_high.apart()))) {}
+
+    CoalescenceVerdict verdict() {
+        return _low.apart() * _high.apart() < 0 ? where_they_pass() : in_the_middle();
+    }
+
+  private:
+    using Kind = CoalescenceVerdict::Kind;
+    struct Place {
+        double speed = 0;
+        Complex first, second;
+        double noise = 0;
+        bool grows = false;
+
+        [[nodiscard]] double apart() const { return (first - second).imag(); }
+    };
+    const MotionsAt &_at;
+    const Coalescence &_m;
+    Place _low, _high; ///< the narrowest so far
+    double _size;
+
+    /// By the sign of the difference: each look leaves a smaller bracket, until one of them grows
+    /// or rounding hides the difference, and with it any band that may be there.
+    CoalescenceVerdict where_they_pass() {
+        const double sign = _low.apart() < 0 ? 1 : -1;
+        SignBracket bracket(_m.from, _m.to);
+        bracket.stable_at(_m.from, sign * _low.apart());
+        bracket.unstable_at(_m.to, sign * _high.apart());
+        constexpr int most_steps = 60;
+        for (int step = 0; step < most_steps; ++step) {
+            const double speed = bracket.next();
+            const std::optional<Place> now = look(speed);
+            if (!now)
+                break;
+            if (now->grows)
+                return {Kind::grows, speed};
+            if (std::abs(now->apart()) <= now->noise)
+                return {Kind::stable, speed};
+            const double past = sign * now->apart();
+            if (past < 0)
+                bracket.stable_at(speed, past);
+            else
+                bracket.unstable_at(speed, past);
+            (past < 0 ? _low : _high) = *now;
+        }
+        return {Kind::unsure, (_low.speed + _high.speed) / 2};
+    }
+
+    /// They come no nearer to each other than at the ends, nor would a parabola.
+    CoalescenceVerdict in_the_middle() {
+        const double speed = (_low.speed + _high.speed) / 2;
+        const std::optional<Place> now = look(speed);
+        if (!now)
+            return {Kind::unsure, speed};
+        if (now->grows)
+            return {Kind::grows, speed};
+        const double before = now->apart() - _low.apart();
+        const double after = _high.apart() - now->apart();
+        const bool monotonic = before * after > 0 && std::abs(after) < 3 * std::abs(before) &&
+                               std::abs(before) < 3 * std::abs(after);
+        return {monotonic ? Kind::stable : Kind::unsure, speed};
+    }
+
+    /// Nothing where they are not what the ends lead one to expect.
+    [[nodiscard]] std::optional<Place> look(double speed) const {
+        const double share = (speed - _low.speed) / (_high.speed - _low.speed);
+        const Complex first = _low.first + share * (_high.first - _low.first);
+        const Complex second = _low.second + share * (_high.second - _low.second);
+        const std::vector<Motion> motions = _at(speed);
+        const Motion *one = nearest(motions, first, _m.action);
+        const Motion *other = nearest(motions, second, -_m.action);
+        if (one == nullptr || other == nullptr)
+            return std::nullopt;
+        const Place out{speed, copy(*one, first), copy(*other, second), one->noise + other->noise,
+                        grows(*one) || grows(*other)};
+        const double off = std::max(std::abs(out.first - first), std::abs(out.second - second));
+        return out.grows || off <= 0.3 * _size ? std::optional(out) : std::nullopt;
+    }
+    /// Or dies out, as does the partner of one that grows.
+    [[nodiscard]] static bool grows(const Motion &motion) {
+        return std::abs(motion.value.real()) > motion.noise;
+    }
+    [[nodiscard]] static Complex copy(const Motion &motion, Complex expected) {
+        const double off = motion.value.imag() - expected.imag();
+        return {motion.value.real(),
+                expected.imag() + (motion.repeats > 0 ? std::remainder(off, motion.repeats) : off)};
+    }
+    /// Of this action, or of none that can be told: where they have met.
+    [[nodiscard]] static const Motion *nearest(const std::vector<Motion> &motions, Complex expected,
+                                               int action) {
+        const Motion *best = nullptr;
+        double least = HUGE_VAL;
+        for (const Motion &motion : motions) {
+            const double off = std::abs(copy(motion, expected) - expected);
+            if (motion.action * action >= 0 && off < least) {
+                least = off;
+                best = &motion;
+            }
+        }
+        return best;
+    }
+};
+
 } // namespace
 
 CoalescenceVerdict examine(const MotionsAt &at, const Coalescence &coalescence) {
+    if (coalescence.action != 0)
+        return PassingSearch(at, coalescence).verdict();
     return CoalescenceSearch(at, coalescence).verdict();
 }
 

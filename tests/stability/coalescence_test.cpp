@@ -2,6 +2,7 @@
 // closed form, given to the search as they are, without a rotor.
 
 #include "stability/coalescence.h"
+#include "stability/pair_search.h"
 #include "stability/two_motion_systems.h"
 
 #include <gtest/gtest.h>
@@ -251,6 +252,43 @@ TEST(Coalescence, DecoupledMotionsCross) {
     const BandsFound bands = find_bands(at, grid(0, 9, 4));
     EXPECT_TRUE(bands.bands.empty());
     EXPECT_TRUE(bands.doubtful.empty());
+}
+
+// Of opposite actions, l = 3 i +- sqrt(k^2 - (W - W0)^2): a band of the width 2 k about W0, however
+// narrow, from one step in few looks; without coupling none.
+TEST(Coalescence, OppositeActionsPassEachOtherOrGrow) {
+    constexpr double middle = 103.21;
+    constexpr double noise = 1e-12; // rounding of speeds of this size, and more
+    for (const double k : {0.1, 1e-3, 1e-6, 1e-9, 0.0}) {
+        int looks = 0;
+        const auto motions = [&](double speed) {
+            ++looks;
+            const double off = speed - middle;
+            const Complex root = std::sqrt(Complex((k - off) * (k + off), 0));
+            const bool parted = std::abs(off) > k;
+            std::vector<stability::Motion> out(2);
+            for (const int sign : {1, -1}) {
+                stability::Motion &motion = out[sign > 0 ? 0 : 1];
+                motion.value = Complex(0, 3) + static_cast<double>(sign) * root;
+                motion.state = Eigen::Vector2cd(1, root * static_cast<double>(sign)).normalized();
+                motion.noise = noise;
+                motion.action = parted ? sign * (off > 0 ? 1 : -1) : 0;
+            }
+            return out;
+        };
+        const auto at_100 = motions(100);
+        const auto at_105 = motions(105);
+        const stability::Continuation next = stability::continued(100, at_100, 105, at_105);
+        ASSERT_EQ(next.coalescences.size(), 1U) << k;
+        looks = 0;
+        const auto verdict = stability::examine(motions, next.coalescences[0]);
+        EXPECT_LE(looks, 12) << k;
+        using Kind = stability::CoalescenceVerdict::Kind;
+        EXPECT_EQ(static_cast<int>(verdict.kind),
+                  static_cast<int>(k > 0 ? Kind::grows : Kind::stable))
+            << k;
+        EXPECT_LE(std::abs(verdict.speed - middle), k > 0 ? k : 2 * noise) << k;
+    }
 }
 
 /// Waves of like energies veer, of opposite ones lock over 2 e / (slope of the difference).
