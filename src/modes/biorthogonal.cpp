@@ -1,7 +1,8 @@
 #include "modes/biorthogonal.h"
 
+#include "linalg/sparse_factor.h"
+
 #include <Eigen/Dense>
-#include <Eigen/SparseLU>
 
 #include <cmath>
 #include <limits>
@@ -86,24 +87,22 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
 Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                               const Eigen::MatrixXcd &X) {
     using ComplexSparse = Eigen::SparseMatrix<Complex>;
-    const ComplexSparse M = Sparse(problem.M.transpose()).cast<Complex>();
-    const ComplexSparse D = Sparse(problem.D.transpose()).cast<Complex>();
-    const ComplexSparse K = Sparse(problem.K.transpose()).cast<Complex>();
+    const ComplexSparse M = problem.M.cast<Complex>();
+    const ComplexSparse D = problem.D.cast<Complex>();
+    const ComplexSparse K = problem.K.cast<Complex>();
     Eigen::MatrixXcd Y = times(problem.M, Eigen::MatrixXcd(X.conjugate()));
-    Eigen::SparseLU<ComplexSparse> lu;
+    linalg::SparseFactor<Complex> lu;
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const Complex v = values(i) * (1 + 1e-7);
-        ComplexSparse Q = v * v * M + v * D + K;
-        Q.makeCompressed();
-        if (i == 0)
-            lu.analyzePattern(Q);
-        lu.factorize(Q);
-        if (lu.info() != Eigen::Success || v == 0.0) {
+        const ComplexSparse Q = v * v * M + v * D + K;
+        if (v == 0.0 || !lu.factorize(Q)) {
             Y.col(i).setZero(); // not followed by this vector
             continue;
         }
-        Eigen::VectorXcd y = lu.solve(Eigen::VectorXcd(Y.col(i)));
-        y = lu.solve(Eigen::VectorXcd(transposed_times(problem.M, Eigen::MatrixXcd(y))));
+        Eigen::VectorXcd y = Y.col(i);
+        lu.solve_transposed(y);
+        y = problem.M.transpose() * y;
+        lu.solve_transposed(y);
         Y.col(i) = y / y.cwiseAbs().maxCoeff();
     }
     return Y;

@@ -276,7 +276,9 @@ RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, dou
     std::vector<linalg::ComplexPair> real; // two of these make up one motion
     const auto take = [&](const linalg::ComplexPair &pair, bool stands_for_motion) {
         WhirlMode mode = in_fixed_frame(pair, speed);
-        if (mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
+        // At rest balls roll freely: a double zero, which rounding moves off the real axis or not.
+        const bool zero = mode.residual + mode.rounding >= 1;
+        if (zero || mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
             const double rate = mode.eigenvalue.real();
             out.overdamped.push_back(rate);
             if (rate > 10 * (pair.residual + pair.rounding) * std::abs(pair.value))

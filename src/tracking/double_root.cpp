@@ -1,9 +1,9 @@
 #include "tracking/double_root.h"
 
+#include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
 
 #include <cmath>
 #include <limits>
@@ -29,24 +29,28 @@ class Bordered {
         }
         Sparse A(_n + 1, _n + 1);
         A.setFromTriplets(entries.begin(), entries.end());
-        _factors.compute(A);
+        _regular = _factors.factorize(A);
     }
 
-    [[nodiscard]] bool regular() const { return _factors.info() == Eigen::Success; }
+    [[nodiscard]] bool regular() const { return _regular; }
     /// x and g for a right-hand side [f; last].
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd &f, double last) const {
         Eigen::VectorXd rhs(_n + 1);
         rhs << f, last;
-        return _factors.solve(rhs);
+        _factors.solve(rhs);
+        return rhs;
     }
     /// The same of the transpose, for [0; 1].
-    [[nodiscard]] Eigen::VectorXd transposed() {
-        return _factors.transpose().solve(Eigen::VectorXd::Unit(_n + 1, _n));
+    [[nodiscard]] Eigen::VectorXd transposed() const {
+        Eigen::VectorXd rhs = Eigen::VectorXd::Unit(_n + 1, _n);
+        _factors.solve_transposed(rhs);
+        return rhs;
     }
 
   private:
     Eigen::Index _n;
-    Eigen::SparseLU<Sparse> _factors;
+    linalg::SparseFactor<double> _factors;
+    bool _regular = false;
 };
 
 /// Q and its derivatives at one place, over scaled unknowns.

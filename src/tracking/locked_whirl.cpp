@@ -239,6 +239,13 @@ std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double 
         std::set<double> speeds{b};
         for (int part = 0; part < share; ++part)
             speeds.insert(a + (b - a) * part / share);
+        // Next to rest the balls' motions slow down with powers of the speed, until rounding hides
+        // how many are locked: the first part in halves, so that ends in it are not lost with that.
+        constexpr int halves = 5;
+        for (int i = 1; i <= halves; ++i) {
+            const double from_rest = std::ldexp((b - a) / share, -i);
+            speeds.insert(b <= 0 ? b - from_rest : a + from_rest);
+        }
         // On both sides: without damping it is an end itself.
         for (const double s : standing)
             for (const double side : {-1.0, 1.0})

@@ -12,8 +12,7 @@ QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Spars
     : _M(M), _D(D), _K(K), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
       _shift(shift) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
-    _lu.compute(Q);
-    if (_lu.info() != Eigen::Success)
+    if (!_lu.factorize(Q))
         throw SolverError("the matrix at the shift is singular");
 }
 
@@ -72,15 +71,15 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
         add(2.0 * l * l, Mx.middleCols<2>(2 * i), slope.middleCols<2>(2 * i));
         add(l, Dx.middleCols<2>(2 * i), slope.middleCols<2>(2 * i));
     }
-    const Eigen::MatrixXd r_before = _lu.solve(r);
-    const Eigen::MatrixXd slope_before = _lu.solve(slope);
+    _lu.solve(r);
+    _lu.solve(slope);
     const Eigen::MatrixXd m = _absM * a;
     const Eigen::MatrixXd d = _absD * a;
     const Eigen::MatrixXd k = _absK * a;
     for (Eigen::Index i = 0; i < count; ++i) {
         ComplexPair &pair = pairs[static_cast<std::size_t>(i)];
-        const double scale = slope_before.middleCols<2>(2 * i).norm();
-        pair.residual = scale > 0 ? r_before.middleCols<2>(2 * i).norm() / scale : 0;
+        const double scale = slope.middleCols<2>(2 * i).norm();
+        pair.residual = scale > 0 ? r.middleCols<2>(2 * i).norm() / scale : 0;
         const double size = std::abs(pair.value);
         const double entries = a.col(i).dot(k.col(i) + size * d.col(i) + size * size * m.col(i));
         const double of_right =
@@ -96,24 +95,20 @@ void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) const {
     constexpr double beside = 1e-8;
     // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
     constexpr double unit = std::numeric_limits<double>::epsilon();
-    Eigen::SparseLU<SparseComplex> lu;
-    bool analysed = false;
+    SparseFactor<std::complex<double>> lu;
     for (ComplexPair &pair : pairs) {
         if (std::abs(pair.value) < blurred * std::abs(_shift))
             continue; // assess() has used both vectors
         const std::complex<double> l = pair.value;
         const std::complex<double> near = l * (1 + beside);
         const SparseComplex Q = near * near * _M + near * _D + _K.cast<std::complex<double>>();
-        if (!analysed)
-            lu.analyzePattern(Q);
-        analysed = true;
-        lu.factorize(Q);
-        if (lu.info() != Eigen::Success)
+        if (!lu.factorize(Q))
             continue; // nothing is known beyond what the right vector says
         const Eigen::VectorXcd slope = 2.0 * l * (_M * pair.vector) + _D * pair.vector;
         Eigen::VectorXcd left = slope.conjugate();
         for (int k = 0; k < 2; ++k) {
-            left = lu.transpose().solve(left).eval().normalized();
+            lu.solve_transposed(left);
+            left.normalize();
             if (k == 0)
                 left = (2.0 * l * (_M * left) + _D.transpose() * left).eval();
         }
@@ -139,14 +134,16 @@ double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
         return SparseComplex(l * l * _M + l * _D + _K.cast<std::complex<double>>());
     };
     const std::complex<double> l = pair.value;
-    Eigen::SparseLU<SparseComplex> lu(at(l));
-    if (lu.info() != Eigen::Success)
+    SparseFactor<std::complex<double>> lu;
+    if (!lu.factorize(at(l)))
         return unknown;
     Eigen::VectorXcd right = pair.vector;
     Eigen::VectorXcd left = right.conjugate();
     for (int k = 0; k < 3; ++k) { // inverse iteration
-        right = lu.solve(right).eval().normalized();
-        left = lu.transpose().solve(left).eval().normalized();
+        lu.solve(right);
+        right.normalize();
+        lu.solve_transposed(left);
+        left.normalize();
     }
     if (!right.allFinite() || !left.allFinite())
         return unknown;
@@ -170,8 +167,10 @@ double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
 std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
     const Eigen::Index n = _M.rows();
     // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
-    const Eigen::MatrixXd A = _lu.solve(Eigen::MatrixXd(2 * _shift * _M + _D));
-    const Eigen::MatrixXd B = _lu.solve(Eigen::MatrixXd(_M));
+    Eigen::MatrixXd A = 2 * _shift * _M + _D;
+    Eigen::MatrixXd B = _M;
+    _lu.solve(A);
+    _lu.solve(B);
     const double s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     companion.topLeftCorner(n, n) = -A / s;

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
+#include "linalg/sparse_factor.h"
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
 
 #include <complex>
 #include <vector>
@@ -35,7 +36,7 @@ class QuadraticProblem {
     using Sparse = Eigen::SparseMatrix<double>;
     Sparse _M, _D, _K, _absM, _absD, _absK;
     double _shift;
-    Eigen::SparseLU<Sparse> _lu;
+    SparseFactor<double> _lu;
 
     /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is

@@ -1,0 +1,87 @@
+#include "linalg/sparse_factor.h"
+
+#include <suitesparse/klu.h>
+
+#include <complex>
+#include <type_traits>
+
+namespace whirl::linalg {
+
+namespace {
+
+// KLU is written in C: it takes what it does not change without const, and complex numbers as pairs
+// of real ones.
+double *reals(const double *p) { return const_cast<double *>(p); }
+double *reals(const std::complex<double> *p) {
+    return reinterpret_cast<double *>(const_cast<std::complex<double> *>(p));
+}
+
+} // namespace
+
+template <class Scalar> struct SparseFactor<Scalar>::Data {
+    static constexpr bool real = std::is_same_v<Scalar, double>;
+    klu_common common{};
+    klu_symbolic *symbolic = nullptr;
+    klu_numeric *numeric = nullptr;
+    Eigen::VectorXi columns, rows; ///< places of the entries that `symbolic` is made for
+
+    void analyse(const Sparse &A) {
+        const Eigen::Map<const Eigen::VectorXi> first(A.outerIndexPtr(), A.outerSize() + 1);
+        const Eigen::Map<const Eigen::VectorXi> places(A.innerIndexPtr(), A.nonZeros());
+        if (places.size() == rows.size() && first.size() == columns.size() && places == rows &&
+            first == columns)
+            return;
+        columns = first;
+        rows = places;
+        klu_free_symbolic(&symbolic, &common);
+        symbolic = klu_analyze(static_cast<int>(A.rows()), columns.data(), rows.data(), &common);
+    }
+
+    void drop() { (real ? klu_free_numeric : klu_z_free_numeric)(&numeric, &common); }
+
+    ~Data() {
+        drop();
+        klu_free_symbolic(&symbolic, &common);
+    }
+};
+
+template <class Scalar> SparseFactor<Scalar>::SparseFactor() : _data(std::make_unique<Data>()) {
+    klu_defaults(&_data->common);
+    // A pivot on the diagonal, as the order foresees it, unless it is so much smaller than the
+    // largest: entries grow by no more than 11 times in a step.
+    _data->common.tol = 0.1;
+}
+
+template <class Scalar> SparseFactor<Scalar>::~SparseFactor() = default;
+
+template <class Scalar> bool SparseFactor<Scalar>::factorize(const Sparse &A) {
+    _data->drop();
+    _data->analyse(A);
+    if (_data->symbolic == nullptr)
+        return false;
+    _data->numeric = (Data::real ? klu_factor : klu_z_factor)(
+        _data->columns.data(), _data->rows.data(), reals(A.valuePtr()), _data->symbolic,
+        &_data->common);
+    return _data->numeric != nullptr && _data->common.status == KLU_OK;
+}
+
+template <class Scalar> void SparseFactor<Scalar>::solve(Columns b) const {
+    (Data::real ? klu_solve
+                : klu_z_solve)(_data->symbolic, _data->numeric, static_cast<int>(b.outerStride()),
+                               static_cast<int>(b.cols()), reals(b.data()), &_data->common);
+}
+
+template <class Scalar> void SparseFactor<Scalar>::solve_transposed(Columns b) const {
+    const auto stride = static_cast<int>(b.outerStride());
+    const auto count = static_cast<int>(b.cols());
+    if constexpr (Data::real)
+        klu_tsolve(_data->symbolic, _data->numeric, stride, count, b.data(), &_data->common);
+    else
+        klu_z_tsolve(_data->symbolic, _data->numeric, stride, count, reals(b.data()), 0,
+                     &_data->common);
+}
+
+template class SparseFactor<double>;
+template class SparseFactor<std::complex<double>>;
+
+} // namespace whirl::linalg

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace whirl::linalg {
+
+/// L U of sparse matrices, real or complex, by KLU (T. A. Davis and E. Palamadai Natarajan,
+/// Algorithm 907, ACM TOMS 37, 2010): without the dense blocks of other solvers, which matrices
+/// along a chain have none of.
+template <class Scalar> class SparseFactor {
+  public:
+    using Sparse = Eigen::SparseMatrix<Scalar>;
+    using Columns = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+
+    SparseFactor();
+    ~SparseFactor();
+    SparseFactor(const SparseFactor &) = delete;
+    SparseFactor &operator=(const SparseFactor &) = delete;
+
+    /// The order of elimination is that of the last matrix where its entries stand at the same
+    /// places.
+    /// @param A  compressed
+    /// @returns false where a pivot is zero: nothing is to be solved then
+    [[nodiscard]] bool factorize(const Sparse &A);
+
+    /// A^-1 b in the place of b.
+    void solve(Columns b) const;
+    /// A^-T b in the place of b.
+    void solve_transposed(Columns b) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> _data;
+};
+
+} // namespace whirl::linalg
