@@ -8,7 +8,6 @@
 #include "results/whirl.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,24 +26,6 @@ const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalue
     if (found.complete_radius < radius)
         throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
     return found;
-}
-
-/// Rounding makes of two real eigenvalues that are nearly equal (balls alike in two balancers) a
-/// complex pair and back, from speed to speed: below this part of the modulus Im is none.
-constexpr double no_whirl = 1e-10;
-
-/// The two real ones that a pair next to the real axis is as well.
-std::array<linalg::ComplexPair, 2> parted(const linalg::ComplexPair &pair) {
-    // To the phase at which the real part is largest.
-    const double phase = std::arg(pair.vector.array().square().sum()) / 2;
-    const Eigen::VectorXcd vector = std::polar(1.0, -phase) * pair.vector;
-    std::array<linalg::ComplexPair, 2> out{pair, pair};
-    for (std::size_t k = 0; k < 2; ++k) {
-        out[k].value = pair.value.real();
-        out[k].vector =
-            (vector.real() + (k == 0 ? 1.0 : -1.0) * vector.imag()).cast<std::complex<double>>();
-    }
-    return out;
 }
 
 template <class System> System reduced(System system, const Eigen::MatrixXd *shapes) {
@@ -273,7 +254,7 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
 RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
     Modes out;
     out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
-    std::vector<linalg::ComplexPair> real; // two of these make up one motion
+    std::vector<linalg::ComplexPair> real;
     const auto take = [&](const linalg::ComplexPair &pair, bool stands_for_motion) {
         WhirlMode mode = in_fixed_frame(pair, speed);
         // At rest balls roll freely: a double zero, which rounding moves off the real axis or not.
@@ -290,21 +271,17 @@ RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, dou
     for (const linalg::ComplexPair &pair : found.pairs) {
         if (held(pair.vector))
             continue;
-        const double whirl = std::abs(pair.value.imag());
-        if (whirl == 0)
+        if (pair.value.imag() == 0)
             real.push_back(pair);
-        else if (whirl < no_whirl * std::abs(pair.value))
-            for (linalg::ComplexPair &one : parted(pair))
-                real.push_back(std::move(one));
         else
             take(pair, true);
     }
     std::stable_sort(real.begin(), real.end(),
                      [](const auto &a, const auto &b) { return a.value.real() > b.value.real(); });
-    // Of the two real ones that a complex pair turns into, the one that grows more stands for
-    // both, so that a mode stays one mode through a band of instability.
+    // Real ones meet their neighbours alone: of each two the one that grows more stands for both,
+    // so that a mode stays one mode where they become a complex pair, be it by rounding.
     for (std::size_t i = 0; i < real.size(); ++i)
-        take(real[i], 2 * i < real.size());
+        take(real[i], i % 2 == 0);
     return out;
 }
 

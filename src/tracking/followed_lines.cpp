@@ -10,9 +10,33 @@ namespace whirl::tracking {
 
 namespace {
 
-/// Where a line leaves the computed part of the spectrum more modes find it again.
-bool left_spectrum(const Line &line) {
-    return std::count(line.absence.begin(), line.absence.end(), Absence::beyond) > 0;
+/// Whether a line that is among the `modes` lowest at some speed has left the computed part of the
+/// spectrum, by speeds: there more modes find it again.
+std::vector<char> left_spectrum(const std::vector<Line> &lines, std::size_t speeds, int modes) {
+    std::vector<char> out(speeds, 0);
+    for (const Line &line : lines)
+        if (among_lowest(line, modes))
+            for (std::size_t k = 0; k < speeds; ++k)
+                out[k] = out[k] != 0 || line.absence[k] == Absence::beyond;
+    return out;
+}
+
+/// Solves these of the speeds anew.
+void solve_again(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
+                 const std::vector<char> &these, int wanted, bool follow,
+                 std::vector<modes::Spectrum> &spectra) {
+    std::vector<double> some;
+    for (std::size_t k = 0; k < speeds.size(); ++k)
+        if (these[k] != 0)
+            some.push_back(speeds[k]);
+    std::vector<modes::Spectrum> found = spectra_at(solver, some, wanted, follow);
+    if (found.empty()) // on process 0 alone
+        return;
+    spectra.resize(speeds.size());
+    auto next = found.begin();
+    for (std::size_t k = 0; k < speeds.size(); ++k)
+        if (these[k] != 0)
+            spectra[k] = std::move(*next++);
 }
 
 } // namespace
@@ -28,20 +52,17 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
     const int more_modes = std::max(4, modes / 2);
     const bool balanced = !solver.discretization().rotor().balancers.empty();
     int computed = modes + (balanced ? more_modes : 2);
+    constexpr int attempts = 4;
     FollowedLines out;
-    for (int attempt = 0;; ++attempt) {
-        out.spectra = spectra_at(solver, speeds, computed, follow);
-        std::vector<char> more(1, 0);
+    std::vector<char> again(speeds.size(), 1);
+    for (int attempt = 1;; ++attempt) {
+        solve_again(solver, speeds, again, computed, follow, out.spectra);
         if (process::process_rank() == 0) {
             out.tracking = track(solver, out.spectra, modes);
-            const std::vector<Line> &lines = out.tracking.lines;
-            more[0] =
-                attempt < 3 && std::any_of(lines.begin(), lines.end(), [modes](const Line &l) {
-                    return among_lowest(l, modes) && left_spectrum(l);
-                });
+            again = left_spectrum(out.tracking.lines, speeds.size(), modes);
         }
-        process::broadcast(more);
-        if (more[0] == 0)
+        process::broadcast(again);
+        if (attempt == attempts || std::count(again.begin(), again.end(), 0) == std::ssize(again))
             return out;
         computed += more_modes;
     }

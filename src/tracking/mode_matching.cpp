@@ -101,7 +101,10 @@ std::optional<double> distance_at_lock(const modes::Spectrum &a, const modes::Sp
     const double slow = std::max(one.frequency_rotating, other.frequency_rotating);
     const double distance = std::abs(one.rotating_value - other.rotating_value);
     const bool locks = locked(one, a.speed) != locked(other, b.speed);
-    const bool becomes = locks && slow <= 0.5 * speed && distance <= 3 * slow;
+    // One may be just before the meeting and the other far behind it.
+    constexpr double behind = 1e-2;
+    const bool becomes =
+        locks && slow <= 0.5 * speed && distance <= std::max(3 * slow, behind * speed);
     const bool stays = slow <= standing * speed && distance <= standing * speed;
     return becomes || stays ? std::optional(distance) : std::nullopt;
 }
