@@ -15,9 +15,9 @@ namespace whirl::tracking {
                                                          int wanted, bool follow);
 
 /// Spectra at many speeds, shared among the processes started by mpirun. Collective; complete on
-/// process 0, empty on the others. Each speed is solved alone, so the numbers do not depend on
-/// how many processes there are.
-/// @param follow  as in spectra_alone; then the numbers depend on the processes by their rounding
+/// process 0, empty on the others. The numbers depend on how many processes there are by their
+/// rounding: what was learned at one speed helps at the next.
+/// @param follow  as in spectra_alone
 /// @throws model::AnalysisFailure on every process where one of them failed.
 [[nodiscard]] std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
                                                       const std::vector<double> &speeds, int wanted,
