@@ -140,39 +140,63 @@ std::vector<std::string> keep_lowest(tracking::FollowedLines &found, const model
     return labels;
 }
 
-/// What the absence of a mode at some speeds means.
-std::string absence_note(const std::string &label, tracking::Absence why) {
+/// What the absence of modes at some speeds means.
+std::string absence_note(tracking::Absence why, const std::string &labels, bool several) {
+    const std::string who = (several ? "modes " : "mode ") + labels;
+    const std::string they = several ? "they" : "it";
+    const auto verb = [several](const char *one, const char *more) { return several ? more : one; };
     switch (why) {
     case tracking::Absence::overdamped:
-        return fmt::format("mode {} is overdamped at some speeds and has no whirl frequency there",
-                           label);
+        return fmt::format("{} {} overdamped at some speeds and {} no whirl frequency there", who,
+                           verb("is", "are"), verb("has", "have"));
     case tracking::Absence::divergent:
-        return fmt::format("mode {} diverges at some speeds: its eigenvalue is real and positive "
-                           "there, it grows without whirling",
-                           label);
+        return fmt::format("{} {} at some speeds: the eigenvalue is real and positive there, {} {} "
+                           "without whirling",
+                           who, verb("diverges", "diverge"), they, verb("grows", "grow"));
     case tracking::Absence::beyond:
-        return fmt::format("mode {} lies beyond the computed modes at some speeds", label);
+        return fmt::format("{} {} beyond the computed modes at some speeds", who,
+                           verb("lies", "lie"));
     default:
-        return fmt::format("mode {} could not be followed to some speeds; it goes on there as "
-                           "another line",
-                           label);
+        return fmt::format("{} could not be followed to some speeds; {} {} on there as {}", who,
+                           they, verb("goes", "go"), verb("another line", "other lines"));
     }
 }
 
 void note_absent(results::CampbellResult &result, const std::vector<tracking::Line> &lines) {
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        for (const tracking::Absence why :
-             {tracking::Absence::overdamped, tracking::Absence::divergent,
-              tracking::Absence::beyond, tracking::Absence::lost})
+    for (const tracking::Absence why : {tracking::Absence::overdamped, tracking::Absence::divergent,
+                                        tracking::Absence::beyond, tracking::Absence::lost}) {
+        std::string labels;
+        int count = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i)
             if (std::count(lines[i].absence.begin(), lines[i].absence.end(), why) > 0)
-                result.model.notes.push_back(absence_note(result.modes[i].label, why));
+                labels += (count++ > 0 ? ", " : "") + result.modes[i].label;
+        if (count > 0)
+            result.model.notes.push_back(absence_note(why, labels, count > 1));
+    }
 }
 
+/// Each by itself while they are few.
 void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
                const std::string &what) {
-    for (const tracking::Gap &gap : gaps)
-        model.notes.push_back(fmt::format("between {:.6g} and {:.6g} rad/s {} (near {:.6g} rad/s)",
-                                          gap.from, gap.to, what, gap.frequency));
+    constexpr std::size_t few = 3;
+    if (gaps.size() <= few) {
+        for (const tracking::Gap &gap : gaps)
+            model.notes.push_back(
+                fmt::format("between {:.6g} and {:.6g} rad/s {} (near {:.6g} rad/s)", gap.from,
+                            gap.to, what, gap.frequency));
+        return;
+    }
+    tracking::Gap all = gaps.front();
+    double highest = all.frequency;
+    for (const tracking::Gap &gap : gaps) {
+        all.from = std::min(all.from, gap.from);
+        all.to = std::max(all.to, gap.to);
+        all.frequency = std::min(all.frequency, gap.frequency);
+        highest = std::max(highest, gap.frequency);
+    }
+    model.notes.push_back(fmt::format(
+        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (near {:.6g} to {:.6g} rad/s)",
+        gaps.size(), all.from, all.to, what, all.frequency, highest));
 }
 
 /// Lines on which motion grows, in one note.
