@@ -270,10 +270,11 @@ std::string outcome_text(const SimulateResult &result) {
 
 std::string quality_text(const SimulateResult &result) {
     const MotionAudit &audit = result.audit;
-    return fmt::format("\nmodel: {} shapes of the shaft with its lowest {} modes (order {}, {} "
-                       "elements); relative error by it {:.1e} in response, {:.1e} in whirl "
-                       "speeds\n",
-                       result.shapes, result.modes, result.model.order, result.model.elements,
+    const std::string modes =
+        result.modes > 0 ? fmt::format(" with its lowest {} modes", result.modes) : "";
+    return fmt::format("\nmodel: {} shapes of the shaft{} (order {}, {} elements); relative error "
+                       "by it {:.1e} in response, {:.1e} in whirl speeds\n",
+                       result.shapes, modes, result.model.order, result.model.elements,
                        result.response_error, result.frequency_error) +
            fmt::format("       {}, {} steps, {:.3g} s; energy missing {:.1e} J of {:.3g} J, "
                        "angular momentum {:.1e} of {:.3g} kg m2/s\n",
