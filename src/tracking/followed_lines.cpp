@@ -1,6 +1,8 @@
 #include "tracking/followed_lines.h"
 
 #include "assembly/discretization.h"
+#include "balancers/arrangement.h"
+#include "balancers/linear_element.h"
 #include "process/processes.h"
 #include "tracking/spectra.h"
 
@@ -48,10 +50,13 @@ bool among_lowest(const Line &line, int modes) {
 
 FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
                              int modes, bool follow) {
-    // With balancers some of the slowest modes are the balls': lines leave and come back.
+    // With balancers some of the slowest modes are the balls', of each unknown two, but not at
+    // rest.
+    const model::Rotor &rotor = solver.discretization().rotor();
     const int more_modes = std::max(4, modes / 2);
-    const bool balanced = !solver.discretization().rotor().balancers.empty();
-    int computed = modes + (balanced ? more_modes : 2);
+    const int of_balls = 2 * balancers::unknowns_of(balancers::balancer_elements(
+                                 rotor, balancers::arrangement_at_balance(rotor)));
+    int computed = modes + (rotor.balancers.empty() ? 2 : std::max(more_modes, of_balls));
     constexpr int attempts = 4;
     FollowedLines out;
     std::vector<char> again(speeds.size(), 1);
