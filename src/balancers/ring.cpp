@@ -124,15 +124,14 @@ SmallMotions RingKind::small_motions(const std::vector<double> &angles) const {
     out.damping = Eigen::MatrixXd::Zero(unknowns, unknowns);
     out.restoring = Eigen::VectorXd::Zero(unknowns);
     out.drift = Eigen::VectorXd::Zero(unknowns);
-    if (unknowns == 1) {
-        out.set_diameter(D, 0);
-        return out;
+    double rate = 0;
+    if (unknowns == 2) {
+        const double c = n * _rings.damping;
+        out.inertia(1, 1) = n * _rings.inertia / R2;
+        out.damping << c, -c, -c, c + n * _rings.drag / R2;
+        rate = out.damping(1, 1) / out.inertia(1, 1);
+        out.drift(1) = SmallMotions::far_away * rate;
     }
-    const double c = n * _rings.damping;
-    out.inertia(1, 1) = n * _rings.inertia / R2;
-    out.damping << c, -c, -c, c + n * _rings.drag / R2;
-    const double rate = out.damping(1, 1) / out.inertia(1, 1);
-    out.drift(1) = SmallMotions::far_away * rate;
     out.set_diameter(D, rate);
     return out;
 }

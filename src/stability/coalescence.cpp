@@ -205,14 +205,6 @@ class Follower {
                     add_pair(i, j, target(i), target(j), !mixed(i, j));
     }
 
-    /// The copy of a value that continues another one.
-    [[nodiscard]] Complex continued_copy(const Motion &before, const Motion &after) const {
-        if (after.repeats == 0)
-            return after.value;
-        const double off = after.value.imag() - before.value.imag();
-        return {after.value.real(), before.value.imag() + std::remainder(off, after.repeats)};
-    }
-
     void add_pair(int i, int j, int ti, int tj, bool ordered) {
         if (!(a(i).may_meet && a(j).may_meet) && !(b(ti).may_meet && b(tj).may_meet))
             return;
@@ -221,8 +213,8 @@ class Follower {
         const bool opposite = a(i).action * a(j).action < 0 && b(ti).action * b(tj).action < 0;
         if (opposite && a(i).action != b(ti).action) // mixed: actions tell which is which
             std::swap(ti, tj);
-        const Complex first_to = continued_copy(a(i), b(ti));
-        const Complex second_to = continued_copy(a(j), b(tj));
+        const Complex first_to = copy_next_to(a(i).value, b(ti));
+        const Complex second_to = copy_next_to(a(j).value, b(tj));
         const double repeats_from = a(i).repeats;
         const double repeats_to = b(ti).repeats;
         const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;

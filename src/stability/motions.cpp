@@ -372,6 +372,13 @@ int MotionSolver::harmonics() const { return _data->hill ? _data->hill->harmonic
 
 const assembly::Discretization &MotionSolver::discretization() const { return _data->d; }
 
+std::complex<double> copy_next_to(std::complex<double> other, const Motion &motion) {
+    if (motion.repeats == 0)
+        return motion.value;
+    const double off = motion.value.imag() - other.imag();
+    return {motion.value.real(), other.imag() + std::remainder(off, motion.repeats)};
+}
+
 double growth_of(const std::vector<Motion> &motions) {
     double growth = -std::numeric_limits<double>::infinity();
     for (const Motion &motion : motions) { // a blurred zero must not hide one that grows

@@ -82,6 +82,9 @@ class MotionSolver {
     std::unique_ptr<Data> _data;
 };
 
+/// The value of a motion at that of its copies (Motion::repeats) which is next to another value.
+[[nodiscard]] std::complex<double> copy_next_to(std::complex<double> other, const Motion &motion);
+
 /// Largest real part, 1/s; below the noise of the motions it is 0.
 [[nodiscard]] double growth_of(const std::vector<Motion> &motions);
 

@@ -252,8 +252,8 @@ class PassingSearch {
         const Motion *other = nearest(motions, second, -_m.action);
         if (one == nullptr || other == nullptr)
             return std::nullopt;
-        const Place out{speed, copy(*one, first), copy(*other, second), one->noise + other->noise,
-                        grows(*one) || grows(*other)};
+        const Place out{speed, copy_next_to(first, *one), copy_next_to(second, *other),
+                        one->noise + other->noise, grows(*one) || grows(*other)};
         const double off = std::max(std::abs(out.first - first), std::abs(out.second - second));
         return out.grows || off <= 0.3 * _size ? std::optional(out) : std::nullopt;
     }
@@ -261,18 +261,13 @@ class PassingSearch {
     [[nodiscard]] static bool grows(const Motion &motion) {
         return std::abs(motion.value.real()) > motion.noise;
     }
-    [[nodiscard]] static Complex copy(const Motion &motion, Complex expected) {
-        const double off = motion.value.imag() - expected.imag();
-        return {motion.value.real(),
-                expected.imag() + (motion.repeats > 0 ? std::remainder(off, motion.repeats) : off)};
-    }
     /// Of this action, or of none that can be told: where they have met.
     [[nodiscard]] static const Motion *nearest(const std::vector<Motion> &motions, Complex expected,
                                                int action) {
         const Motion *best = nullptr;
         double least = HUGE_VAL;
         for (const Motion &motion : motions) {
-            const double off = std::abs(copy(motion, expected) - expected);
+            const double off = std::abs(copy_next_to(expected, motion) - expected);
             if (motion.action * action >= 0 && off < least) {
                 least = off;
                 best = &motion;

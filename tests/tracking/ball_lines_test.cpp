@@ -1,15 +1,13 @@
 // Motions of balls that stand still in the rotor, as lines of the Campbell diagram.
 
 #include "analyses/campbell.h"
-#include "input/case_file.h"
 #include "modes/spectrum.h"
 #include "results/campbell.h"
+#include "support/written_case.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <variant>
 
 namespace ball_lines_test {
@@ -18,12 +16,7 @@ using namespace whirl;
 
 /// Two balancers without an imbalance of their own: their balls stand on one diameter (two) or
 /// evenly. From rest on some motions stand still in the rotor, all but equal in both balancers.
-constexpr const char *text = R"(
-format = 1
-[material.s]
-E = 2.06e11
-nu = 0.3
-rho = 7850
+constexpr const char *decanter = R"(
 [shaft]
 order = 4
 segments = [
@@ -69,17 +62,11 @@ to = 420
 count = 31
 )";
 
-model::Case decanter() {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "decanter.toml";
-    std::ofstream(file) << text;
-    return input::load_case(file);
-}
-
 /// Each line is one motion from end to end; at rest nothing of the balls whirls.
 TEST(BallLines, AreFollowedFromEndToEnd) {
     for (const bool equal : {false, true})
         for (const int balls : {2, 3}) {
-            model::Case scene = decanter();
+            model::Case scene = tests::written_case(decanter);
             for (model::Balancer &balancer : scene.rotor.balancers)
                 std::get<model::Balls>(balancer.parts).rows[0].n = balls;
             if (equal) // and a rotor that is its own mirror image
@@ -96,7 +83,7 @@ TEST(BallLines, AreFollowedFromEndToEnd) {
 
 /// The same motions whatever number of them is asked for.
 TEST(BallLines, AreTheSameWhateverNumberIsAskedFor) {
-    const model::Case scene = decanter();
+    const model::Case scene = tests::written_case(decanter);
     const modes::SpectrumSolver solver(scene.rotor, results::Form::rotating, 4);
     for (const double speed : {0.15, 20.0, 105.0, 209.44}) {
         const modes::Spectrum all = solver.at(speed, 16);

@@ -9,14 +9,13 @@
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 #include "support/scenes.h"
+#include "support/written_case.h"
 #include "tracking/locked_whirl.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <tuple>
 
@@ -204,14 +203,6 @@ TEST(Locked, EndsWithTheRange) {
     }
 }
 
-constexpr const char *material = R"(
-format = 1
-[material.s]
-E = 2.1e11
-nu = 0.3
-rho = 7800
-)";
-
 /// Without damping: motions that grow and that die out part at one speed, -71.79 and 71.79 rad/s.
 constexpr const char *undamped_balls = R"(
 [shaft]
@@ -274,12 +265,6 @@ to = 0
 count = 5
 )";
 
-model::Case written(const char *text) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "locked.toml";
-    std::ofstream(file) << material << text;
-    return input::load_case(file);
-}
-
 /// As many intervals cover a speed as motions stand still there, counted at that speed alone.
 void expect_covered(const model::Case &scene, int order, const std::string &name) {
     const std::vector<results::Locked> locked = analyses::campbell(scene).locked;
@@ -308,10 +293,10 @@ TEST(Locked, CoversEverySpeedAsOftenAsMotionsStandStillThere) {
         expect_covered(scene, 5, name);
     }
     for (const int count : {5, 50}) {
-        model::Case balls = written(undamped_balls);
+        model::Case balls = tests::written_case(undamped_balls);
         balls.speeds->count = count;
         expect_covered(balls, 4, "undamped balls");
-        model::Case uneven = written(two_stiffnesses);
+        model::Case uneven = tests::written_case(two_stiffnesses);
         uneven.speeds->count = count;
         expect_covered(uneven, 3, "two stiffnesses");
     }
