@@ -128,17 +128,15 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
         return (a.left.transpose() * b.right)
             .cwiseProduct((b.left.transpose() * a.right).transpose())
             .cwiseAbs();
-    const Eigen::MatrixXd straight =
-        (a.complex_left.transpose() * b.complex_right)
-            .cwiseProduct((b.complex_left.transpose() * a.complex_right).transpose())
-            .cwiseAbs();
-    if (!a.conjugates)
-        return straight;
-    const Eigen::MatrixXd turned =
-        (a.complex_left.transpose() * b.complex_right.conjugate())
-            .cwiseProduct((b.complex_left.adjoint() * a.complex_right).transpose())
-            .cwiseAbs();
-    return straight.cwiseMax(turned);
+    const auto products = [&](const Eigen::MatrixXcd &of_a, const Eigen::MatrixXcd &of_b) {
+        return Eigen::MatrixXd((a.complex_left.transpose() * of_b)
+                                   .cwiseProduct((b.complex_left.transpose() * of_a).transpose())
+                                   .cwiseAbs());
+    };
+    Eigen::MatrixXd out = products(a.complex_right, b.complex_right);
+    for (std::size_t copy = 0; copy < a.copies.size(); ++copy)
+        out = out.cwiseMax(products(a.copies[a.ways_back[copy]], b.copies[copy]));
+    return out;
 }
 
 void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
@@ -174,28 +172,6 @@ ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
         Y = left_vectors(problem, values, vectors);
     fill<Complex>(problem, values, vectors, Y, out.complex_left, out.complex_right, out);
     separate(out);
-    return out;
-}
-
-ModeBasis dual_basis_of(const Sparse &mass, const Eigen::VectorXcd &values,
-                        const Eigen::MatrixXcd &vectors) {
-    ModeBasis out;
-    const Eigen::Index n = vectors.rows();
-    const Eigen::Index count = vectors.cols();
-    const Sparse M = (mass + Sparse(mass.transpose())) / 2;
-    const double scale = count > 0 ? values.cwiseAbs().mean() : 0;
-    const Eigen::MatrixXcd V = vectors * values.asDiagonal();
-    Eigen::MatrixXcd weighted(2 * n, count);
-    weighted << scale * scale * times(M, vectors), times(M, V);
-    out.complex_right.resize(2 * n, count);
-    out.complex_right << vectors, V;
-    const Eigen::MatrixXcd gram = weighted.adjoint() * out.complex_right;
-    out.complex_left = gram.completeOrthogonalDecomposition()
-                           .solve(Eigen::MatrixXcd(weighted.adjoint()))
-                           .transpose();
-    const double unknown = std::numeric_limits<double>::quiet_NaN();
-    out.rate_below = Eigen::VectorXcd::Constant(count, unknown);
-    out.rate_above = out.rate_below;
     return out;
 }
 

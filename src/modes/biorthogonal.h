@@ -4,6 +4,8 @@
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <cstddef>
+#include <vector>
 
 namespace whirl::modes {
 
@@ -38,14 +40,16 @@ struct ComplexQuadraticAt {
 struct ModeBasis {
     Eigen::MatrixXd left, right;
     Eigen::MatrixXcd complex_left, complex_right;
-    /// In rotating axes a mode may be followed by the conjugate of its continuation.
-    bool conjugates = false;
+    /// In rotating axes a mode may be followed by a copy of its continuation, its conjugate or one
+    /// of a Hill series: right vectors of such copies, and the copy that leads back from each.
+    std::vector<Eigen::MatrixXcd> copies;
+    std::vector<std::size_t> ways_back;
     /// dv/dspeed of each mode towards lower and higher speeds; not a number where unknown.
     Eigen::VectorXcd rate_below, rate_above;
 };
 
-/// Products of left and right vectors of two speeds, both ways: 1 for a mode and itself, 0 for two
-/// modes of one speed. Rows of a, columns of b.
+/// Products of left and right vectors of two speeds, both ways, of the copies that fit best: 1 for
+/// a mode and itself, 0 for two modes of one speed. Rows of a, columns of b.
 [[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
 
 /// One of these products, with its phase; complex vectors.
@@ -67,11 +71,5 @@ struct ModeBasis {
 
 /// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
 void separate(ModeBasis &basis);
-
-/// For motions whose left vectors are not to be had (a Hill series cut off): the dual basis of the
-/// states among themselves, in the kinetic energy. Rates are unknown.
-[[nodiscard]] ModeBasis dual_basis_of(const Eigen::SparseMatrix<double> &mass,
-                                      const Eigen::VectorXcd &values,
-                                      const Eigen::MatrixXcd &vectors);
 
 } // namespace whirl::modes

@@ -118,6 +118,23 @@ linalg::QuadraticResult RotatingSpectrum::solve_hill(double speed, int wanted, d
     return found;
 }
 
+/// A motion that stands still in the rotor is its own conjugate in one of its copies, and that one
+/// stands for it, whichever is largest: in the place of the copy `pair`, which is taken out of all.
+void RotatingSpectrum::take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
+                                          linalg::ComplexPair &pair) {
+    const double places = std::round(pair.value.imag() / std::abs(2 * speed));
+    const double near = 1e-7 * std::abs(speed);
+    if (places == 0 || !(std::abs(pair.value.imag() - places * std::abs(2 * speed)) <= near))
+        return;
+    for (linalg::ComplexPair &copy : all)
+        if (copy.vector.size() > 0 && copy.value.imag() == 0 &&
+            std::abs(copy.value.real() - pair.value.real()) <= near) {
+            pair = std::move(copy);
+            copy.vector.resize(0);
+            return;
+        }
+}
+
 RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
                                                       Keep keep) const {
     linalg::QuadraticOptions options;
@@ -141,10 +158,12 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     for (linalg::ComplexPair &pair : found.pairs) {
         if (_harmonics > 0 && largest_term(pair.vector) > last)
             continue;
-        if (keep == Keep::best)
-            pair.vector.conservativeResize(_system.M.size());
         out.pairs.push_back(std::move(pair));
+        pair.vector.resize(0);
     }
+    if (_harmonics > 0 && keep == Keep::best && speed != 0)
+        for (linalg::ComplexPair &pair : out.pairs)
+            take_standing_copy(speed, found.pairs, pair);
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     return out;
@@ -203,7 +222,10 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
                                                             int least) const {
-    return up_to(speed, radius, least, Keep::best);
+    Eigenvalues out = up_to(speed, radius, least, Keep::best);
+    for (linalg::ComplexPair &pair : out.pairs)
+        pair.vector.conservativeResize(_system.M.size());
+    return out;
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
@@ -215,22 +237,21 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radi
 /// Im + speed and Im - speed backwards, the one with the larger deflections.
 WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, double speed) const {
     // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
-    const Eigen::Index n = pair.vector.size() / 2;
-    const assembly::Planes planes(pair.vector);
+    const Eigen::Index n = _system.M.size() / 2;
+    const Eigen::VectorXcd constant = pair.vector.head(2 * n);
+    const assembly::Planes planes(constant);
     const Eigen::VectorXcd p = planes.towards() / 2;
     const Eigen::VectorXcd r = planes.against().conjugate() / 2;
     const double nu = pair.value.imag();
     WhirlMode mode;
     mode.frequency_rotating = nu;
-    if (_harmonics == 0) {
-        mode.rotating_value = pair.value;
-        mode.rotating_vector = pair.vector;
-    }
+    mode.rotating_value = pair.value;
+    mode.rotating_vector = pair.vector;
     mode.shape.resize(2 * n);
     double turn = 0; // rad/s, of the dominant whirl, positive with the spin
     if (speed == 0) {
         turn = nu; // both whirls have this frequency: the whole motion
-        mode.shape = pair.vector;
+        mode.shape = constant;
     } else {
         const bool first = _stations.deflection_energy(p) >= _stations.deflection_energy(r);
         turn = speed + (first ? nu : -nu);
@@ -308,7 +329,7 @@ RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors
     Eigenvalues found;
     for (int attempt = 0; attempt <= 12; ++attempt) {
         try {
-            found = eigenvalues(speed, radius, wanted);
+            found = up_to(speed, radius, wanted, Keep::best);
         } catch (const linalg::SolverError &) {
             if (out.modes.empty())
                 throw;

@@ -98,6 +98,8 @@ class RotatingSpectrum {
                                     double shift) const;
     [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
+    static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
+                                   linalg::ComplexPair &pair);
     /// Whether it is what holds parts on their way across a diameter: no motion.
     [[nodiscard]] bool held(const Eigen::VectorXcd &vector) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.

@@ -9,6 +9,7 @@
 #include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
+#include "modes/hill/series_basis.h"
 #include "modes/orbits.h"
 #include "modes/planar_damped.h"
 #include "modes/reduced/few_shapes.h"
@@ -272,6 +273,8 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     };
     if (form == results::Form::planar || form == results::Form::hyperbolic)
         return real_basis(_data->matrices().at(spectrum.speed), spectrum, form);
+    if (form == results::Form::hill)
+        return series_basis(_data->matrices().mass(), 2 * _data->d.planar_size(), spectrum);
     const bool turning = form == results::Form::rotating;
     const bool planar = form == results::Form::planar_damped;
     Eigen::VectorXcd values(count);
@@ -282,8 +285,6 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
                    : _data->few ? _data->few->amplitudes(mode(i).shape)
                                 : mode(i).shape;
     }
-    if (form == results::Form::hill)
-        return dual_basis_of(_data->matrices().mass(), values, X);
     if (planar) {
         ModeBasis out = basis_of(_data->matrices().complex_at(spectrum.speed), values, X);
         for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
@@ -294,7 +295,10 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     }
     ModeBasis out =
         basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
-    out.conjugates = turning;
+    if (turning) {
+        out.copies = {out.complex_right.conjugate()};
+        out.ways_back = {0};
+    }
     for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
         for (Eigen::Index i = 0; turning && i < count; ++i)
             (*rates)(i) = seen_from_ground(mode(i), spectrum.speed, (*rates)(i));

@@ -29,8 +29,9 @@ struct WhirlMode {
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
-    /// What can be followed: form rotating, the eigenpair in rotating axes; form planar_damped, the
-    /// eigenvalue with the direction of whirl as the sign of its Im. In no other form.
+    /// What can be followed: forms rotating and hill, the eigenpair in rotating axes (over all
+    /// terms of Hill's series); form planar_damped, the eigenvalue with the direction of whirl as
+    /// the sign of its Im. In no other form.
     std::complex<double> rotating_value;
     Eigen::VectorXcd rotating_vector;
     double residual = 0;

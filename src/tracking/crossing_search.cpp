@@ -38,6 +38,10 @@ void CrossingSearch::visit(const Node &node) {
 
 void CrossingSearch::search(const Node &a, const Node &b, const std::vector<Link> &links,
                             int depth) {
+    // Lines may be lost where a motion begins to stand.
+    if (_multiple == 1 && _solver.form() == results::Form::hill &&
+        locked_motions(a.snapshot.spectrum) != locked_motions(b.snapshot.spectrum))
+        find_lock_ends(a, b, no_line);
     for (const Link &link : links) {
         const std::optional<double> speed = look(a, b, link, depth);
         if (!speed)
@@ -55,16 +59,24 @@ void CrossingSearch::find_lock_ends(const Node &a, const Node &b, int line) {
     const bool known = std::any_of(_ends.begin(), _ends.end(), [from, to](const BandEnd &end) {
         return end.speed >= from && end.speed <= to;
     });
-    if (known || from * to <= 0)
+    const bool tried = std::any_of(_tried.begin(), _tried.end(), [from, to](const auto &part) {
+        return part.first <= from && to <= part.second;
+    });
+    if (known || tried || from * to <= 0)
         return;
+    _tried.emplace_back(from, to);
     for (const LockEnd &end : lock_ends(_solver, from, to, 1, wanted_of(a, b)))
-        take_lock_end(end, line);
+        if (line == no_line)
+            take_lock_end(end, a, b);
+        else
+            take_lock_end(end, line);
 }
 
 /// For the line of the motion that leaves the band there, between two nodes.
 void CrossingSearch::take_lock_end(const LockEnd &end, const Node &a, const Node &b) {
-    const Node outside = node_at(_solver, end.outside, a, b);
-    int line = slowest_line(outside, false);
+    int line = _solver.form() == results::Form::hill ? leaving_line(a, b) : no_line;
+    if (line == no_line)
+        line = slowest_line(node_at(_solver, end.outside, a, b), false);
     for (const Node *node : {&a, &b}) // it may not have been followed to there
         if (line == no_line)
             line = slowest_line(*node, true);
@@ -95,12 +107,28 @@ void CrossingSearch::follow_to_zero(Node there, Node gone, int line) {
     }
 }
 
+/// The line that stands still at one of two nodes and not at the other, if there is just one.
+int CrossingSearch::leaving_line(const Node &a, const Node &b) const {
+    int line = no_line;
+    for (std::size_t i = 0; i < a.lines.size(); ++i) {
+        const auto j = std::find(b.lines.begin(), b.lines.end(), a.lines[i]);
+        if (a.lines[i] == no_line || j == b.lines.end() ||
+            held(a, i) == held(b, static_cast<std::size_t>(j - b.lines.begin())))
+            continue;
+        if (line != no_line)
+            return no_line;
+        line = a.lines[i];
+    }
+    return line;
+}
+
 /// The line of the motion that turns least as seen from the rotor.
-int CrossingSearch::slowest_line(const Node &node, bool or_stands) {
+int CrossingSearch::slowest_line(const Node &node, bool or_stands) const {
     int line = no_line;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < node.lines.size(); ++i) {
-        const double frequency = std::abs(mode_at(node, i).frequency_rotating);
+        const double frequency =
+            turn_in_rotor(mode_at(node, i), node.snapshot.spectrum.speed, _solver.form());
         if (node.lines[i] != no_line && (or_stands || frequency != 0) && frequency < least) {
             least = frequency;
             line = node.lines[i];

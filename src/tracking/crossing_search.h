@@ -1,11 +1,12 @@
 #pragma once
 
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_step.h"
 #include "tracking/crossings.h"
-#include "tracking/locked_whirl.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::tracking {
@@ -46,8 +47,10 @@ class CrossingSearch {
     double _multiple;
     Crossings &_out;
     std::vector<BandEnd> _ends;
+    std::vector<std::pair<double, double>> _tried; ///< parts searched for ends, rad/s
 
-    [[nodiscard]] static int slowest_line(const Node &node, bool or_stands);
+    [[nodiscard]] int leaving_line(const Node &a, const Node &b) const;
+    [[nodiscard]] int slowest_line(const Node &node, bool or_stands) const;
     void find_lock_ends(const Node &a, const Node &b, int line);
     void take_lock_end(const LockEnd &end, int line);
     [[nodiscard]] StepEnd end(const Node &node, std::size_t place, bool towards_higher) const;

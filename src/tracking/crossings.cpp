@@ -4,12 +4,12 @@
 #include "results/campbell.h"
 #include "results/damping.h"
 #include "results/formulation.h"
+#include "tracking/bands/locked_intervals.h"
+#include "tracking/bands/locked_whirl.h"
+#include "tracking/bands/riding_bands.h"
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
-#include "tracking/locked_intervals.h"
-#include "tracking/locked_whirl.h"
-#include "tracking/riding_bands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ class Sweep {
         const bool bands = multiple == 1 && _nodes.count() > 1 &&
                            results::in_rotating_axes(_nodes.solver().form());
         const int wanted = bands ? wanted_for_bands() : 0;
-        if (bands && _nodes.solver().form() == results::Form::rotating)
+        if (bands)
             find_bands(search, wanted);
         for (std::size_t k = 0; k < _nodes.count(); ++k) {
             search.visit(_nodes.bare(k));
@@ -155,10 +155,27 @@ class Sweep {
         return wanted;
     }
 
+    /// Of a Hill series, where speeds cost most: in the steps over which the number changes.
+    [[nodiscard]] std::vector<LockEnd> lock_ends_by_steps(int wanted) const {
+        std::vector<LockEnd> ends;
+        for (std::size_t k = 0; k + 1 < _nodes.count(); ++k) {
+            const double from = _nodes.speed(k);
+            const double to = _nodes.speed(k + 1);
+            if (from * to <= 0 ||
+                locked_motions(_nodes.spectrum(k)) == locked_motions(_nodes.spectrum(k + 1)))
+                continue;
+            const std::vector<LockEnd> more = lock_ends(_nodes.solver(), from, to, 1, wanted);
+            ends.insert(ends.end(), more.begin(), more.end());
+        }
+        return ends;
+    }
+
     /// Ends of bands of locked motion over the whole range, the same whatever its grid.
     void find_bands(CrossingSearch &search, int wanted) const {
-        const std::vector<LockEnd> ends = lock_ends_over(_nodes.solver(), _nodes.speed(0),
-                                                         _nodes.speed(_nodes.count() - 1), wanted);
+        const std::vector<LockEnd> ends =
+            hill() ? lock_ends_by_steps(wanted)
+                   : lock_ends_over(_nodes.solver(), _nodes.speed(0),
+                                    _nodes.speed(_nodes.count() - 1), wanted);
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k)
             for (const LockEnd &end : ends)
                 if ((_nodes.speed(k) <= end.speed) != (_nodes.speed(k + 1) <= end.speed))

@@ -1,6 +1,6 @@
 #include "tracking/mode_matching.h"
 
-#include "tracking/locked_whirl.h"
+#include "tracking/bands/locked_whirl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -144,7 +144,7 @@ std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
     constexpr double nearly = 0.1;
     const std::size_t count = a.spectrum.modes.size();
     if (count == 0 || count != b.spectrum.modes.size() || a.basis.complex_left.size() == 0 ||
-        a.basis.conjugates || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
+        !a.basis.copies.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
         return std::nullopt;
     Matching out{std::vector<int>(count, Matching::none), std::vector<int>(count, Matching::none),
                  false};
@@ -156,6 +156,12 @@ std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
         join(out, i, j);
     }
     return out;
+}
+
+/// Whether nothing goes on from a mode at rest: it stands still there.
+bool stands_at_rest(const Snapshot &here, Eigen::Index i, const Snapshot &there) {
+    return there.spectrum.speed == 0 &&
+           fate(here.spectrum, static_cast<int>(i), there.spectrum) == Absence::overdamped;
 }
 
 } // namespace
@@ -174,11 +180,12 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
     for (Eigen::Index i = 0; i < overlap.rows(); ++i) {
         const int j = out.to[static_cast<std::size_t>(i)];
         if ((i < important || (j != Matching::none && j < important)) &&
-            (j == Matching::none || !is_sure(overlap, i, j)))
+            (j == Matching::none ? !stands_at_rest(a, i, b) : !is_sure(overlap, i, j)))
             out.ambiguous = true;
     }
-    for (std::size_t j = 0; j < out.from.size() && static_cast<int>(j) < important; ++j)
-        out.ambiguous = out.ambiguous || out.from[j] == Matching::none;
+    for (Eigen::Index j = 0; j < std::min<Eigen::Index>(important, overlap.cols()); ++j)
+        out.ambiguous = out.ambiguous || (out.from[static_cast<std::size_t>(j)] == Matching::none &&
+                                          !stands_at_rest(b, j, a));
     return out;
 }
 
@@ -217,6 +224,28 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
                     locks.emplace_back(*distance, i, j);
     take_best(std::move(locks), out);
     return out;
+}
+
+void keep_larger_parts(const Snapshot &a, const Snapshot &b, std::vector<int> &to) {
+    if (a.basis.copies.size() < 2)
+        return;
+    const auto turns = [&](std::size_t i, int j) {
+        return a.spectrum.modes[i].whirl != b.spectrum.modes[static_cast<std::size_t>(j)].whirl;
+    };
+    const auto change = [&](std::size_t i, int j) {
+        return std::abs(value(b.spectrum, j) - value(a.spectrum, static_cast<Eigen::Index>(i)));
+    };
+    constexpr double much_less = 0.1;
+    const auto exchange = [&](std::size_t i, std::size_t k) {
+        return to[i] != Matching::none && to[k] != Matching::none && turns(i, to[i]) &&
+               turns(k, to[k]) && !turns(i, to[k]) && !turns(k, to[i]) &&
+               change(i, to[k]) + change(k, to[i]) <
+                   much_less * (change(i, to[i]) + change(k, to[k]));
+    };
+    for (std::size_t i = 0; i < to.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (exchange(i, k))
+                std::swap(to[i], to[k]);
 }
 
 Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there) {

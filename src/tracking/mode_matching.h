@@ -37,6 +37,11 @@ struct Matching {
 /// that come close mix): by continuity of eigenvalues and their slopes.
 [[nodiscard]] Matching match_by_groups(const Snapshot &a, const Snapshot &b);
 
+/// In a Hill series motions that resonate exchange their larger parts: of the same two motions one
+/// is seen from the fixed frame to whirl forward and one backward on both sides, but not the same
+/// one. There the lines go on, and not the motions.
+void keep_larger_parts(const Snapshot &a, const Snapshot &b, std::vector<int> &to);
+
 /// What became of a mode that has no continuation in the other spectrum nearby.
 [[nodiscard]] Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &there);
 

@@ -152,7 +152,9 @@ ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b
 
 ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b) {
     _left_in_step = most_in_step;
-    return follow(a, b, 0);
+    Followed out = follow(a, b, 0);
+    keep_larger_parts(a, b, out.to);
+    return out;
 }
 
 Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spectrum> &spectra,

@@ -3,7 +3,7 @@
 
 #include "support/scenes.h"
 #include "tracking/crossings.h"
-#include "tracking/locked_whirl.h"
+#include "tracking/bands/locked_whirl.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -4,11 +4,13 @@
 #include "modes/spectrum.h"
 #include "results/campbell.h"
 #include "support/written_case.h"
+#include "tracking/tracking.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <variant>
+#include <vector>
 
 namespace ball_lines_test {
 
@@ -94,6 +96,31 @@ TEST(BallLines, AreTheSameWhateverNumberIsAskedFor) {
                           1e-9 * std::abs(all.modes[i].eigenvalue))
                     << speed << " " << wanted << " " << i;
         }
+    }
+}
+
+/// On unequal bearings motions are Hill series, and which copy of one is largest changes: near
+/// 754 rad/s the second bending forward and backward are 2 x 754 apart and exchange their parts, at
+/// 800 a motion of the balls ceases to stand still. Each line goes on, with its sense of whirl.
+TEST(BallLines, OnUnequalBearingsAreFollowedThroughCopies) {
+    model::Case scene = tests::written_case(decanter);
+    scene.rotor.shaft.order = 1;
+    scene.rotor.bearings[0].rows[0].k << 4e7, 0, 0, 6e7;
+    scene.rotor.bearings[0].rows[0].c = 5000 * Eigen::Matrix2d::Identity();
+    scene.rotor.bearings[1].rows[0].k = 6e7 * Eigen::Matrix2d::Identity();
+    scene.rotor.bearings[1].rows[0].c = 6000 * Eigen::Matrix2d::Identity();
+    scene.rotor.balancers.pop_back();
+    const modes::SpectrumSolver solver(scene.rotor, results::Form::hill, 1);
+    constexpr int modes = 8;
+    const std::vector<modes::Spectrum> spectra{solver.at(700, modes), solver.at(900, modes)};
+    const tracking::Tracking tracking = tracking::track(solver, spectra, modes);
+    EXPECT_TRUE(tracking.gaps.empty());
+    EXPECT_EQ(tracking.lines.size(), static_cast<std::size_t>(modes));
+    for (const tracking::Line &line : tracking.lines) {
+        ASSERT_NE(line.place[0], tracking::Line::absent);
+        ASSERT_NE(line.place[1], tracking::Line::absent);
+        EXPECT_EQ(spectra[0].modes[static_cast<std::size_t>(line.place[0])].whirl,
+                  spectra[1].modes[static_cast<std::size_t>(line.place[1])].whirl);
     }
 }
 

@@ -10,7 +10,7 @@
 #include "support/rotating_scenes.h"
 #include "support/scenes.h"
 #include "support/written_case.h"
-#include "tracking/locked_whirl.h"
+#include "tracking/bands/locked_whirl.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tracking/locked_intervals.h"
+#include "tracking/bands/locked_intervals.h"
 
 #include "results/formulation.h"
 #include "tracking/crossing_search.h"
@@ -109,10 +109,7 @@ std::ptrdiff_t standing_from(const modes::SpectrumSolver &solver, int wanted,
     }
     stretch_to(high);
     const modes::Spectrum there = solver.at(middle, wanted, modes::Errors::of_right_vectors);
-    const auto standing =
-        std::count_if(there.modes.begin(), there.modes.end(),
-                      [middle](const modes::WhirlMode &mode) { return locked(mode, middle); });
-    return std::max<std::ptrdiff_t>(0, standing - entered);
+    return std::max<std::ptrdiff_t>(0, locked_motions(there) - entered);
 }
 
 std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<BandEnd> &ends,

@@ -18,8 +18,8 @@ struct RidingBand {
 /// real axis, their frequencies stay on an integer multiple of the spin speed until they part again
 /// (theory.md, Following modes). Such bands are looked for where a frequency changes sides of the
 /// multiple between two speeds of the sweep, and from speeds inside one; ends inside the range are
-/// halved to 1e-11. Other than motions that stand still in the rotor, which standing_intervals
-/// finds.
+/// to 1e-11 (branch_point.h). Other than motions that stand still in the rotor, which
+/// standing_intervals finds.
 /// @param multiple  of the spin speed, any: only integers have bands
 [[nodiscard]] std::vector<RidingBand> riding_bands(const SweepNodes &sweep, double multiple);
 

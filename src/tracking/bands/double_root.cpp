@@ -1,4 +1,4 @@
-#include "tracking/double_root.h"
+#include "tracking/bands/double_root.h"
 
 #include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"

@@ -1,4 +1,4 @@
-#include "tracking/locked_whirl.h"
+#include "tracking/bands/locked_whirl.h"
 
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
@@ -6,7 +6,8 @@
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
-#include "tracking/double_root.h"
+#include "tracking/bands/branch_point.h"
+#include "tracking/bands/double_root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +34,11 @@ Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
                        [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
     out.motions = std::distance(others, out.others.end());
     out.others.erase(others, out.others.end());
+    const auto turn = [&](const modes::WhirlMode &mode) {
+        return turn_in_rotor(mode, speed, solver.form());
+    };
     std::sort(out.others.begin(), out.others.end(),
-              [](const modes::WhirlMode &a, const modes::WhirlMode &b) {
-                  return std::abs(a.frequency_rotating) < std::abs(b.frequency_rotating);
-              });
+              [&](const auto &a, const auto &b) { return turn(a) < turn(b); });
     return out;
 }
 
@@ -115,10 +117,12 @@ std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, 
     const modes::Spectrum far =
         solver.at(end.speed + 4 * step, wanted, modes::Errors::of_right_vectors);
     const double size = std::abs(end.speed);
-    const auto parts_there = [size](const modes::WhirlMode &a, const modes::WhirlMode &b) {
-        const double ratio = b.frequency_rotating / a.frequency_rotating;
-        return a.frequency_rotating != 0 && std::abs(a.frequency_rotating) < 0.01 * size &&
-               std::abs(ratio - 2) < 0.05 &&
+    const auto turn = [&](const modes::WhirlMode &mode, const modes::Spectrum &spectrum) {
+        return turn_in_rotor(mode, spectrum.speed, solver.form());
+    };
+    const auto parts_there = [&](const modes::WhirlMode &a, const modes::WhirlMode &b) {
+        const double from = turn(a, near);
+        return from != 0 && from < 0.01 * size && std::abs(turn(b, far) / from - 2) < 0.05 &&
                std::abs(a.eigenvalue.real() - b.eigenvalue.real()) < 1e-4 * size;
     };
     for (const modes::WhirlMode &a : near.modes)
@@ -128,20 +132,29 @@ std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, 
     return std::nullopt;
 }
 
-/// Halves a part over which the number changes, for a Hill series: its motions have no vectors over
+/// In a part over which the number changes, for a Hill series: its motions have no vectors over
 /// the equations of one speed to begin a double root with. Of several ends in it one is found.
-std::optional<LockEnd> end_by_halving(const modes::SpectrumSolver &solver, const Count &from,
-                                      const Count &to, int wanted) {
-    constexpr double halved = 1e-11;
-    std::pair<double, std::ptrdiff_t> a{from.speed, from.motions};
-    std::pair<double, std::ptrdiff_t> b{to.speed, to.motions};
-    for (int step = 0; step < 60 && std::abs(b.first - a.first) > halved * std::abs(a.first);
-         ++step) {
-        const Count middle = count_at(solver, (a.first + b.first) / 2, wanted);
-        (middle.motions == a.second ? a : b) = {middle.speed, middle.motions};
-    }
-    const bool opens = (a.second < b.second) == (a.first < b.first);
-    LockEnd end = end_of({a.second > b.second ? a.first : b.first, 0, opens});
+std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
+                                     const Count &to, int wanted) {
+    constexpr double resolved = 1e-11;
+    const bool leaves = from.motions > to.motions;
+    const Count &inside = leaves ? from : to;
+    const Count &outside = leaves ? to : from;
+    const std::optional<BranchPoint> found = branch_point(
+        inside.speed, outside.speed, resolved,
+        [&](double speed) -> std::optional<double> {
+            const Count here = count_at(solver, speed, wanted);
+            if (here.motions > outside.motions)
+                return std::nullopt;
+            const double turn = here.others.empty() ? speed
+                                                    : turn_in_rotor(here.others.front(), speed,
+                                                                    results::Form::hill);
+            return turn * turn;
+        },
+        false);
+    if (!found)
+        return std::nullopt;
+    LockEnd end = end_of({found->inside, 0, inside.speed > outside.speed});
     const std::optional<double> real = real_at_branch_point(solver, end, wanted);
     if (!real)
         return std::nullopt;
@@ -156,7 +169,7 @@ void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &
     if (a.motions == b.motions || halves > most)
         return;
     if (solver.form() == results::Form::hill) {
-        if (const std::optional<LockEnd> end = end_by_halving(solver, a, b, wanted))
+        if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted))
             ends.push_back(*end);
         return;
     }
@@ -210,8 +223,20 @@ std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wan
 
 } // namespace
 
+double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form) {
+    const bool copies = form == results::Form::hill && speed != 0;
+    return std::abs(copies ? std::remainder(mode.frequency_rotating, 2 * speed)
+                           : mode.frequency_rotating);
+}
+
 bool locked(const modes::WhirlMode &mode, double speed) {
     return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
+}
+
+std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
+    return std::count_if(
+        spectrum.modes.begin(), spectrum.modes.end(),
+        [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
 }
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "modes/spectrum.h"
+#include "results/formulation.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace whirl::tracking {
@@ -9,6 +11,13 @@ namespace whirl::tracking {
 /// The whirl of an asymmetric rotor that turns exactly with it, as over the band of speeds between
 /// two of its critical speeds.
 [[nodiscard]] bool locked(const modes::WhirlMode &mode, double speed);
+
+/// How many motions of a spectrum do.
+[[nodiscard]] std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum);
+
+/// How fast a motion turns as seen from the rotor, rad/s; of a Hill series, where every motion has
+/// copies 2 speed apart, the slowest of them.
+[[nodiscard]] double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form);
 
 /// An end of a band of speeds over which a motion is locked.
 struct LockEnd {

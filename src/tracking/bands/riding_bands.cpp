@@ -1,10 +1,12 @@
-#include "tracking/riding_bands.h"
+#include "tracking/bands/riding_bands.h"
 
+#include "tracking/bands/branch_point.h"
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_search.h"
-#include "tracking/locked_whirl.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace whirl::tracking {
@@ -16,7 +18,10 @@ struct Sides {
     double speed = 0;
     std::ptrdiff_t below = 0;
     std::ptrdiff_t on = 0; ///< other than by standing still in the rotor
-    double real = 0;       ///< 1/s, mean of those on it
+    std::ptrdiff_t standing = 0;
+    /// Of the nearest other one, rad/s and 1/s.
+    double distance = std::numeric_limits<double>::infinity();
+    double real = 0;
 };
 
 class BandSearch {
@@ -30,7 +35,7 @@ class BandSearch {
 
     [[nodiscard]] std::vector<RidingBand> find() {
         for (std::size_t k = 0; k < _nodes.size(); ++k) {
-            if (rides(_nodes[k]))
+            if (rides(_nodes[k], _nodes[k].standing))
                 take(k, k, _nodes[k]);
             if (k + 1 < _nodes.size())
                 if (const std::optional<Sides> inside = between(_nodes[k], _nodes[k + 1]))
@@ -53,51 +58,97 @@ class BandSearch {
     [[nodiscard]] Sides sides(const modes::Spectrum &spectrum) const {
         Sides out{spectrum.speed};
         for (const modes::WhirlMode &mode : spectrum.modes) {
-            if (stands(mode, spectrum.speed))
+            if (stands(mode, spectrum.speed)) {
+                ++out.standing;
                 continue;
+            }
             const int side = side_of(mode, spectrum.speed, _multiple);
+            const double distance =
+                std::abs(mode.eigenvalue.imag() - _multiple * std::abs(spectrum.speed));
+            if (side != 0 && distance < out.distance) {
+                out.distance = distance;
+                out.real = mode.eigenvalue.real();
+            }
             out.below += side < 0 ? 1 : 0;
             out.on += side == 0 ? 1 : 0;
-            out.real += side == 0 ? mode.eigenvalue.real() : 0;
         }
-        out.real /= static_cast<double>(std::max<std::ptrdiff_t>(1, out.on));
         return out;
     }
-    [[nodiscard]] Sides at(double speed) const { return sides(_sweep.solver().at(speed, _wanted)); }
+    [[nodiscard]] Sides at(double speed) const {
+        return sides(_sweep.solver().at(speed, _wanted, modes::Errors::of_right_vectors));
+    }
+    /// Among others that stand still there.
+    [[nodiscard]] static bool is_on(const Sides &here, std::ptrdiff_t standing) {
+        return here.on > 0 || here.standing > standing;
+    }
     /// On the multiple to both sides too: no mere crossing.
-    [[nodiscard]] bool rides(const Sides &here) const {
+    [[nodiscard]] bool rides(const Sides &here, std::ptrdiff_t standing) const {
         constexpr double beside = 1e-8;
-        return here.speed != 0 && here.on > 0 &&
-               (at(here.speed * (1 + beside)).on > 0 || at(here.speed * (1 - beside)).on > 0);
+        return here.speed != 0 && is_on(here, standing) &&
+               (is_on(at(here.speed * (1 + beside)), standing) ||
+                is_on(at(here.speed * (1 - beside)), standing));
     }
 
     /// A speed inside a band between two others where numbers below the multiple differ, by halves.
+    /// (Where numbers of those that stand differ too, one begins or ends to, which is found apart.)
     [[nodiscard]] std::optional<Sides> between(Sides a, const Sides &b) const {
-        if (a.on > 0 || b.on > 0 || a.below == b.below || a.speed * b.speed <= 0)
+        if (a.on > 0 || b.on > 0 || a.below == b.below || a.standing != b.standing ||
+            a.speed * b.speed <= 0)
             return std::nullopt;
+        const std::ptrdiff_t standing = std::max(a.standing, b.standing);
         double far = b.speed;
-        while (std::abs(far - a.speed) > resolved * std::abs(far)) {
+        double distance = b.distance;
+        const auto may_hold_band = [&] {
+            const double width = std::abs(far - a.speed);
+            const double least = std::min(a.distance, distance);
+            return width > resolved * std::abs(far) &&
+                   least * least < steepest_branch * width * std::abs(far);
+        };
+        while (may_hold_band()) {
             const Sides middle = at((a.speed + far) / 2);
-            if (middle.on > 0)
-                return rides(middle) ? std::optional(middle) : std::nullopt;
+            if (is_on(middle, standing))
+                return rides(middle, standing) ? std::optional(middle) : std::nullopt;
             if (middle.below == a.below)
                 a = middle;
-            else
+            else {
                 far = middle.speed;
+                distance = middle.distance;
+            }
         }
         return std::nullopt;
     }
 
+    struct End {
+        double speed = 0;
+        double real = 0; ///< 1/s, of the motion that leaves there
+    };
+
     /// Last speed inside, between one inside and one outside.
-    [[nodiscard]] Sides end_between(Sides inside, double outside) const {
-        while (std::abs(outside - inside.speed) > resolved * std::abs(inside.speed)) {
-            const Sides middle = at((inside.speed + outside) / 2);
-            if (middle.on > 0)
-                inside = middle;
-            else
-                outside = middle.speed;
+    [[nodiscard]] End end_between(double inside, const Sides &outside) const {
+        double real = outside.real;
+        const std::optional<BranchPoint> found = branch_point(
+            inside, outside.speed, resolved,
+            [&](double speed) -> std::optional<double> {
+                const Sides here = at(speed);
+                if (is_on(here, outside.standing))
+                    return std::nullopt;
+                real = here.real;
+                return here.distance * here.distance;
+            },
+            true);
+        return {found->inside, real};
+    }
+
+    /// The end of a band from the speed k of the sweep on, or that of the range.
+    [[nodiscard]] End end_from(const Sides &inside, std::size_t k, int step) const {
+        const std::size_t border = step < 0 ? 0 : _nodes.size() - 1;
+        double last = inside.speed;
+        for (; _nodes[k].on > 0; k = step < 0 ? k - 1 : k + 1) {
+            last = _nodes[k].speed;
+            if (k == border)
+                return {last, 0};
         }
-        return inside;
+        return end_between(last, _nodes[k]);
     }
 
     /// From a speed inside, between the speeds k and l of the sweep, to the ends of the band.
@@ -107,14 +158,8 @@ class BandSearch {
         };
         if (std::any_of(_bands.begin(), _bands.end(), covers))
             return;
-        Sides first = inside;
-        for (; k > 0 && _nodes[k].on > 0; --k)
-            first = _nodes[k];
-        first = _nodes[k].on > 0 ? _nodes[k] : end_between(first, _nodes[k].speed);
-        Sides last = inside;
-        for (; l + 1 < _nodes.size() && _nodes[l].on > 0; ++l)
-            last = _nodes[l];
-        last = _nodes[l].on > 0 ? _nodes[l] : end_between(last, _nodes[l].speed);
+        End first = end_from(inside, k, -1);
+        End last = end_from(inside, l, 1);
         if (first.speed > last.speed)
             std::swap(first, last);
         if (const int line = nearest_line(k); line != no_line && first.speed < last.speed)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "results/campbell.h"
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_nodes.h"
-#include "tracking/locked_whirl.h"
 
 #include <vector>
 

@@ -1,0 +1,151 @@
+#include "modes/hill/series_basis.h"
+
+#include "assembly/planes.h"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <limits>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Series = Eigen::MatrixXcd; ///< a term a column, from k = -harmonics on
+
+constexpr Complex i_unit(0, 1);
+
+/// q_0 + sum a_k cos + b_k sin (assembly/hill_system.h) as terms exp(2 i k speed t).
+Series terms_of(const Eigen::VectorXcd &vector, Eigen::Index n) {
+    const Eigen::Index harmonics = (vector.size() / n - 1) / 2;
+    Series out(n, 2 * harmonics + 1);
+    out.col(harmonics) = vector.head(n);
+    for (Eigen::Index k = 1; k <= harmonics; ++k) {
+        const auto a = vector.segment((2 * k - 1) * n, n);
+        const auto b = vector.segment(2 * k * n, n);
+        out.col(harmonics + k) = (a - i_unit * b) / 2;
+        out.col(harmonics - k) = (a + i_unit * b) / 2;
+    }
+    return out;
+}
+
+/// At rest every term is the same motion. Just beside it the part of the shaft that turns with the
+/// spin is the constant one in rotating axes, and the one that turns against it the next.
+Series at_rest(Series terms, Eigen::Index parts) {
+    const Eigen::Index middle = terms.cols() / 2;
+    const assembly::Planes shaft(terms.col(middle).head(parts));
+    const Eigen::VectorXcd with = shaft.towards() / 2;
+    const Eigen::VectorXcd against = shaft.against() / 2;
+    terms.col(middle).head(parts) = assembly::in_pairs(with, -i_unit * with);
+    if (middle > 0)
+        terms.col(middle + 1).head(parts) = assembly::in_pairs(against, i_unit * against);
+    return terms;
+}
+
+/// The same motion with its term k + places as term k.
+Series moved(const Series &terms, Eigen::Index places) {
+    Series out = Series::Zero(terms.rows(), terms.cols());
+    for (Eigen::Index k = 0; k < terms.cols(); ++k)
+        if (k + places >= 0 && k + places < terms.cols())
+            out.col(k) = terms.col(k + places);
+    return out;
+}
+
+/// Displacements and rates of all terms below each other; of unit energy with `scale` as the
+/// frequency of displacements.
+class State {
+  public:
+    State(const Eigen::SparseMatrix<double> &mass, double scale, double turn)
+        : _mass(mass), _scale(scale), _turn(turn) {}
+
+    void put(const Series &terms, Complex value, Eigen::Ref<Eigen::VectorXcd> state,
+             Eigen::Ref<Eigen::VectorXcd> weighted) const {
+        const Eigen::Index n = terms.rows();
+        const Eigen::Index half = state.size() / 2;
+        for (Eigen::Index k = 0; k < terms.cols(); ++k) {
+            const Eigen::VectorXcd x = terms.col(k);
+            const Complex l = value + i_unit * (_turn * static_cast<double>(k - terms.cols() / 2));
+            const Eigen::VectorXcd Mx = _mass * x;
+            state.segment(k * n, n) = x;
+            state.segment(half + k * n, n) = l * x;
+            weighted.segment(k * n, n) = _scale * _scale * Mx;
+            weighted.segment(half + k * n, n) = l * Mx;
+        }
+        const double size = std::sqrt(std::max(0.0, weighted.dot(state).real()));
+        if (size > 0) {
+            state /= size;
+            weighted /= size;
+        }
+    }
+
+  private:
+    const Eigen::SparseMatrix<double> &_mass;
+    double _scale, _turn;
+};
+
+/// Left vectors of the first columns: dual to all.
+Eigen::MatrixXcd dual(const Eigen::MatrixXcd &right, const Eigen::MatrixXcd &weighted,
+                      Eigen::Index count) {
+    // Motions that stand still in the rotor are their own conjugates.
+    constexpr double same = 1e-6;
+    const Eigen::MatrixXcd gram = weighted.adjoint() * right;
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> solver;
+    solver.setThreshold(same);
+    solver.compute(gram.adjoint());
+    const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(gram.rows(), count);
+    Eigen::MatrixXcd left = (weighted * solver.solve(unit)).conjugate();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Complex product = left.col(i).cwiseProduct(right.col(i)).sum();
+        left.col(i) *= product != 0.0 ? 1.0 / product : 0.0;
+    }
+    return left;
+}
+
+} // namespace
+
+ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts,
+                       const Spectrum &spectrum) {
+    const Eigen::SparseMatrix<double> M =
+        (mass + Eigen::SparseMatrix<double>(mass.transpose())) / 2;
+    const auto count = std::ssize(spectrum.modes);
+    const Eigen::Index size = count > 0 ? 2 * spectrum.modes.front().rotating_vector.size() : 0;
+    double scale = 0;
+    for (const WhirlMode &mode : spectrum.modes)
+        scale += std::abs(mode.eigenvalue) / static_cast<double>(count);
+    // The mode itself, moved one way and the other, conjugate, and that moved.
+    constexpr Eigen::Index copies = 6;
+    const State state(M, scale, 2 * spectrum.speed);
+    Eigen::MatrixXcd right(size, copies * count);
+    Eigen::MatrixXcd weighted(size, copies * count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
+        Series terms = terms_of(mode.rotating_vector, mass.rows());
+        if (spectrum.speed == 0)
+            terms = at_rest(std::move(terms), parts);
+        Eigen::Index column = i;
+        const auto put = [&](const Series &copy, Complex value, int places) {
+            const Complex moved_value = value + i_unit * (2 * places * spectrum.speed);
+            state.put(moved(copy, places), moved_value, right.col(column), weighted.col(column));
+            column += count;
+        };
+        const Series turned = terms.rowwise().reverse().conjugate();
+        for (const int places : {0, 1, -1})
+            put(terms, mode.rotating_value, places);
+        for (const int places : {0, 1, -1})
+            put(turned, std::conj(mode.rotating_value), places);
+    }
+    ModeBasis out;
+    out.complex_left = dual(right, weighted, count);
+    out.complex_right = right.leftCols(count);
+    for (Eigen::Index copy = 1; copy < copies; ++copy)
+        out.copies.emplace_back(right.middleCols(copy * count, count));
+    // Back from where a copy was moved to; a conjugate copy is its own way back.
+    out.ways_back = {1, 0, 2, 3, 4};
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    out.rate_below = Eigen::VectorXcd::Constant(count, unknown);
+    out.rate_above = out.rate_below;
+    return out;
+}
+
+} // namespace whirl::modes

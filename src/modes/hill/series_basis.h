@@ -1,0 +1,21 @@
+#pragma once
+
+#include "modes/biorthogonal.h"
+#include "modes/spectrum.h"
+
+namespace whirl::modes {
+
+/// Basis of the modes of a Hill series (form hill), for overlaps with those at other speeds: states
+/// over the terms exp(2 i k speed t) of each motion. A motion is the same one with its terms moved
+/// by one place and its eigenvalue by 2 i speed, or with all conjugate: those are its copies, and
+/// which of them `modes` hold may change from speed to speed.
+///
+/// The left vectors of a series cut off are not to be had for all copies: left is the dual basis of
+/// the states and their copies among themselves, in the kinetic energy. Rates are unknown.
+///
+/// @param mass   of the rotor in rotating axes
+/// @param parts  first unknown of balancers' parts, which are measured in rotating axes at rest too
+[[nodiscard]] ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts,
+                                     const Spectrum &spectrum);
+
+} // namespace whirl::modes
