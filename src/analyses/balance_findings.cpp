@@ -1,6 +1,5 @@
 #include "analyses/balance_findings.h"
 
-#include "model/rpm.h"
 #include "results/formulation.h"
 
 #include <fmt/format.h>
@@ -12,9 +11,7 @@ namespace whirl::analyses {
 
 namespace {
 
-std::string speed_text(double speed) {
-    return fmt::format("{:.6g} rad/s ({:.6g} rpm)", speed, speed * model::rpm);
-}
+std::string speed_text(double speed) { return fmt::format("{:.6g} rad/s", speed); }
 
 std::string plane_text(const results::BalancePlane &plane, std::size_t index) {
     return plane.name.empty() ? fmt::format("plane {} (z = {:.4g} m)", index + 1, plane.z)

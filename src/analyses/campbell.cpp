@@ -18,9 +18,11 @@
 #include "tracking/tracking.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
+#include <numbers>
 #include <optional>
 
 namespace whirl::analyses {
@@ -182,8 +184,8 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
     if (gaps.size() <= few) {
         for (const tracking::Gap &gap : gaps)
             model.notes.push_back(
-                fmt::format("between {:.6g} and {:.6g} rad/s {} (near {:.6g} rad/s)", gap.from,
-                            gap.to, what, gap.frequency));
+                fmt::format("between {:.6g} and {:.6g} rad/s {} (frequency near {:.6g} rad/s)",
+                            gap.from, gap.to, what, gap.frequency));
         return;
     }
     tracking::Gap all = gaps.front();
@@ -195,7 +197,8 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
         highest = std::max(highest, gap.frequency);
     }
     model.notes.push_back(fmt::format(
-        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (near {:.6g} to {:.6g} rad/s)",
+        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (frequencies from {:.6g} to "
+        "{:.6g} rad/s)",
         gaps.size(), all.from, all.to, what, all.frequency, highest));
 }
 
@@ -283,6 +286,19 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
                         overdamped));
 }
 
+/// Crossings that are no critical speeds: the damping of these beats every peak.
+void note_no_peaks(results::CampbellResult &result) {
+    std::vector<double> speeds;
+    for (const results::Crossing &c : result.crossings)
+        if (c.multiple == 1 && c.damping.ratio && *c.damping.ratio > 1 / std::numbers::sqrt2)
+            speeds.push_back(c.speed);
+    if (!speeds.empty())
+        result.model.notes.push_back(
+            fmt::format("crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
+                        "make no peak in a response; `critical` leaves them out",
+                        fmt::join(speeds, ", ")));
+}
+
 void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
               int wanted) {
     const bool few =
@@ -337,6 +353,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     note_growing(result);
     note_far_apart(result);
     note_real(result, spectra);
+    note_no_peaks(result);
     note_few(result.model, spectra, scene.campbell.modes);
     note_gaps(result.model, tracking.gaps, "a mode could not be followed");
     note_gaps(result.model, crossed.unsettled,

@@ -7,6 +7,7 @@
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
+#include "model/mass.h"
 #include "model/variants.h"
 #include "modes/formulation.h"
 #include "operation/margins.h"
@@ -119,6 +120,18 @@ void note_rounding(const model::Rotor &rotor, results::CriticalResult &result) {
             shaft, shaft / bearings));
 }
 
+/// A shaft almost without mass: the motions of its elements are far faster than all others.
+std::string light_shaft_text(const model::Rotor &rotor) {
+    constexpr double light = 1e-3; // of the rotor
+    const double shaft = model::mass_of(rotor.shaft);
+    const double all = model::mass_of_shaft_and_discs(rotor);
+    if (!(shaft < light * all) || rotor.shaft.segments.empty())
+        return "";
+    return fmt::format("\nnote: the shaft has {:.2g} of {:.4g} kg only, with a density of {:.6g} "
+                       "kg/m3 (rho): steel has 7850 kg/m3",
+                       shaft, all, rotor.shaft.segments.front().material.rho);
+}
+
 /// Critical speeds with elements of one order.
 results::CriticalResult of_order(const model::Case &scene, const results::Formulation &formulation,
                                  int order, bool judged) {
@@ -197,8 +210,9 @@ results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             "the critical speeds could not be found: the eigensolver did not converge or missed "
-            "some; stiffnesses, dampings or element lengths may differ by more orders of magnitude "
-            "than double precision holds (campbell shows crossings speed by speed)");
+            "some; stiffnesses, dampings, densities or element lengths may differ by more orders "
+            "of magnitude than double precision holds (campbell shows crossings speed by speed)" +
+            light_shaft_text(scene.rotor));
     }
     if (formulation.form == results::Form::rotating && as_given.rotor.damped())
         for (results::CriticalSpeed &critical : result.critical_speeds)

@@ -1,6 +1,7 @@
 #include "cli/progress_display.h"
 
 #include "process/progress.h"
+#include "report/common/units.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +36,9 @@ ProgressDisplay::~ProgressDisplay() {
 }
 
 void ProgressDisplay::write(double seconds) {
-    const std::string text = fmt::format("{:.0f} %{}{}, {:.0f} s", 100 * _share,
-                                         _doing.empty() ? "" : ", ", _doing, seconds);
+    const std::string text =
+        fmt::format("{:.0f} %{}{}, {:.0f} s", 100 * _share, _doing.empty() ? "" : ", ",
+                    report::note_in_written_units(_doing), seconds);
     if (_style.terminal)
         fmt::print(_style.to, "\r\033[K{}", text);
     else

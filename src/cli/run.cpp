@@ -33,12 +33,10 @@ std::string files_text(const report::Files &files) {
     std::string text;
     for (const std::string &note : files.notes)
         text += fmt::format("note: {}\n", note);
-    if (!files.paths.empty())
-        text += fmt::format("picture: {}\n", files.paths.front().string());
-    const auto page = std::find_if(files.paths.begin(), files.paths.end(),
-                                   [](const auto &path) { return path.extension() == ".html"; });
-    if (page != files.paths.end())
-        text += fmt::format("report:  {}\n", page->string());
+    for (const auto &[what, ending] : {std::pair("picture: ", ".svg"), {"report:  ", ".html"}})
+        for (const std::filesystem::path &path : files.paths)
+            if (path.extension() == ending)
+                text += what + path.string() + "\n";
     return text;
 }
 
@@ -114,7 +112,7 @@ void run(const Arguments &arguments) {
         std::string message = failure.what();
         for (const std::string &remark : scene.remarks)
             message += "\nnote: " + remark;
-        throw model::AnalysisFailure(message);
+        throw model::AnalysisFailure(report::note_in_written_units(message));
     }
 }
 

@@ -11,8 +11,10 @@ namespace whirl::input {
 namespace {
 
 /// What may have been meant by a text that is no number.
-std::string hint_for(const Node &node) {
-    return node.kind == Node::Kind::text ? decimal_comma_hint(node.text) : "";
+std::string hint_for(const Node &node, Quantity quantity) {
+    return node.kind == Node::Kind::text
+               ? decimal_comma_hint(node.text) + spaced_unit_hint(node.text, quantity)
+               : "";
 }
 
 } // namespace
@@ -29,6 +31,13 @@ std::string Range::words() const {
     return fmt::format(" in {}{}, {}{}", low_open ? '(' : '[', low, high, high_open ? ')' : ']');
 }
 
+std::string ReadContext::elsewhere(const std::string &key) const {
+    for (const auto &[path, quantity] : numeric)
+        if (path.ends_with("." + key))
+            return fmt::format(", did you mean \"{}\"?", path);
+    return "";
+}
+
 double ReadContext::number(const Node &node, const std::string &path, Quantity quantity,
                            Range range) {
     numeric.insert_or_assign(path, quantity);
@@ -42,7 +51,7 @@ double ReadContext::number(const Node &node, const std::string &path, Quantity q
     problems.add(node.origin, path,
                  fmt::format("expected {}{}{}, got {}{}", describe(quantity), range.words(),
                              node.is_number() && !value ? ", finite" : "", shown(node),
-                             hint_for(node)));
+                             hint_for(node, quantity)));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -142,7 +151,8 @@ std::optional<CheckedTable> CheckedTable::table(const std::string &key) {
     if (!entry)
         return std::nullopt;
     if (entry->kind != Node::Kind::table) {
-        fail(key, "expected a table, got " + shown(*entry));
+        fail(key, fmt::format("expected a table, got {}{}", shown(*entry),
+                              entry->is_number() ? _context->elsewhere(key) : ""));
         return std::nullopt;
     }
     return CheckedTable(*entry, path_of(key), *_context);
@@ -175,9 +185,13 @@ void CheckedTable::fail(const std::string &key, std::string text) {
 
 void CheckedTable::refuse_unknown() {
     for (const Node &entry : _node->items)
-        if (std::find(_known.begin(), _known.end(), entry.key) == _known.end())
+        if (std::find(_known.begin(), _known.end(), entry.key) == _known.end()) {
+            // At the root of the case a number stands in none of its tables: it was meant in one.
+            const std::string table = _path.empty() ? _context->elsewhere(entry.key) : "";
             _context->problems.add(entry.origin, path_of(entry.key),
-                                   "unknown key" + suggestion(entry.key, _known));
+                                   "unknown key" +
+                                       (table.empty() ? suggestion(entry.key, _known) : table));
+        }
 }
 
 } // namespace whirl::input

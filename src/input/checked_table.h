@@ -43,6 +43,8 @@ struct ReadContext {
     double number(const Node &node, const std::string &path, Quantity quantity, Range range);
     /// The same for a whole number; a mistake gives `low`.
     int whole(const Node &node, const std::string &path, int low, int high);
+    /// `, did you mean "material.steel.E"?` for E: a number of that key read in some table.
+    [[nodiscard]] std::string elsewhere(const std::string &key) const;
 };
 
 /// What to say of a node that is none of some words: `expected "a" or "b", got "c", did you mean

@@ -67,8 +67,14 @@ std::string obstacle(const Node &node, const PathStep &step, const std::string &
         return fmt::format("expected which of the {1} items of {0} is meant: {0}[0].{2}, or all of "
                            "them: {0}[*].{2}",
                            where, node.items.size(), *name);
-    if (name && node.kind == Node::Kind::table)
-        return fmt::format("expected a list of the case, there is no {} in {}", *name, where);
+    if (name && node.kind == Node::Kind::table) {
+        std::vector<std::string> keys;
+        for (const Node &item : node.items)
+            keys.push_back(item.key);
+        const std::string best = nearest(*name, keys);
+        return fmt::format("expected a list of the case, there is no {} in {}{}", *name, where,
+                           best.empty() ? "" : ", did you mean \"" + best + "\"?");
+    }
     if (name)
         return fmt::format("expected a table at {}, got {}", where, shown(node));
     if (node.kind != Node::Kind::list)

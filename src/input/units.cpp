@@ -2,8 +2,10 @@
 
 #include "model/errors.h"
 
+#include <fmt/core.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -159,7 +161,11 @@ std::string with_pounds_force(std::string_view name) {
 } // namespace
 
 std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
-    const std::string_view name = trimmed(text);
+    constexpr std::array per_minute{"1/min", "/min", "min-1", "min^-1", "U/min", "r/min"};
+    std::string_view name = trimmed(text);
+    if (quantity == Quantity::angular_speed &&
+        std::find(per_minute.begin(), per_minute.end(), name) != per_minute.end())
+        name = "rpm"; // what data sheets of machines mean by it
     // A further number would multiply: "2 5 m". Only the one of "1/s" is wanted.
     const bool starts_with_number = !name.empty() && (std::isdigit(name[0]) || name[0] == '.');
     if (name.empty() || (starts_with_number && !name.starts_with("1/")))
@@ -219,6 +225,17 @@ std::optional<double> parse_quantity(std::string_view text, Quantity quantity) {
         return std::nullopt;
     const double value = scaled(number->value, *factor);
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string spaced_unit_hint(std::string_view text, Quantity quantity) {
+    const auto number = leading_number(text);
+    for (std::size_t k = 1; number && k < number->rest.size(); ++k) {
+        const std::string unit =
+            fmt::format("{} {}", number->rest.substr(0, k), number->rest.substr(k));
+        if (unit_factor(unit, quantity))
+            return fmt::format(", did you mean \"{:.6g} {}\"?", number->value, unit);
+    }
+    return "";
 }
 
 } // namespace whirl::input

@@ -35,8 +35,8 @@ enum class Quantity {
 ///
 /// The unit language is that of UDUNITS-2, with deg, rev, RPM, thou, lbm, Nm and Ns added, and
 /// with Hz counted as a whole turn a second (2 pi rad/s). An angle or angular speed must name an
-/// angle: "1/min" is refused, since it may mean turns or radians. Empty where the unit is unknown,
-/// has another dimension, or has an offset (degC).
+/// angle: "1/s" is refused, since it may mean turns or radians; "1/min" is rpm in practice. Empty
+/// where the unit is unknown, has another dimension, or has an offset (degC).
 /// @throws model::BadInput where the UDUNITS-2 database is not installed.
 [[nodiscard]] std::optional<double> unit_factor(std::string_view unit, Quantity quantity);
 
@@ -50,6 +50,9 @@ enum class Quantity {
 /// The value in SI of a number, or of a number with its unit ("25 mm"); empty where the text is
 /// something else, the unit does not fit the quantity or the value is not finite.
 [[nodiscard]] std::optional<double> parse_quantity(std::string_view text, Quantity quantity);
+
+/// `, did you mean "50 g mm"?` for "50 gmm": a space in the unit makes it one of the quantity.
+[[nodiscard]] std::string spaced_unit_hint(std::string_view text, Quantity quantity);
 
 /// `text` without white space at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);

@@ -318,8 +318,8 @@ void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::
     constexpr double clearly = 1e-9;
     for (const modes::WhirlMode &mode : rotor.modes(root.q))
         if (log_dec_of(modes::determined_value(mode)) < -clearly)
-            notes.push_back(fmt::format("level1: another motion, of {:.6g} rad/s, grows already "
-                                        "with the critical cross coupling of the first one",
+            notes.push_back(fmt::format("level1: another motion, of frequency {:.6g} rad/s, grows "
+                                        "already with the critical cross coupling of the first one",
                                         mode.eigenvalue.imag()));
 }
 

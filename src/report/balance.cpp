@@ -23,35 +23,27 @@ using results::BalanceResult;
 using results::BandEnd;
 using results::SignaturePoint;
 using results::SimulatedSpeed;
-using results::SpeedBand;
 
 namespace {
 
-using Bands = std::vector<SpeedBand>;
+using Bands = std::vector<results::SpeedBand>;
 
-/// Bands in one cell; @param end  format of an end
-std::string bands_text(const Bands &bands, const char *end, const char *to, const char *between,
-                       double factor = 1) {
-    std::vector<std::string> texts;
-    for (const SpeedBand &band : bands)
-        texts.push_back(fmt::format(fmt::runtime(end), band.from * factor) + to +
-                        fmt::format(fmt::runtime(end), band.to * factor));
-    return texts.empty() ? "none" : joined(texts, between);
+std::string page_bands(const Bands &bands) {
+    return bands_text(bands, "{:.8g}", " … ", "; ", written_factor("speed").value_or(1));
 }
-std::string page_bands(const Bands &bands) { return bands_text(bands, "{:.8g}", " … ", "; "); }
 std::string terminal_bands(const Bands &bands, double factor = 1) {
     return bands_text(bands, "{:.6g}", " to ", ", ", factor);
 }
 
 /// Largest error of an end.
-std::string largest_error(const BalanceBands &of) {
+std::string largest_error(const BalanceBands &of, double factor) {
     double largest = 0;
     for (const auto &[at_from, at_to] : of.errors) {
         if (!at_from || !at_to)
             return "not known";
         largest = std::max({largest, *at_from, *at_to});
     }
-    return of.errors.empty() ? "-" : fmt::format("{:.1e}", largest);
+    return of.errors.empty() ? "-" : fmt::format("{:.1e}", largest * factor);
 }
 
 /// A plane, all of them together, or the real balancers: where they balance.
@@ -102,8 +94,8 @@ const Columns<End> band_end_columns{
     {"", "", {"rad/s", "{:.10g}"}, {}, &End::speed},
     {"", "", {"rpm", "{:.8g}"}, {}, [](const End &end) { return end.speed * rpm; }},
     {"error", "", {"Error (rad/s)", "{:.2g}"}, {}, &End::error},
-    {"pinned", "", {"Pinned critical speed", "{:.10g}"}, {}, &End::pinned},
-    {"rigid", "", {"Rigid", "{:.10g}"}, {}, &End::rigid},
+    {"pinned", "", {"Pinned critical speed (rad/s)", "{:.10g}"}, {}, &End::pinned},
+    {"rigid", "", {"Rigid (rad/s)", "{:.10g}"}, {}, &End::rigid},
     {"relative_difference", "", {"Relative difference", "{:.3g}"}, {}, &End::relative_difference}};
 
 std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
@@ -140,11 +132,11 @@ void add_band_lines(std::vector<CsvLine> &lines, const Planes &planes) {
     const auto add = [&](const char *kind, std::optional<double> from, std::optional<double> to) {
         lines.push_back({kind, planes.number, planes.z, {}, from, to});
     };
-    for (const SpeedBand &band : planes.of->bands)
+    for (const auto &band : planes.of->bands)
         add("band", band.from, band.to);
     for (const auto &[at_from, at_to] : planes.of->errors)
         add("band_error", at_from, at_to);
-    for (const SpeedBand &band : planes.of->rigid_bands.value_or(Bands{}))
+    for (const auto &band : planes.of->rigid_bands.value_or(Bands{}))
         add("rigid_band", band.from, band.to);
 }
 
@@ -186,7 +178,7 @@ std::string csv_of(const BalanceResult &result) {
                              result.planes[i].criterion[k]});
     add_pendulum_lines(lines, result);
     if (result.balanced_position)
-        for (const SpeedBand &band : result.balanced_position->bands)
+        for (const auto &band : result.balanced_position->bands)
             lines.push_back({"balanced_position", "", "", {}, band.from, band.to});
     for (const SimulatedSpeed &run : result.simulated)
         lines.push_back(
@@ -318,7 +310,7 @@ Json json_of(const BalanceResult &result) {
 std::string findings_html(const std::vector<std::string> &findings) {
     std::string html = findings.empty() ? "<p>Nothing beyond the bands.</p>\n" : "";
     for (const std::string &finding : findings)
-        html += kept_as_written(element("p", in_written_units(note_in_written_units(finding))));
+        html += kept_as_written(element("p", note_in_written_units(finding)));
     return html;
 }
 
@@ -329,7 +321,8 @@ std::vector<Section> sections_of(const BalanceResult &result) {
             ends.push_back(end);
     std::vector<Section> sections{
         {"What it says", findings_html(result.findings)},
-        {"Bands of spin speed (rad/s)", page_table(band_columns, planes_and_joint(result))}};
+        {fmt::format("Bands of spin speed ({})", unit_name("speed", "rad/s")),
+         page_table(band_columns, planes_and_joint(result))}};
     if (!ends.empty())
         sections.push_back({"Ends of the bands", page_table(band_end_columns, ends)});
     if (result.placement)
@@ -342,25 +335,35 @@ std::vector<Section> sections_of(const BalanceResult &result) {
     return sections;
 }
 
-std::string text_of(const model::Case &scene, const BalanceResult &result) {
-    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, rad/s",
-                 "rigid closed form, rad/s"}};
+std::string table_of_bands(const BalanceResult &result) {
+    const double factor = written_factor("speed").value_or(1);
+    const std::string unit = unit_name("speed", "rad/s");
+    Texts table{{"planes", "balanced, " + unit_name("speed", "rpm"), "rad/s", "error, " + unit,
+                 "rigid closed form, " + unit}};
     for (const Planes &planes : planes_and_joint(result))
-        table.push_back({planes.on_terminal, terminal_bands(planes.of->bands, rpm),
-                         terminal_bands(planes.of->bands), largest_error(*planes.of),
-                         planes.of->rigid_bands ? terminal_bands(*planes.of->rigid_bands) : "-"});
+        table.push_back(
+            {planes.on_terminal, terminal_bands(planes.of->bands, rpm),
+             terminal_bands(planes.of->bands), largest_error(*planes.of, factor),
+             planes.of->rigid_bands ? terminal_bands(*planes.of->rigid_bands, factor) : "-"});
     if (const auto &real = result.balanced_position)
         table.push_back({"real balancers, stable", terminal_bands(real->bands, rpm),
                          terminal_bands(real->bands), "-", "-"});
+    for (auto &row : table)
+        if (written_factor("speed"))
+            row.erase(row.begin() + 2); // rad/s
+    return text_table(table);
+}
+
+std::string text_of(const model::Case &scene, const BalanceResult &result) {
     std::string text =
-        heading(scene, "Auto-balancing, " + range_text(result.speeds)) + text_table(table);
+        heading(scene, "Auto-balancing, " + range_text(result.speeds)) + table_of_bands(result);
     for (const SimulatedSpeed &run : result.simulated)
         text += fmt::format(
             "  motion in time at {:.6g} rpm: {}{}\n", run.speed * rpm, run.outcome,
             run.residual_ratio ? fmt::format(", residual {:.3g}", *run.residual_ratio) : "");
     for (const std::string &finding : result.findings)
         text += (&finding == &result.findings.front() ? "\n" : "") +
-                note_in_written_units(finding) + "\n";
+                kept_as_written(note_in_written_units(finding)) + "\n";
     if (result.placement)
         text += placement_text(*result.placement);
     for (const auto &pendulum : result.pendulum)

@@ -102,7 +102,7 @@ std::string to_html(const Report &report, const std::string &still, const std::s
     const bool moves = !plotly_bundle().empty() && !script.empty();
     std::string notes;
     for (const std::string &note : report.model->notes)
-        notes += element("p", in_written_units(note_in_written_units(note)), "note");
+        notes += element("p", note_in_written_units(note), "note");
     const std::string title = title_of(*report.scene);
     std::string plot =
         moves ? fmt::format("<figure aria-label=\"{}; the numbers are in the tables below\">"

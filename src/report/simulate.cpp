@@ -238,9 +238,8 @@ std::string csv_of(const SimulateResult &result) {
 
 std::vector<Section> sections_of(const SimulateResult &result) {
     std::vector<Section> sections{
-        {"How it ended",
-         kept_as_written(element("p", in_written_units(note_in_written_units(result.evidence)))) +
-             page_properties(outcome_columns, result)}};
+        {"How it ended", kept_as_written(element("p", note_in_written_units(result.evidence))) +
+                             page_properties(outcome_columns, result)}};
     if (!result.balancers.empty())
         sections.push_back({"Balancers", page_table(balancer_motion_columns, result.balancers)});
     if (!result.stations.empty())
@@ -253,7 +252,7 @@ std::vector<Section> sections_of(const SimulateResult &result) {
 
 std::string outcome_text(const SimulateResult &result) {
     std::string text = fmt::format("Outcome: {}\n  {}\n", results::outcome_name(result.outcome),
-                                   note_in_written_units(result.evidence));
+                                   kept_as_written(note_in_written_units(result.evidence)));
     if (result.residual_ratio)
         text +=
             fmt::format("  left of the amplitude without balls: {:.4g}\n", *result.residual_ratio);

@@ -3,6 +3,7 @@
 
 #include "cases/program_run.h"
 #include "input/units.h"
+#include "support/case_names.h"
 
 #include <gtest/gtest.h>
 
@@ -266,5 +267,36 @@ INSTANTIATE_TEST_SUITE_P(
                     At{"samples", "uncertain_jeffcott", {"--set", "samples.count=6"}},
                     At{"modes", "friswell_5_9_4", {}}),
     [](const auto &at) { return std::string(at.param.command) + "_" + at.param.scene; });
+
+/// A reader who asked for rpm and Hz meets no rad/s: in no table, note or failure of any case.
+/// (Rows of rigid-limit name their own unit.)
+class SpeedUnits : public testing::TestWithParam<std::string> {};
+
+TEST_P(SpeedUnits, AreThoseAskedForInAllThatIsRead) {
+    const fs::path folder =
+        fs::temp_directory_path() / ("whirl_speed_units_" + std::to_string(getpid()) + GetParam());
+    for (const char *command :
+         {"show", "campbell", "critical", "stability", "response", "balance", "modes"}) {
+        const auto done = whirl::tests::run_program(
+            WHIRL_PROGRAM,
+            {command, std::string(WHIRL_ROOT) + "/cases/" + GetParam(), "--out", folder.string(),
+             "--units", "mm-rpm", "--set", "speeds.count=3", "--set", "balance.simulated=0"},
+            folder.string() + ".errors");
+        if (done.status ==
+            2) // no such command for this case, or mistakes of input: those are in SI
+            continue;
+        EXPECT_EQ((done.output + done.errors).find("rad/s"), std::string::npos)
+            << command << done.output << done.errors;
+        if (done.status == 0)
+            for (const auto &table : tables_of(text_of(folder / "report.html")))
+                for (const Row &row : table)
+                    for (const std::string &cell : row)
+                        EXPECT_EQ(cell.find("rad/s"), std::string::npos) << command << ": " << cell;
+    }
+    fs::remove_all(folder);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, SpeedUnits, testing::ValuesIn(whirl::tests::case_names()),
+                         [](const auto &at) { return at.param; });
 
 } // namespace

@@ -28,7 +28,7 @@ inline std::vector<BrokenCase> broken_maps() {
          "expected the unit of a length in m or another one, got \"kg\"",
          base + "[units]\nlength = \"kg\"\n"},
         {"speed that does not say turns", 9, "units.speed", "expected the unit of an angular speed",
-         base + "[units]\nspeed = \"1/min\"\n"},
+         base + "[units]\nspeed = \"1/s\"\n"},
         {"unknown preset", 9, "units.preset", "\"mm-rpm\"", base + "[units]\npreset = \"mm\"\n"},
         {"unit of nothing", 9, "units.sped", "did you mean \"speed\"?",
          base + "[units]\nsped = \"Hz\"\n"},

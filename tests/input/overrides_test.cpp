@@ -77,6 +77,11 @@ TEST(Overrides, MistakesAreNamedByTheOption) {
         {"bearing[1].k=3", "bearing[1].k: expected an index below 1, got 1"},
         {"disc[0].z=3", "disc[0].z: expected a list of the case, there is no disc"},
         {"shaft[0].z=3", "shaft[0].z: expected a list at shaft, got a table"},
+        {"bearings[0].z=3", "there is no bearings in the case, did you mean \"bearing\"?"},
+        {"E=3", "E: unknown key, did you mean \"material.steel.E\"?"},
+        {"material.E=3", "material.E: expected a table, got 3, did you mean \"material.steel.E\"?"},
+        {"imbalance=[{z = 0, mr = \"50 gmm\"}]",
+         "expected an imbalance in kg m, got \"50 gmm\", did you mean \"50 g mm\"?"},
         {"format.x=3", "format.x: expected a table at format, got 1"},
         {"bearing[0].z=7", "--set bearing[0].z=7: bearing[0].z: expected a place on the shaft"},
         {"speeds.from=1\nto=2", "speeds.from: expected an angular speed in rad/s"}};

@@ -90,7 +90,7 @@ TEST(SectionsAndRules, ImbalanceByTheRulesOfIsoAndApi) {
 
 TEST(SectionsAndRules, WhatIsWrongIsNotMissingBesides) {
     for (const std::vector<std::string> &wrong : std::vector<std::vector<std::string>>{
-             {"imbalance=[{z = 0.5, grade = 2.5}]", "operation={from = 1, to = \"24000 1/min\"}"},
+             {"imbalance=[{z = 0.5, grade = 2.5}]", "operation={from = 1, to = \"24000 1/s\"}"},
              {"imbalance=[{z = 0.5, grade = 2.5, speed = \"fast\"}]"},
              {"speeds={from = 0, to = \"fast\", count = 3}"},
              {"material.steel.nu=fast", "material.steel.G="}}) {

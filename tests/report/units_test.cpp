@@ -63,6 +63,8 @@ void expect_same_table(const std::string &found, const std::string &expected) {
 TEST(WrittenUnits, AreTheUsualOnesWhereNoneAreGiven) {
     EXPECT_EQ(double(rpm), 30 / pi);
     EXPECT_EQ(in_written_units("at 3000 rpm, z = 0.5 m"), "at 3000 rpm, z = 0.5 m");
+    EXPECT_EQ(note_in_written_units("from 3.14159265359 to 6.28318530718 rad/s, z = 0.5 m"),
+              "from 30 to 60 rpm, z = 0.5 m"); // as the text around it
     EXPECT_EQ(csv_in_written_units("z [m]\n0.508\n"), "z [m]\n0.508\n");
     EXPECT_EQ(texts_of(columns, rows, &Column<Row>::text, "-")[0],
               (std::vector<std::string>{"rpm", "rad/s", "z (m)"}));
@@ -107,7 +109,9 @@ TEST(WrittenUnits, OfTextFollowTheirNumbers) {
     EXPECT_EQ(in_written_units("shaft of 2 m\nat 50 rpm", "shaft of 2 m"),
               "shaft of 2 m\nat 50 Hz");
     // An analysis has no such factors; what it says is converted once.
-    EXPECT_EQ(in_written_units(note_in_written_units("above 3000 rpm")), "above 50 Hz");
+    EXPECT_EQ(note_in_written_units("above 3000 rpm"), "above 50 Hz");
+    EXPECT_EQ(note_in_written_units("at 6.28318530718 rad/s, of frequency 3.14159265359 rad/s"),
+              "at 1 Hz, of frequency 30 rpm");
 }
 
 TEST(WrittenUnits, OfAPictureAreThoseOfItsAxes) {

@@ -86,10 +86,21 @@ void scale(Json &value, double factor) {
             scale(item, factor);
 }
 
+/// What an analysis says in words.
+void convert_words(Json &value) {
+    if (value.is_string())
+        value = note_in_written_units(value.get<std::string>());
+    else if (value.is_array())
+        for (Json &item : value)
+            convert_words(item);
+}
+
 void convert(Json &json, std::map<std::string, std::string> &names) {
     if (!json.is_object() && !json.is_array())
         return;
     for (auto &[key, value] : json.items()) {
+        if (json.is_object() && (key == "notes" || key == "findings" || key == "evidence"))
+            convert_words(value);
         const auto found = json.is_object() ? key_quantities().find(key) : key_quantities().end();
         const bool numbers = value.is_number() || value.is_array();
         const bool objects = value.is_array() && !value.empty() && value.front().is_object();

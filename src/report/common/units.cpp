@@ -167,9 +167,26 @@ std::optional<Chain> chain_at(std::string_view text, std::size_t at) {
     return std::nullopt;
 }
 
+/// The two words before a number, which tell what it is: "(frequencies near 3 rad/s)".
+std::string words_before(std::string_view text, std::size_t number) {
+    std::size_t start = number;
+    for (int words = 0; words < 3 && start != std::string_view::npos && start > 0; ++words)
+        start = text.find_last_of(' ', start - 1);
+    const std::size_t from = start == std::string_view::npos ? 0 : start;
+    return std::string(text.substr(from, number - from));
+}
+
+/// Notes are in SI; where no unit was asked for, they speak of speeds as the rest of the text.
+const model::OutputUnit *usual_unit_of_notes(const std::string &quantity) {
+    static const std::map<std::string, model::OutputUnit> usual{{"speed", {"rpm", turn / 60}},
+                                                                {"frequency", {"Hz", turn}}};
+    const auto found = usual.find(quantity);
+    return found == usual.end() ? nullptr : &found->second;
+}
+
 /// Numbers with their units.
-/// @param as_they_say  also those beside units of readers are converted
-std::string prose(std::string_view text, bool as_they_say) {
+/// @param note  of an analysis: also those beside units of readers are converted
+std::string prose(std::string_view text, bool note) {
     std::string out;
     std::size_t done = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -177,11 +194,14 @@ std::string prose(std::string_view text, bool as_they_say) {
         if (!chain)
             continue;
         const UnitWord &word = *chain->unit.word;
-        const std::string quantity = quantity_of(word, "", "");
+        const bool turns = word.text == "rad/s"; // of spin or whirl
+        const std::string quantity = quantity_of(word, turns ? words_before(text, i) : "", "");
         const model::OutputUnit *unit = unit_of(quantity);
+        if (!unit && note)
+            unit = usual_unit_of_notes(quantity);
         const std::size_t end = chain->unit.at + word.text.size();
         if (unit) {
-            const double factor = word.reading && !as_they_say ? 1 : word.size / unit->size;
+            const double factor = word.reading && !note ? 1 : word.size / unit->size;
             for (const auto &[at, length] : chain->numbers) {
                 const auto number = text.substr(at, length);
                 out += text.substr(done, at - done);
@@ -274,9 +294,7 @@ std::string in_written_units(const std::string &text, const std::string &kept) {
     return between(text, kept, [](std::string_view part) { return prose(part, false); });
 }
 
-std::string note_in_written_units(const std::string &note) {
-    return current().given() ? kept_begin + prose(note, true) + kept_end : note;
-}
+std::string note_in_written_units(const std::string &note) { return prose(note, true); }
 
 std::string kept_as_written(const std::string &text) {
     return current().given() ? kept_begin + text + kept_end : text;

@@ -79,7 +79,8 @@ struct UnitHeading {
 /// @param kept  a part that stays as it is wherever it occurs, such as a title; or empty
 [[nodiscard]] std::string in_written_units(const std::string &text, const std::string &kept = "");
 
-/// The same for text of an analysis, whose numbers are all as they say.
+/// The same for text of an analysis, whose numbers are all as they say: in SI. Where no units were
+/// asked for, speeds and frequencies are in those of the text around it, rpm and Hz.
 [[nodiscard]] std::string note_in_written_units(const std::string &note);
 
 /// Text that is converted already, marked so that in_written_units leaves it alone.

@@ -1,5 +1,6 @@
 #include "report/common/words.h"
 
+#include "results/balance.h"
 #include "results/formulation.h"
 #include "results/model_summary.h"
 
@@ -101,8 +102,17 @@ std::string model_text(const results::ModelSummary &model) {
 std::string notes_text(const results::ModelSummary &model) {
     std::string text;
     for (const std::string &note : model.notes)
-        text += fmt::format("note: {}\n", note_in_written_units(note));
+        text += fmt::format("note: {}\n", kept_as_written(note_in_written_units(note)));
     return text;
+}
+
+std::string bands_text(const std::vector<results::SpeedBand> &bands, const char *end,
+                       const char *to, const char *between, double factor) {
+    std::vector<std::string> texts;
+    for (const results::SpeedBand &band : bands)
+        texts.push_back(fmt::format(fmt::runtime(end), band.from * factor) + to +
+                        fmt::format(fmt::runtime(end), band.to * factor));
+    return texts.empty() ? "none" : joined(texts, between);
 }
 
 } // namespace whirl::report

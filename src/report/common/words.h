@@ -9,6 +9,7 @@
 
 namespace whirl::results {
 struct ModelSummary;
+struct SpeedBand;
 } // namespace whirl::results
 
 namespace whirl::report {
@@ -43,5 +44,9 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 [[nodiscard]] std::string model_text(const results::ModelSummary &model);
 /// For the terminal: the notes alone.
 [[nodiscard]] std::string notes_text(const results::ModelSummary &model);
+
+/// Bands in one cell; @param end  format of an end
+[[nodiscard]] std::string bands_text(const std::vector<results::SpeedBand> &bands, const char *end,
+                                     const char *to, const char *between, double factor);
 
 } // namespace whirl::report
