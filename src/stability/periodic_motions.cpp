@@ -83,7 +83,6 @@ void PeriodicMotions::set_top(double speed) const {
     if (std::abs(speed) <= _top)
         return;
     _top = std::abs(speed);
-    _reach = 0;
     if (!_reduced)
         return;
     _system.reset();
@@ -99,17 +98,27 @@ const periodic::System &PeriodicMotions::system(double speed) const {
     return *_system;
 }
 
-/// All that may meet at the largest speed at the least.
-void PeriodicMotions::set_reach() const {
+/// Of the octave of the range that the speed lies in: all that may meet at its largest speed at the
+/// least. Slow speeds then take no more steps than fast ones.
+double PeriodicMotions::octave_reach(double speed) const {
+    const int octave =
+        speed == 0 ? 0 : std::max(0, static_cast<int>(std::log2(_top / std::abs(speed))));
+    auto &reach = _experience->reach;
+    if (_top != _experience->top)
+        reach.clear();
+    _experience->top = _top;
+    if (const auto known = reach.find(octave); known != reach.end())
+        return known->second;
+    const double top = std::ldexp(_top, -octave);
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k) {
-        const double speed = _top * (k + 0.5) / samples;
-        for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
+        const double sample = top * (k + 0.5) / samples;
+        for (const FloquetMotion &motion : periodic::steady_motions(system(sample), sample))
             if (motion.value.imag() >= 0)
                 sizes[static_cast<std::size_t>(k)].push_back(motion.frequency);
     }
-    _reach = motion_reach(std::move(sizes), slow_enough * _top);
+    return reach[octave] = motion_reach(std::move(sizes), slow_enough * top);
 }
 
 /// Of steady motions, of a rigid rotor all and of an elastic one those that grow, how fast the
@@ -132,9 +141,7 @@ double PeriodicMotions::steady_reach(double speed) const {
 
 double PeriodicMotions::reach(double speed) const {
     const bool rigid = _discretization.rigid();
-    if (!rigid && _reach == 0)
-        set_reach();
-    const double out = rigid ? 0 : _reach;
+    const double out = rigid ? 0 : octave_reach(speed);
     return rigid || _driven ? std::max(out, steady_reach(speed)) : out;
 }
 
