@@ -228,6 +228,21 @@ const PeriodicMotions::List &PeriodicMotions::known(double speed) const {
     return _known.emplace(speed, listed(speed)).first->second;
 }
 
+/// Planar shapes of a motion without those that are as small beside the largest: roots are off by
+/// the squares.
+Eigen::MatrixXd PeriodicMotions::planar_parts_above(double part,
+                                                    const Eigen::VectorXcd &terms) const {
+    const Eigen::Index N = _discretization.planar_size();
+    Eigen::MatrixXd out =
+        reduction::planar_parts(terms, N, 2 * (N + balancers::unknowns_of(_balancers)));
+    const Eigen::RowVectorXd sizes =
+        (out.cwiseProduct(_planar->metric() * out)).colwise().sum().cwiseMax(0).cwiseSqrt();
+    for (Eigen::Index j = 0; j < out.cols(); ++j)
+        if (sizes(j) < part * sizes.maxCoeff())
+            out.col(j).setZero();
+    return out;
+}
+
 /// Those that matter, or all, as the whole rotor has them; nothing where the shapes were not good
 /// enough for one of them, and now there are more.
 std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all) const {
@@ -252,10 +267,7 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
         const double allowed = agreement * std::max(size, std::abs(motion.value));
         if (off > allowed + 10 * motion.noise)
             for (const double part : new_parts) {
-                _planar->add(reduction::planar_parts(root->terms, _discretization.planar_size(),
-                                                     2 * (_discretization.planar_size() +
-                                                          balancers::unknowns_of(_balancers))),
-                             part);
+                _planar->add_newest_first(planar_parts_above(part, root->terms), part);
                 if (_planar->matrix().cols() > shapes)
                     break;
             }

@@ -93,6 +93,8 @@ class PeriodicMotions {
     [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;
     [[nodiscard]] List listed(double speed) const;
     [[nodiscard]] const List &known(double speed) const;
+    [[nodiscard]] Eigen::MatrixXd planar_parts_above(double part,
+                                                     const Eigen::VectorXcd &terms) const;
     [[nodiscard]] std::optional<List> corrected(double speed, bool all) const;
 };
 
