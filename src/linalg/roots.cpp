@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
@@ -29,6 +30,12 @@ double root_between(const Function &f, double a, double fa, double b, double fb,
         [&](double x) { return finite(f(x)); }, a, b, finite(fa), finite(fb),
         [width](double from, double to) { return to - from <= width; }, steps);
     return (low + high) / 2;
+}
+
+double least_place(const Function &f, double low, double high) {
+    std::uintmax_t steps = 60;
+    constexpr int half_the_digits = 26; // of 53
+    return boost::math::tools::brent_find_minima(f, low, high, half_the_digits, steps).first;
 }
 
 std::pair<double, double>

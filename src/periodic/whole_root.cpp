@@ -1,11 +1,11 @@
 #include "periodic/whole_root.h"
 
 #include "assembly/rotating_system.h"
+#include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"
 
-#include <Eigen/SparseLU>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,42 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
-using LU = Eigen::SparseLU<ComplexSparse>;
-using Entries = std::vector<Eigen::Triplet<Complex>>;
-
-/// l^2 A2 + l A1 + A0.
-struct Quadratic {
-    ComplexSparse A2, A1, A0;
-
-    [[nodiscard]] ComplexSparse at(Complex l) const { return l * l * A2 + l * A1 + A0; }
-};
-
-/// Blocks of the series while they are filled.
-class SeriesBlocks {
-  public:
-    SeriesBlocks(Eigen::Index size, int harmonics) : _size(size), _harmonics(harmonics) {}
-
-    void add(Entries &to, int row, int column, Complex factor, const Sparse &block) const {
-        if (std::abs(row) > _harmonics || factor == 0.0)
-            return;
-        const auto n = static_cast<int>(_size);
-        for (Eigen::Index j = 0; j < block.outerSize(); ++j)
-            for (Sparse::InnerIterator entry(block, j); entry; ++entry)
-                to.emplace_back((row + _harmonics) * n + static_cast<int>(entry.row()),
-                                (column + _harmonics) * n + static_cast<int>(entry.col()),
-                                factor * entry.value());
-    }
-    [[nodiscard]] ComplexSparse matrix(const Entries &entries) const {
-        const Eigen::Index all = _size * (2 * _harmonics + 1);
-        ComplexSparse out(all, all);
-        out.setFromTriplets(entries.begin(), entries.end());
-        return out;
-    }
-
-  private:
-    Eigen::Index _size;
-    int _harmonics;
-};
+using Factor = linalg::SparseFactor<Complex>;
 
 /// The rotor at one speed.
 struct AtSpeed {
@@ -60,34 +25,127 @@ struct AtSpeed {
     Sparse M, D, K;
     Sparse C_cosine, C_sine, K_cosine, K_sine;
 
-    [[nodiscard]] Quadratic series(int harmonics) const {
-        const Complex i(0, 1);
-        const SeriesBlocks blocks(M.rows(), harmonics);
-        Entries into2, into1, into0;
-        for (int k = -harmonics; k <= harmonics; ++k) {
-            const Complex w = 2.0 * i * static_cast<double>(k) * speed;
-            blocks.add(into2, k, k, 1, M);
-            blocks.add(into1, k, k, 2.0 * w, M);
-            blocks.add(into1, k, k, 1, D);
-            blocks.add(into0, k, k, w * w, M);
-            blocks.add(into0, k, k, w, D);
-            blocks.add(into0, k, k, 1, K);
-            for (const int up : {-1, 1}) { // cos = (e+ + e-)/2, sin = (e+ - e-)/2i
-                const Complex half_sine = -0.5 * static_cast<double>(up) * i;
-                blocks.add(into1, k + up, k, 0.5, C_cosine);
-                blocks.add(into1, k + up, k, half_sine, C_sine);
-                blocks.add(into0, k + up, k, 0.5 * w, C_cosine);
-                blocks.add(into0, k + up, k, half_sine * w, C_sine);
-                blocks.add(into0, k + up, k, 0.5, K_cosine);
-                blocks.add(into0, k + up, k, half_sine, K_sine);
-            }
-        }
-        return {blocks.matrix(into2), blocks.matrix(into1), blocks.matrix(into0)};
-    }
-
     void scale(const Eigen::VectorXd &d) {
         for (Sparse *A : {&M, &D, &K, &C_cosine, &C_sine, &K_cosine, &K_sine})
             *A = Sparse(d.asDiagonal() * *A * d.asDiagonal());
+    }
+};
+
+/// Values of l^2 a2 + l a1 + a0 and of its derivative.
+struct Quadratic {
+    Complex a2, a1, a0;
+
+    [[nodiscard]] Complex at(Complex l) const { return a0 + l * (a1 + l * a2); }
+    [[nodiscard]] Complex slope(Complex l) const { return 2.0 * l * a2 + a1; }
+};
+
+/// The equations of the terms q_-N, ..., q_N. In the column of term k stand, with its exponent
+/// w = l + 2 i k speed, w^2 M + w D + K and, one row above and below, w C + K of the supports.
+class Series {
+  public:
+    Series(const AtSpeed &rotor, int harmonics)
+        : _rotor(rotor), _harmonics(harmonics), _n(rotor.M.rows()) {
+        const Complex i(0, 1);
+        for (std::size_t side = 0; side < 2; ++side) { // cos = (e+ + e-)/2, sin = (e+ - e-)/2i
+            const Complex half_sine = (side == 0 ? 0.5 : -0.5) * i;
+            _C[side] = 0.5 * rotor.C_cosine.cast<Complex>() + half_sine * rotor.C_sine;
+            _K[side] = 0.5 * rotor.K_cosine.cast<Complex>() + half_sine * rotor.K_sine;
+        }
+    }
+
+    [[nodiscard]] Eigen::Index size() const { return _n * (2 * _harmonics + 1); }
+
+    /// Columns from the first to the last, each from the top.
+    [[nodiscard]] ComplexSparse at(Complex l) const {
+        const Eigen::Index blocks = 2 * _harmonics + 1;
+        ComplexSparse out(size(), size());
+        out.reserve(blocks * (_rotor.M.nonZeros() + _rotor.D.nonZeros() + _rotor.K.nonZeros() +
+                              2 * (_C[0].nonZeros() + _K[0].nonZeros())));
+        for (Eigen::Index block = 0; block < blocks; ++block) {
+            const Complex w = exponent(l, block);
+            const ComplexSparse own = w * w * _rotor.M + w * _rotor.D + _rotor.K.cast<Complex>();
+            const std::array<ComplexSparse, 2> beside{w * _C[0] + _K[0], w * _C[1] + _K[1]};
+            for (Eigen::Index j = 0; j < _n; ++j) {
+                out.startVec(block * _n + j);
+                if (block > 0)
+                    insert(out, beside[0], j, block - 1, block);
+                insert(out, own, j, block, block);
+                if (block + 1 < blocks)
+                    insert(out, beside[1], j, block + 1, block);
+            }
+        }
+        out.finalize();
+        return out;
+    }
+
+    /// The derivative by l, times a vector.
+    [[nodiscard]] Eigen::VectorXcd slope(Complex l, const Eigen::VectorXcd &x) const {
+        Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const auto here = x.segment(block * _n, _n);
+            out.segment(block * _n, _n) +=
+                2.0 * exponent(l, block) * (_rotor.M * here) + _rotor.D * here;
+            if (block > 0)
+                out.segment((block - 1) * _n, _n) += _C[0] * here;
+            if (block < 2 * _harmonics)
+                out.segment((block + 1) * _n, _n) += _C[1] * here;
+        }
+        return out;
+    }
+    /// The adjoint of the derivative, times a vector.
+    [[nodiscard]] Eigen::VectorXcd adjoint_slope(Complex l, const Eigen::VectorXcd &y) const {
+        Eigen::VectorXcd out(y.size());
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const auto here = y.segment(block * _n, _n);
+            auto into = out.segment(block * _n, _n);
+            into = std::conj(2.0 * exponent(l, block)) * (_rotor.M.transpose() * here) +
+                   _rotor.D.transpose() * here;
+            if (block > 0)
+                into += _C[0].adjoint() * y.segment((block - 1) * _n, _n);
+            if (block < 2 * _harmonics)
+                into += _C[1].adjoint() * y.segment((block + 1) * _n, _n);
+        }
+        return out;
+    }
+
+    /// y^H (l^2 A2 + l A1 + A0) x
+    [[nodiscard]] Quadratic form(const Eigen::VectorXcd &y, const Eigen::VectorXcd &x) const {
+        Quadratic out;
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const Complex w = exponent(0, block);
+            const Eigen::VectorXcd here = x.segment(block * _n, _n);
+            const auto own = y.segment(block * _n, _n);
+            const Complex m = own.dot(_rotor.M * here);
+            const Complex d = own.dot(_rotor.D * here);
+            out.a2 += m;
+            out.a1 += 2.0 * w * m + d;
+            out.a0 += w * (w * m + d) + own.dot(_rotor.K * here);
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                const Eigen::Index row = side == 0 ? block - 1 : block + 1;
+                if (row < 0 || row > 2 * _harmonics)
+                    continue;
+                const auto other = y.segment(row * _n, _n);
+                const Complex c = other.dot(_C[side] * here);
+                out.a1 += c;
+                out.a0 += w * c + other.dot(_K[side] * here);
+            }
+        }
+        return out;
+    }
+
+  private:
+    const AtSpeed &_rotor;
+    int _harmonics;
+    Eigen::Index _n;
+    std::array<ComplexSparse, 2> _C, _K; ///< to the row above, and below
+
+    [[nodiscard]] Complex exponent(Complex l, Eigen::Index block) const {
+        return l + Complex(0, 2 * static_cast<double>(block - _harmonics) * _rotor.speed);
+    }
+    void insert(ComplexSparse &to, const ComplexSparse &block, Eigen::Index j, Eigen::Index row,
+                Eigen::Index column) const {
+        for (ComplexSparse::InnerIterator entry(block, j); entry; ++entry)
+            to.insertBack(row * _n + entry.row(), column * _n + j) = entry.value();
     }
 };
 
@@ -103,10 +161,10 @@ Eigen::VectorXcd start_vector(Eigen::Index size) {
 /// One root of a series and its vectors, improved.
 class Iteration {
   public:
-    /// @param lu  knows the pattern, or nothing yet
-    Iteration(const Quadratic &problem, Complex guess, double scale, LU &lu)
-        : _problem(problem), _lu(lu), _value(guess), _scale(scale),
-          _right(start_vector(problem.A2.rows())), _left(_right) {}
+    /// @param factor  knows the pattern, or nothing yet
+    Iteration(const Series &series, Complex guess, double scale, Factor &factor)
+        : _series(series), _factor(factor), _value(guess), _scale(scale),
+          _right(start_vector(series.size())), _left(_right) {}
 
     /// @returns whether it settled
     bool settle() {
@@ -121,21 +179,26 @@ class Iteration {
     [[nodiscard]] double noise() const { return _noise; }
 
   private:
-    const Quadratic &_problem;
-    LU &_lu;
+    const Series &_series;
+    Factor &_factor;
     Complex _value;
     double _scale;
     Eigen::VectorXcd _right, _left;
     double _noise = 0;
 
     bool settle_with_one() {
-        if (!factorised(_value) && !factorised(_value + 1e-9 * _scale)) // at the root itself
+        if (!_factor.factorize(_series.at(_value)) &&
+            !_factor.factorize(_series.at(_value + 1e-9 * _scale))) // at the root itself
             return false;
-        const ComplexSparse slope = 2.0 * _value * _problem.A2 + _problem.A1;
+        const Complex at = _value;
         constexpr int solves = 6;
         for (int step = 0; step < solves; ++step) {
-            _right = _lu.solve(Eigen::VectorXcd(slope * _right)).normalized();
-            _left = _lu.adjoint().solve(Eigen::VectorXcd(slope.adjoint() * _left)).normalized();
+            _right = _series.slope(at, _right);
+            _factor.solve(_right);
+            _right.normalize();
+            _left = _series.adjoint_slope(at, _left).conjugate();
+            _factor.solve_transposed(_left);
+            _left = _left.conjugate().normalized();
             const Complex before = _value;
             if (!_right.allFinite() || !_left.allFinite() || !improve())
                 return false;
@@ -146,22 +209,11 @@ class Iteration {
         return false;
     }
 
-    bool factorised(Complex l) {
-        ComplexSparse Q = _problem.at(l);
-        Q.makeCompressed();
-        if (_lu.rows() == 0)
-            _lu.analyzePattern(Q);
-        _lu.factorize(Q);
-        return _lu.info() == Eigen::Success;
-    }
-
     /// The root next to the last one of y^H (l^2 A2 + l A1 + A0) x = 0.
     bool improve() {
-        const Complex a2 = _left.dot(_problem.A2 * _right);
-        const Complex a1 = _left.dot(_problem.A1 * _right);
-        const Complex a0 = _left.dot(_problem.A0 * _right);
+        const Quadratic form = _series.form(_left, _right);
         for (int step = 0; step < 20; ++step) {
-            const Complex change = -(a0 + _value * (a1 + _value * a2)) / (2.0 * _value * a2 + a1);
+            const Complex change = -form.at(_value) / form.slope(_value);
             if (!std::isfinite(std::abs(change)))
                 return false;
             _value += change;
@@ -170,7 +222,7 @@ class Iteration {
         }
         // Rounding of every entry, as the root feels it; scaled, the stiffness is of the size 1.
         constexpr double rounding = 10 * std::numeric_limits<double>::epsilon();
-        _noise = rounding / std::abs(2.0 * _value * a2 + a1);
+        _noise = rounding / std::abs(form.slope(_value));
         return true;
     }
 };
@@ -178,7 +230,7 @@ class Iteration {
 } // namespace
 
 struct WholeRotor::Factors {
-    std::map<int, LU> with_harmonics;
+    std::map<int, Factor> with_harmonics;
 };
 
 WholeRotor::WholeRotor(const assembly::Discretization &discretization,
@@ -227,21 +279,30 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     const Eigen::Index n = d.size();
     constexpr int most = 80;
     constexpr int margin = 4;
+    constexpr int more = 2;
     constexpr double nothing = 1e-8; // its square is what the value is off by
+    constexpr double far_too_many = 1e-11;
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
-    for (int N = margin + static_cast<int>(std::min<double>(most, turns)); N <= most; N += margin) {
-        const Quadratic series = problem.series(N);
+    for (int N = static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond; N <= most;
+         N += more) {
+        const Series series(problem, N);
         Iteration iteration(series, guess, scale, _factors->with_harmonics[N]);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();
-        if (std::max(x.head(n).norm(), x.tail(n).norm()) > nothing)
+        const double end = std::max(x.head(n).norm(), x.tail(n).norm());
+        if (end > nothing) {
+            _beyond += more;
             continue;
+        }
+        if (end < far_too_many)
+            _beyond = std::max(margin, _beyond - 1);
         Root root{iteration.value(), x, iteration.noise()};
         for (int k = 0; k <= 2 * N; ++k)
             root.terms.segment(k * n, n) = d.cwiseProduct(x.segment(k * n, n));
         return root;
     }
+    _beyond = margin;
     return std::nullopt;
 }
 

@@ -58,6 +58,7 @@ class WholeRotor {
     Matrices _matrices; ///< with tables: not used
     struct Factors;     ///< their pattern and order of elimination, one for each N
     std::unique_ptr<Factors> _factors;
+    mutable int _beyond = 4; ///< harmonics that the roots before needed beyond their frequency
     [[nodiscard]] Matrices assembled(double bearing_speed) const;
 };
 

@@ -83,7 +83,6 @@ void PeriodicMotions::set_top(double speed) const {
     if (std::abs(speed) <= _top)
         return;
     _top = std::abs(speed);
-    _reach = 0;
     if (!_reduced)
         return;
     _system.reset();
@@ -99,17 +98,27 @@ const periodic::System &PeriodicMotions::system(double speed) const {
     return *_system;
 }
 
-/// All that may meet at the largest speed at the least.
-void PeriodicMotions::set_reach() const {
+/// Of the octave of the range that the speed lies in: all that may meet at its largest speed at the
+/// least. Slow speeds then take no more steps than fast ones.
+double PeriodicMotions::octave_reach(double speed) const {
+    const int octave =
+        speed == 0 ? 0 : std::max(0, static_cast<int>(std::log2(_top / std::abs(speed))));
+    auto &reach = _experience->reach;
+    if (_top != _experience->top)
+        reach.clear();
+    _experience->top = _top;
+    if (const auto known = reach.find(octave); known != reach.end())
+        return known->second;
+    const double top = std::ldexp(_top, -octave);
     constexpr int samples = 5;
     std::vector<std::vector<double>> sizes(samples);
     for (int k = 0; k < samples; ++k) {
-        const double speed = _top * (k + 0.5) / samples;
-        for (const FloquetMotion &motion : periodic::steady_motions(system(speed), speed))
+        const double sample = top * (k + 0.5) / samples;
+        for (const FloquetMotion &motion : periodic::steady_motions(system(sample), sample))
             if (motion.value.imag() >= 0)
                 sizes[static_cast<std::size_t>(k)].push_back(motion.frequency);
     }
-    _reach = motion_reach(std::move(sizes), slow_enough * _top);
+    return reach[octave] = motion_reach(std::move(sizes), slow_enough * top);
 }
 
 /// Of steady motions, of a rigid rotor all and of an elastic one those that grow, how fast the
@@ -132,9 +141,7 @@ double PeriodicMotions::steady_reach(double speed) const {
 
 double PeriodicMotions::reach(double speed) const {
     const bool rigid = _discretization.rigid();
-    if (!rigid && _reach == 0)
-        set_reach();
-    const double out = rigid ? 0 : _reach;
+    const double out = rigid ? 0 : octave_reach(speed);
     return rigid || _driven ? std::max(out, steady_reach(speed)) : out;
 }
 
@@ -221,6 +228,21 @@ const PeriodicMotions::List &PeriodicMotions::known(double speed) const {
     return _known.emplace(speed, listed(speed)).first->second;
 }
 
+/// Planar shapes of a motion without those that are as small beside the largest: roots are off by
+/// the squares.
+Eigen::MatrixXd PeriodicMotions::planar_parts_above(double part,
+                                                    const Eigen::VectorXcd &terms) const {
+    const Eigen::Index N = _discretization.planar_size();
+    Eigen::MatrixXd out =
+        reduction::planar_parts(terms, N, 2 * (N + balancers::unknowns_of(_balancers)));
+    const Eigen::RowVectorXd sizes =
+        (out.cwiseProduct(_planar->metric() * out)).colwise().sum().cwiseMax(0).cwiseSqrt();
+    for (Eigen::Index j = 0; j < out.cols(); ++j)
+        if (sizes(j) < part * sizes.maxCoeff())
+            out.col(j).setZero();
+    return out;
+}
+
 /// Those that matter, or all, as the whole rotor has them; nothing where the shapes were not good
 /// enough for one of them, and now there are more.
 std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all) const {
@@ -245,10 +267,7 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
         const double allowed = agreement * std::max(size, std::abs(motion.value));
         if (off > allowed + 10 * motion.noise)
             for (const double part : new_parts) {
-                _planar->add(reduction::planar_parts(root->terms, _discretization.planar_size(),
-                                                     2 * (_discretization.planar_size() +
-                                                          balancers::unknowns_of(_balancers))),
-                             part);
+                _planar->add_newest_first(planar_parts_above(part, root->terms), part);
                 if (_planar->matrix().cols() > shapes)
                     break;
             }

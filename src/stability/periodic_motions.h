@@ -16,16 +16,19 @@
 
 namespace whirl::stability {
 
-/// Of the steps in time over half a turn how many more than their rule has them are needed.
+/// How fast motions are followed, and of the steps in time over half a turn how many more than
+/// their rule has them are needed.
 struct StepExperience {
-    double density = 1;    ///< over the rule
-    double settled_at = 0; ///< |speed| at which that was seen last, rad/s
+    double density = 1;          ///< over the rule
+    double settled_at = 0;       ///< |speed| at which that was seen last, rad/s
+    double top = 0;              ///< largest |speed|, rad/s, that the reach is for
+    std::map<int, double> reach; ///< frequency of the fastest motions listed, by octaves below it
 };
 
 /// Free motions of a rotor whose equations stay periodic in time, by its monodromy matrix.
 ///
-/// Which motions: at every speed those of frequencies up to one bound for the whole range, four
-/// times its largest speed or more, and of a rigid rotor all. The steps in time are as many as
+/// Which motions: at every speed those of frequencies up to one bound for an octave of the range,
+/// four times its largest speed or more, and of a rigid rotor all. The steps in time are as many as
 /// these need, and more until the multipliers do not change any more. Motions up to four times the
 /// spin speed may meet: pairs of them resonate at twice and four times the spin speed.
 ///
@@ -74,8 +77,7 @@ class PeriodicMotions {
     mutable std::unique_ptr<reduction::PlanarShapes> _planar;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes;
     mutable std::unique_ptr<periodic::System> _system;
-    mutable double _system_speed = 0; ///< with tables: whose bearings it has
-    mutable double _reach = 0;        ///< frequency of the fastest motions listed, rad/s
+    mutable double _system_speed = 0;               ///< with tables: whose bearings it has
     mutable std::map<double, double> _steady_reach; ///< at |speed|, of the fastest steady motions
     std::shared_ptr<StepExperience> _experience;
     mutable std::unique_ptr<periodic::WholeRotor> _whole;
@@ -84,13 +86,15 @@ class PeriodicMotions {
     void set_top(double speed) const;
     void set_shapes() const;
     [[nodiscard]] const periodic::System &system(double speed) const;
-    void set_reach() const;
+    [[nodiscard]] double octave_reach(double speed) const;
     [[nodiscard]] double steady_reach(double speed) const;
     [[nodiscard]] double reach(double speed) const;
     [[nodiscard]] int steps(double speed, double reach) const;
     [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;
     [[nodiscard]] List listed(double speed) const;
     [[nodiscard]] const List &known(double speed) const;
+    [[nodiscard]] Eigen::MatrixXd planar_parts_above(double part,
+                                                     const Eigen::VectorXcd &terms) const;
     [[nodiscard]] std::optional<List> corrected(double speed, bool all) const;
 };
 

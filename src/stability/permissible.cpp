@@ -94,8 +94,10 @@ class Varied {
 
     /// The dI between 0 and an unstable one at which this speed is just stable.
     [[nodiscard]] double just_stable(double speed, double unstable) const {
-        const auto growth = [&](double dI) { return growth_of(solver(dI).at(speed)); };
-        return just_stable(growth, {0, unstable}, unstable);
+        return just_stable([&](double dI) { return growth_of(solver(dI).at(speed)); }, 0, unstable);
+    }
+    [[nodiscard]] bool grows(double dI, double speed) const {
+        return growth_of(solver(dI).at(speed)) > 0;
     }
 
     /// The same by the whole rotor, near what the shapes told; none where it is not there.
@@ -105,7 +107,7 @@ class Varied {
             const double low = told * (1 - share);
             const double high = told * (1 + share);
             if (growth(low) <= 0 && growth(high) > 0)
-                return just_stable(growth, {low, high}, high);
+                return just_stable(growth, low, high);
         }
         return std::nullopt;
     }
@@ -124,7 +126,9 @@ class Varied {
         const MotionSolver motions = solver(dI);
         if (!to_be_refined() && (motions.by_monodromy() == nullptr || !_shapes))
             return bands(dI, speeds);
-        return unstable_bands([&motions](double speed) { return motions.at(speed); }, speeds);
+        constexpr double roughly = 0.03;
+        return find_bands([&motions](double speed) { return motions.at(speed); }, speeds, roughly)
+            .bands;
     }
 
     [[nodiscard]] bool stable(double dI, const std::vector<double> &speeds) const {
@@ -140,11 +144,15 @@ class Varied {
     std::shared_ptr<StepExperience> _experience = std::make_shared<StepExperience>();
 
     template <class Growth>
-    [[nodiscard]] static double just_stable(const Growth &growth, SignBracket bracket,
-                                            double size) {
-        while (bracket.width() > 1e-12 * size) {
+    [[nodiscard]] static double just_stable(const Growth &growth, double low, double high) {
+        SignBracket bracket(low, high);
+        bracket.stable_at(low, std::min(growth(low), 0.0));
+        bracket.unstable_at(high, growth(high));
+        while (bracket.width() > 1e-12 * high) {
             const double next = bracket.next();
             const double here = growth(next);
+            if (here == 0 && bracket.decays()) // within the rounding of a root
+                return next;
             if (here > 0)
                 bracket.unstable_at(next, here);
             else
@@ -173,6 +181,8 @@ class DescentSearch {
         : _varied(varied), _largest(largest), _speeds(speeds), _dI(largest) {}
 
     Descent descent() {
+        for (const double speed : _speeds) // what grows at the speeds themselves is no search's
+            lower_at(speed);
         for (int step = 0; step < most_steps; ++step) {
             std::vector<SpeedInterval> bands = _varied.likely_bands(_dI, _speeds);
             if (bands.empty() && step == 0) // which is an answer
@@ -194,25 +204,32 @@ class DescentSearch {
     Descent _out;
     SpeedInterval _last; ///< the band that was closed last
 
+    /// Lowers dI until this speed is just stable.
+    /// @returns whether it was not
+    bool lower_at(double speed) {
+        if (!_varied.grows(_dI, speed))
+            return false;
+        const double stable = _varied.just_stable(speed, _dI);
+        _out.unstable = _dI;
+        _out.speed = speed;
+        const bool lower = stable < _dI;
+        _dI = stable;
+        _out.dI = _dI;
+        return lower;
+    }
+
     /// Lowers dI until the strongest speed of each band is just stable.
     /// @returns whether it is worthwhile to go on
     bool close(const std::vector<SpeedInterval> &bands) {
         const MotionSolver solver = _varied.solver(_dI);
         const MotionsAt at = [&solver](double speed) { return solver.at(speed); };
-        _out.unstable = _dI;
-        double next = _dI;
+        const double before = _dI;
         for (const SpeedInterval &band : bands) {
             const double speed = strongest_speed(at, band);
-            const double stable = _varied.just_stable(speed, next);
-            if (stable < next) {
+            if (lower_at(speed))
                 _last = band;
-                _out.speed = speed;
-            }
-            next = stable;
         }
-        const bool unchanged = _dI - next < 1e-11 * _dI;
-        _dI = next;
-        _out.dI = _dI;
+        const bool unchanged = before - _dI < 1e-11 * before;
         return !unchanged && _dI >= 1e-9 * _largest;
     }
 
@@ -235,6 +252,18 @@ class DescentSearch {
     }
 };
 
+/// Some speeds about one, within the range of others.
+std::vector<double> around(double speed, const std::vector<double> &speeds) {
+    constexpr double near = 0.01;
+    const auto within = [&speeds](double at) {
+        return std::clamp(at, speeds.front(), speeds.back());
+    };
+    std::vector<double> out{within(speed - near * std::abs(speed)), speed,
+                            within(speed + near * std::abs(speed))};
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
 /// The band search has the last word: no band at what was found, one just above. Where it does not
 /// agree, halving by the band search itself.
 double verified(const Varied &varied, const Descent &found, const std::vector<double> &speeds) {
@@ -247,7 +276,8 @@ double verified(const Varied &varied, const Descent &found, const std::vector<do
         for (stable *= 1 - above; stable > 0 && !varied.stable(stable, speeds); stable *= 0.5)
             unstable = stable;
     } else if (const double next = *found.dI * (1 + above);
-               next >= unstable || !varied.stable(next, speeds)) {
+               next >= unstable || !varied.stable(next, around(found.speed, speeds)) ||
+               !varied.stable(next, speeds)) {
         return *found.dI;
     } else {
         stable = next;
@@ -274,16 +304,9 @@ std::vector<double> thinned(const std::vector<double> &speeds, std::size_t enoug
 double first_to_grow(const Varied &varied, const Descent &found,
                      const std::vector<double> &speeds) {
     constexpr double above = 1e-3;
-    constexpr double near = 0.01;
     const double dI = *found.dI * (1 + above);
-    const auto at_speed = [&speeds, &found](double share) {
-        return std::clamp(found.speed * (1 + share), speeds.front(), speeds.back());
-    };
-    std::vector<double> around{at_speed(-near), found.speed, at_speed(near)};
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
     const MotionSolver solver = varied.solver(dI);
-    for (const SpeedInterval &band : varied.likely_bands(dI, around))
+    for (const SpeedInterval &band : varied.likely_bands(dI, around(found.speed, speeds)))
         if (band.first <= found.speed && found.speed <= band.second)
             return strongest_speed([&solver](double speed) { return solver.at(speed); }, band);
     return found.speed;

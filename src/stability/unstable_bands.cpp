@@ -62,8 +62,10 @@ class GrowthAlong {
 };
 
 /// Walks from an unstable speed towards one border, with steps that grow, until it is stable.
+/// @param part  of the way that it is found to, at least 1e-12 of the speed
 double end_towards(const MotionsAt &at, const Known &known, double unstable, double step,
-                   double border) {
+                   double border, double part = 0) {
+    const double seed = unstable;
     const double sign = border > unstable ? 1 : -1;
     while (true) {
         double probe = unstable + sign * step;
@@ -80,7 +82,8 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
         const bool grows = (grid != known.end() ? grid->second : growth_of(at(probe))) > 0;
         if (!grows)
             return band_end(at, probe, unstable,
-                            1e-12 * std::max(std::abs(probe), std::abs(unstable)));
+                            std::max(1e-12 * std::max(std::abs(probe), std::abs(unstable)),
+                                     part * std::abs(probe - seed)));
         if (probe == border)
             return border;
         unstable = probe;
@@ -238,7 +241,7 @@ std::vector<SpeedInterval> common(const std::vector<SpeedInterval> &a,
     return out;
 }
 
-BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds) {
+BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds, double part) {
     BandSearch search(at, speeds);
     const Known &known = search.known();
     BandsFound out;
@@ -249,8 +252,8 @@ BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds) {
             });
         if (covered)
             continue;
-        const double low = end_towards(at, known, speed, step, speeds.front());
-        out.bands.emplace_back(low, end_towards(at, known, speed, step, speeds.back()));
+        const double low = end_towards(at, known, speed, step, speeds.front(), part);
+        out.bands.emplace_back(low, end_towards(at, known, speed, step, speeds.back(), part));
     }
     out.bands = through_the_noise(at, known, joined(std::move(out.bands)));
     out.doubtful = joined(search.doubtful());
@@ -268,7 +271,7 @@ std::vector<SpeedInterval> unstable_bands(const MotionsAt &at, const std::vector
 }
 
 double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
-    // Golden section after a coarse look, since a band may have several humps.
+    // By parabolas after a coarse look, since a band may have several humps.
     constexpr int looks = 16;
     double best = (band.first + band.second) / 2;
     double most = -1;
@@ -281,11 +284,9 @@ double strongest_speed(const MotionsAt &at, const SpeedInterval &band) {
             best = speed;
         }
     }
-    return linalg::least_between(
-               [&at](double speed) { return -growth_of(at(speed)); },
-               std::max(band.first, best - width), std::min(band.second, best + width),
-               [](double a, double b, double) { return b - a <= 1e-7 * std::abs(b); })
-        .first;
+    return linalg::least_place([&at](double speed) { return -growth_of(at(speed)); },
+                               std::max(band.first, best - width),
+                               std::min(band.second, best + width));
 }
 
 } // namespace whirl::stability

@@ -30,7 +30,9 @@ struct BandsFound {
 /// see without having been zero (balls near rest: a power of the speed) is carried on.
 ///
 /// @param speeds  ascending, at least two
-[[nodiscard]] BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds);
+/// @param part    ends to that part of a band, where they need not be known better
+[[nodiscard]] BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds,
+                                    double part = 0);
 
 /// The band around a speed at which something grows, between two borders, by looks outwards.
 /// @param step  the first one, rad/s

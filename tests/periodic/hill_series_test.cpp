@@ -152,6 +152,36 @@ TEST(HillSeries, NarrowBandOfAnElasticRotorIsTheSameOnEveryGrid) {
     EXPECT_NEAR(found[0].second, found[1].second, 1e-8 * found[0].second);
 }
 
+// Seven bands, one of them 0.23 rad/s wide, from grids of 251 and of 97 speeds. On either side of
+// each end Hill's series with all unknowns says the same: it settles to 1e-8 of the speed, while
+// the growth rises by a hundredth of the way from the end or more.
+TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn) {
+    model::Rotor rotor = flexible_rotor(34.45);
+    for (model::Segment &segment : rotor.shaft.segments)
+        segment.material = {"steel", 2.11e11, 2.11e11 / 2.6, 7810};
+    const auto bands_of = [&rotor](int count) {
+        return analyses::unstable_bands_of(tests::scene_of(rotor, 50, 1300, count), {}, false)
+            .bands;
+    };
+    const auto bands = bands_of(251);
+    const auto again = bands_of(97);
+    ASSERT_EQ(bands.size(), 7U);
+    ASSERT_EQ(again.size(), bands.size());
+    EXPECT_NEAR(bands[2].second - bands[2].first, 0.233, 0.001);
+    const stability::MotionSolver series(rotor, results::Form::hill, rotor.shaft.order, {}, 1);
+    const auto grows = [&series](double speed) {
+        return stability::growth_of(series.at(speed)) > 0;
+    };
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        for (const bool first : {true, false}) {
+            const double end = first ? bands[i].first : bands[i].second;
+            EXPECT_NEAR(first ? again[i].first : again[i].second, end, 1e-8 * end);
+            const double inward = (first ? 1e-5 : -1e-5) * end;
+            EXPECT_TRUE(grows(end + inward)) << end;
+            EXPECT_FALSE(grows(end - inward)) << end;
+        }
+}
+
 // The band begins with the range: its end is the same as seen from both sides.
 TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
     const auto bands_from = [](double from) {
