@@ -2,8 +2,8 @@
 // bearings, and modes of two planes made up as bases.
 
 #include "support/scenes.h"
-#include "tracking/crossings.h"
 #include "tracking/bands/locked_whirl.h"
+#include "tracking/crossings.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
