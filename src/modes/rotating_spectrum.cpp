@@ -129,8 +129,8 @@ void RotatingSpectrum::take_standing_copy(double speed, std::vector<linalg::Comp
     for (linalg::ComplexPair &copy : all)
         if (copy.vector.size() > 0 && copy.value.imag() == 0 &&
             std::abs(copy.value.real() - pair.value.real()) <= near) {
-            pair = std::move(copy);
-            copy.vector.resize(0);
+            std::swap(pair, copy);
+            copy.vector.resize(0); // not to be taken again
             return;
         }
 }
@@ -158,8 +158,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     for (linalg::ComplexPair &pair : found.pairs) {
         if (_harmonics > 0 && largest_term(pair.vector) > last)
             continue;
-        out.pairs.push_back(std::move(pair));
-        pair.vector.resize(0);
+        out.pairs.emplace_back();
+        std::swap(out.pairs.back(), pair);
     }
     if (_harmonics > 0 && keep == Keep::best && speed != 0)
         for (linalg::ComplexPair &pair : out.pairs)

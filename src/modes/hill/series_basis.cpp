@@ -63,9 +63,10 @@ class State {
              Eigen::Ref<Eigen::VectorXcd> weighted) const {
         const Eigen::Index n = terms.rows();
         const Eigen::Index half = state.size() / 2;
+        const Eigen::Index middle = terms.cols() / 2;
         for (Eigen::Index k = 0; k < terms.cols(); ++k) {
             const Eigen::VectorXcd x = terms.col(k);
-            const Complex l = value + i_unit * (_turn * static_cast<double>(k - terms.cols() / 2));
+            const Complex l = value + i_unit * (_turn * static_cast<double>(k - middle));
             const Eigen::VectorXcd Mx = _mass * x;
             state.segment(k * n, n) = x;
             state.segment(half + k * n, n) = l * x;
