@@ -299,6 +299,13 @@ void note_no_peaks(results::CampbellResult &result) {
                         fmt::join(speeds, ", ")));
 }
 
+/// Of a Hill series ends of such intervals are looked for in the steps that show a change.
+void note_short_bands(results::ModelSummary &model) {
+    if (model.formulation.form == results::Form::hill)
+        model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
+                              "leaves it again within one step of the speeds may not be listed");
+}
+
 void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
               int wanted) {
     const bool few =
@@ -354,6 +361,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     note_far_apart(result);
     note_real(result, spectra);
     note_no_peaks(result);
+    note_short_bands(result.model);
     note_few(result.model, spectra, scene.campbell.modes);
     note_gaps(result.model, tracking.gaps, "a mode could not be followed");
     note_gaps(result.model, crossed.unsettled,
