@@ -91,15 +91,23 @@ constexpr double standing = 1e-3;
 /// the two speeds, where both vectors become one: overlaps say nothing there. Nor do they where
 /// both stand still beside others of the same eigenvalue, as balls of several balancers do at low
 /// speeds; such lines lie on each other.
-std::optional<double> distance_at_lock(const modes::Spectrum &a, const modes::Spectrum &b,
-                                       Eigen::Index i, Eigen::Index j) {
+std::optional<double> distance_at_lock(const Snapshot &at_a, const Snapshot &at_b, Eigen::Index i,
+                                       Eigen::Index j) {
+    const modes::Spectrum &a = at_a.spectrum;
+    const modes::Spectrum &b = at_b.spectrum;
+    const results::Form form =
+        at_a.basis.copies.size() > 1 ? results::Form::hill : results::Form::rotating;
     const modes::WhirlMode &one = a.modes[static_cast<std::size_t>(i)];
     const modes::WhirlMode &other = b.modes[static_cast<std::size_t>(j)];
     if (one.rotating_vector.size() == 0 || other.rotating_vector.size() == 0)
         return std::nullopt;
     const double speed = std::abs(b.speed);
-    const double slow = std::max(one.frequency_rotating, other.frequency_rotating);
-    const double distance = std::abs(one.rotating_value - other.rotating_value);
+    const std::complex<double> value_a(one.rotating_value.real(),
+                                       turn_in_rotor(one, a.speed, form));
+    const std::complex<double> value_b(other.rotating_value.real(),
+                                       turn_in_rotor(other, b.speed, form));
+    const double slow = std::max(value_a.imag(), value_b.imag());
+    const double distance = std::abs(value_a - value_b);
     const bool locks = locked(one, a.speed) != locked(other, b.speed);
     // One may be just before the meeting and the other far behind it.
     constexpr double behind = 1e-2;
@@ -220,7 +228,7 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)
         for (Eigen::Index j = 0; j < overlap.cols(); ++j)
             if (open(i, j))
-                if (const auto distance = distance_at_lock(a.spectrum, b.spectrum, i, j))
+                if (const auto distance = distance_at_lock(a, b, i, j))
                     locks.emplace_back(*distance, i, j);
     take_best(std::move(locks), out);
     return out;
