@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 namespace {
 
@@ -66,7 +67,8 @@ std::vector<Drawn> drawn_of(const std::string &text) {
 class CasePictures : public testing::TestWithParam<std::string> {
   protected:
     const fs::path scene = fs::path(WHIRL_ROOT) / "cases" / GetParam();
-    const fs::path scratch = testing::TempDir() + "whirl_pictures_" + GetParam();
+    const fs::path scratch =
+        testing::TempDir() + "whirl_pictures_" + GetParam() + "_" + std::to_string(getpid());
 
     void TearDown() override { fs::remove_all(scratch); }
 
