@@ -94,4 +94,18 @@ SystemAtSpeed hill_system(const RotatingSystem &system, const TurningSupports &s
     return {into_M.matrix(), into_D.matrix(), into_K.matrix()};
 }
 
+Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size) {
+    const std::complex<double> i_unit(0, 1);
+    const Eigen::Index harmonics = (vector.size() / size - 1) / 2;
+    Eigen::MatrixXcd out(size, 2 * harmonics + 1);
+    out.col(harmonics) = vector.head(size);
+    for (Eigen::Index k = 1; k <= harmonics; ++k) {
+        const auto a = vector.segment((2 * k - 1) * size, size);
+        const auto b = vector.segment(2 * k * size, size);
+        out.col(harmonics + k) = (a - i_unit * b) / 2;
+        out.col(harmonics - k) = (a + i_unit * b) / 2;
+    }
+    return out;
+}
+
 } // namespace whirl::assembly

@@ -2,6 +2,8 @@
 
 #include "assembly/rotating_system.h"
 
+#include <Eigen/Core>
+
 namespace whirl::assembly {
 
 /// M q'' + D q' + K q = 0 at one speed.
@@ -19,5 +21,9 @@ struct SystemAtSpeed {
 [[nodiscard]] SystemAtSpeed hill_system(const RotatingSystem &system,
                                         const TurningSupports &supports, double speed,
                                         int harmonics);
+
+/// A vector of the same over `size` unknowns as terms exp(2 i k speed t), a column each, from
+/// k = -harmonics on.
+[[nodiscard]] Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size);
 
 } // namespace whirl::assembly

@@ -44,6 +44,8 @@ struct ModeBasis {
     /// of a Hill series: right vectors of such copies, and the copy that leads back from each.
     std::vector<Eigen::MatrixXcd> copies;
     std::vector<std::size_t> ways_back;
+    /// Of a Hill series: more copies than the conjugate.
+    [[nodiscard]] bool of_series() const { return copies.size() > 1; }
     /// dv/dspeed of each mode towards lower and higher speeds; not a number where unknown.
     Eigen::VectorXcd rate_below, rate_above;
 };

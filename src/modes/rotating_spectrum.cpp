@@ -72,14 +72,12 @@ double RotatingSpectrum::motion_energy(const Eigen::VectorXcd &xy) const {
 }
 
 int RotatingSpectrum::largest_term(const Eigen::VectorXcd &vector) const {
-    const Eigen::Index n = _system.M.size();
-    double most = motion_energy(vector.head(n));
+    const Eigen::MatrixXcd terms = assembly::hill_terms(vector, _system.M.size());
+    double most = motion_energy(terms.col(_harmonics));
     int term = 0;
     for (int k = 1; k <= _harmonics; ++k) {
-        const Eigen::VectorXcd a = vector.segment((2 * k - 1) * n, n);
-        const Eigen::VectorXcd b = vector.segment(2 * k * n, n);
-        const double size =
-            std::max(motion_energy(a - i_unit * b), motion_energy(a + i_unit * b)) / 4;
+        const double size = std::max(motion_energy(terms.col(_harmonics + k)),
+                                     motion_energy(terms.col(_harmonics - k)));
         if (size * equal_share > most) {
             most = size;
             term = k;

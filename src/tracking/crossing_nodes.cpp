@@ -4,6 +4,13 @@
 
 namespace whirl::tracking {
 
+std::optional<std::size_t> place_of(const Node &node, int line) {
+    const auto found = std::find(node.lines.begin(), node.lines.end(), line);
+    if (found == node.lines.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(found - node.lines.begin());
+}
+
 int wanted_of(const Node &a, const Node &b) {
     return static_cast<int>(
         std::max(a.snapshot.spectrum.modes.size(), b.snapshot.spectrum.modes.size()));

@@ -3,7 +3,9 @@
 #include "tracking/mode_matching.h"
 #include "tracking/tracking.h"
 
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace whirl::tracking {
@@ -25,6 +27,9 @@ struct Link {
 [[nodiscard]] inline const modes::WhirlMode &mode_at(const Node &node, std::size_t place) {
     return node.snapshot.spectrum.modes[place];
 }
+
+/// Place of a line at a node; none where it is not there.
+[[nodiscard]] std::optional<std::size_t> place_of(const Node &node, int line);
 
 /// Modes to ask for between two nodes: as many as the larger one has.
 [[nodiscard]] int wanted_of(const Node &a, const Node &b);

@@ -86,19 +86,18 @@ void CrossingSearch::take_lock_end(const LockEnd &end, const Node &a, const Node
 /// A line that is there at one node and real at the other.
 void CrossingSearch::follow_to_zero(Node there, Node gone, int line) {
     for (int halves = 0; halves < 20; ++halves) {
-        const auto place = std::find(there.lines.begin(), there.lines.end(), line);
-        const auto at = static_cast<std::size_t>(place - there.lines.begin());
-        if (place == there.lines.end() || end(there, at, true).distance <= 0)
+        const std::optional<std::size_t> at = place_of(there, line);
+        if (!at || end(there, *at, true).distance <= 0)
             return;
         const double from = there.snapshot.spectrum.speed;
         const double to = gone.snapshot.spectrum.speed;
         Node middle = node_at(_solver, (from + to) / 2, there, gone);
-        const auto now = std::find(middle.lines.begin(), middle.lines.end(), line);
-        if (now == middle.lines.end()) {
+        const std::optional<std::size_t> now = place_of(middle, line);
+        if (!now) {
             gone = std::move(middle);
             continue;
         }
-        const Link link{at, static_cast<std::size_t>(now - middle.lines.begin()), line};
+        const Link link{*at, *now, line};
         if (from < to)
             search(there, middle, {link});
         else
@@ -111,9 +110,8 @@ void CrossingSearch::follow_to_zero(Node there, Node gone, int line) {
 int CrossingSearch::leaving_line(const Node &a, const Node &b) const {
     int line = no_line;
     for (std::size_t i = 0; i < a.lines.size(); ++i) {
-        const auto j = std::find(b.lines.begin(), b.lines.end(), a.lines[i]);
-        if (a.lines[i] == no_line || j == b.lines.end() ||
-            held(a, i) == held(b, static_cast<std::size_t>(j - b.lines.begin())))
+        const std::optional<std::size_t> j = place_of(b, a.lines[i]);
+        if (a.lines[i] == no_line || !j || held(a, i) == held(b, *j))
             continue;
         if (line != no_line)
             return no_line;

@@ -11,10 +11,6 @@
 
 namespace whirl::tracking {
 
-/// A distance is zero below this share of the frequency, and a step too short to be split below
-/// this share of the speed: eigenvalues are known to some 1e-12.
-inline constexpr double resolved = 1e-11;
-
 /// -1, 0 or 1: a mode's frequency is below a multiple of the spin speed, on it, or above.
 [[nodiscard]] int side_of(const modes::WhirlMode &mode, double speed, double multiple);
 

@@ -4,6 +4,10 @@
 
 namespace whirl::tracking {
 
+/// A distance is zero below this share of the frequency, and a step too short to be split below
+/// this share of the speed: eigenvalues are known to some 1e-12.
+inline constexpr double resolved = 1e-11;
+
 /// Distance of a whirl frequency from a multiple of the spin speed at one end of a step, with its
 /// slope there (not a number where unknown).
 struct StepEnd {

@@ -96,7 +96,7 @@ std::optional<double> distance_at_lock(const Snapshot &at_a, const Snapshot &at_
     const modes::Spectrum &a = at_a.spectrum;
     const modes::Spectrum &b = at_b.spectrum;
     const results::Form form =
-        at_a.basis.copies.size() > 1 ? results::Form::hill : results::Form::rotating;
+        at_a.basis.of_series() ? results::Form::hill : results::Form::rotating;
     const modes::WhirlMode &one = a.modes[static_cast<std::size_t>(i)];
     const modes::WhirlMode &other = b.modes[static_cast<std::size_t>(j)];
     if (one.rotating_vector.size() == 0 || other.rotating_vector.size() == 0)
@@ -235,7 +235,7 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
 }
 
 void keep_larger_parts(const Snapshot &a, const Snapshot &b, std::vector<int> &to) {
-    if (a.basis.copies.size() < 2)
+    if (!a.basis.of_series())
         return;
     const auto turns = [&](std::size_t i, int j) {
         return a.spectrum.modes[i].whirl != b.spectrum.modes[static_cast<std::size_t>(j)].whirl;

@@ -1,5 +1,6 @@
 #include "modes/hill/series_basis.h"
 
+#include "assembly/hill_system.h"
 #include "assembly/planes.h"
 
 #include <Eigen/Dense>
@@ -12,23 +13,9 @@ namespace whirl::modes {
 namespace {
 
 using Complex = std::complex<double>;
-using Series = Eigen::MatrixXcd; ///< a term a column, from k = -harmonics on
+using Series = Eigen::MatrixXcd; ///< as of hill_terms
 
 constexpr Complex i_unit(0, 1);
-
-/// q_0 + sum a_k cos + b_k sin (assembly/hill_system.h) as terms exp(2 i k speed t).
-Series terms_of(const Eigen::VectorXcd &vector, Eigen::Index n) {
-    const Eigen::Index harmonics = (vector.size() / n - 1) / 2;
-    Series out(n, 2 * harmonics + 1);
-    out.col(harmonics) = vector.head(n);
-    for (Eigen::Index k = 1; k <= harmonics; ++k) {
-        const auto a = vector.segment((2 * k - 1) * n, n);
-        const auto b = vector.segment(2 * k * n, n);
-        out.col(harmonics + k) = (a - i_unit * b) / 2;
-        out.col(harmonics - k) = (a + i_unit * b) / 2;
-    }
-    return out;
-}
 
 /// At rest every term is the same motion. Just beside it the part of the shaft that turns with the
 /// spin is the constant one in rotating axes, and the one that turns against it the next.
@@ -121,7 +108,7 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     Eigen::MatrixXcd weighted(size, copies * count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
-        Series terms = terms_of(mode.rotating_vector, mass.rows());
+        Series terms = assembly::hill_terms(mode.rotating_vector, mass.rows());
         if (spectrum.speed == 0)
             terms = at_rest(std::move(terms), parts);
         Eigen::Index column = i;

@@ -15,28 +15,30 @@ struct Outside {
 
 class BranchSearch {
   public:
-    BranchSearch(double inside, double outside, double relative,
-                 const std::function<std::optional<double>(double)> &square)
+    BranchSearch(double inside, double outside, double relative, const SquareAt &square)
         : _square(square), _inside(inside), _outside(outside), _relative(relative) {
         look(outside);
     }
 
-    [[nodiscard]] std::optional<BranchPoint> find(bool or_jump) {
+    /// @returns false where it was to stop at a jump and there is one
+    bool narrow_down(bool stop_at_jump) {
         constexpr int most = 120;
         for (int step = 0; step < most && !narrow(); ++step) {
-            if (!or_jump && jumps())
-                return std::nullopt;
+            if (stop_at_jump && _last && jumps_across(_last->square, width(), _inside))
+                return false;
             const double before = width();
             if (const std::optional<double> root = led_to())
                 look_about(*root);
             if (width() > before / 2)
                 look((_inside + _outside) / 2);
         }
-        return BranchPoint{_inside, _outside};
+        return true;
     }
 
+    [[nodiscard]] BranchPoint found() const { return {_inside, _outside}; }
+
   private:
-    const std::function<std::optional<double>(double)> &_square;
+    const SquareAt &_square;
     double _inside, _outside, _relative;
     std::optional<Outside> _last, _before; ///< the two looked at last outside
     std::optional<double> _root;           ///< where the line led last
@@ -44,9 +46,6 @@ class BranchSearch {
 
     [[nodiscard]] double width() const { return std::abs(_outside - _inside); }
     [[nodiscard]] bool narrow() const { return width() <= _relative * std::abs(_inside); }
-    [[nodiscard]] bool jumps() const {
-        return _last && _last->square > steepest_branch * width() * std::abs(_inside);
-    }
     [[nodiscard]] bool within(double speed) const {
         return (speed - _inside) * (speed - _outside) < 0;
     }
@@ -86,10 +85,16 @@ class BranchSearch {
 
 } // namespace
 
+BranchPoint band_end(double inside, double outside, double relative, const SquareAt &square) {
+    BranchSearch search(inside, outside, relative, square);
+    search.narrow_down(false);
+    return search.found();
+}
+
 std::optional<BranchPoint> branch_point(double inside, double outside, double relative,
-                                        const std::function<std::optional<double>(double)> &square,
-                                        bool or_jump) {
-    return BranchSearch(inside, outside, relative, square).find(or_jump);
+                                        const SquareAt &square) {
+    BranchSearch search(inside, outside, relative, square);
+    return search.narrow_down(true) ? std::optional(search.found()) : std::nullopt;
 }
 
 } // namespace whirl::tracking

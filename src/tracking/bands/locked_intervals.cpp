@@ -123,14 +123,6 @@ std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<Band
     return intervals.closed_at(high);
 }
 
-/// Places of the lines at a node, by line.
-std::optional<std::size_t> place_of(const Node &node, int line) {
-    const auto found = std::find(node.lines.begin(), node.lines.end(), line);
-    if (found == node.lines.end())
-        return std::nullopt;
-    return static_cast<std::size_t>(found - node.lines.begin());
-}
-
 bool on_multiple(const modes::SpectrumSolver &solver, const modes::WhirlMode &mode, double speed,
                  double multiple) {
     const bool stands =

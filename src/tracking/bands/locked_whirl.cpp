@@ -8,6 +8,7 @@
 #include "results/formulation.h"
 #include "tracking/bands/branch_point.h"
 #include "tracking/bands/double_root.h"
+#include "tracking/crossing_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,6 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
 }
 
 LockEnd end_of(const DoubleRoot &root) {
-    constexpr double resolved = 1e-11; // over the spin speed
     // Far enough outside that the meeting eigenvalues are apart by much more than their rounding.
     constexpr double beside = 1e-7;
     const double outwards = root.opens ? -1 : 1;
@@ -136,13 +136,11 @@ std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, 
 /// the equations of one speed to begin a double root with. Of several ends in it one is found.
 std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
                                      const Count &to, int wanted) {
-    constexpr double resolved = 1e-11;
     const bool leaves = from.motions > to.motions;
     const Count &inside = leaves ? from : to;
     const Count &outside = leaves ? to : from;
     const std::optional<BranchPoint> found = branch_point(
-        inside.speed, outside.speed, resolved,
-        [&](double speed) -> std::optional<double> {
+        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
             const Count here = count_at(solver, speed, wanted);
             if (here.motions > outside.motions)
                 return std::nullopt;
@@ -150,8 +148,7 @@ std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const 
                                                     : turn_in_rotor(here.others.front(), speed,
                                                                     results::Form::hill);
             return turn * turn;
-        },
-        false);
+        });
     if (!found)
         return std::nullopt;
     LockEnd end = end_of({found->inside, 0, inside.speed > outside.speed});

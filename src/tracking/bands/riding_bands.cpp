@@ -95,14 +95,13 @@ class BandSearch {
         if (a.on > 0 || b.on > 0 || a.below == b.below || a.standing != b.standing ||
             a.speed * b.speed <= 0)
             return std::nullopt;
-        const std::ptrdiff_t standing = std::max(a.standing, b.standing);
+        const std::ptrdiff_t standing = b.standing;
         double far = b.speed;
         double distance = b.distance;
         const auto may_hold_band = [&] {
             const double width = std::abs(far - a.speed);
             const double least = std::min(a.distance, distance);
-            return width > resolved * std::abs(far) &&
-                   least * least < steepest_branch * width * std::abs(far);
+            return width > resolved * std::abs(far) && !jumps_across(least * least, width, far);
         };
         while (may_hold_band()) {
             const Sides middle = at((a.speed + far) / 2);
@@ -126,17 +125,15 @@ class BandSearch {
     /// Last speed inside, between one inside and one outside.
     [[nodiscard]] End end_between(double inside, const Sides &outside) const {
         double real = outside.real;
-        const std::optional<BranchPoint> found = branch_point(
-            inside, outside.speed, resolved,
-            [&](double speed) -> std::optional<double> {
+        const BranchPoint found =
+            band_end(inside, outside.speed, resolved, [&](double speed) -> std::optional<double> {
                 const Sides here = at(speed);
                 if (is_on(here, outside.standing))
                     return std::nullopt;
                 real = here.real;
                 return here.distance * here.distance;
-            },
-            true);
-        return {found->inside, real};
+            });
+        return {found.inside, real};
     }
 
     /// The end of a band from the speed k of the sweep on, or that of the range.
