@@ -7,7 +7,7 @@
 #include "model/mass.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
-#include "process/parallel.h"
+#include "process/progress.h"
 #include "results/accuracy.h"
 #include "results/formulation.h"
 
@@ -49,9 +49,9 @@ struct Study {
     mutable std::map<std::pair<int, int>, Eigenvalues> known = {};
 
     /// Eigenvalues with the lowest frequencies, ascending by frequency.
-    [[nodiscard]] Eigenvalues eigenvalues(const modes::SpectrumSolver &solver) const {
+    [[nodiscard]] Eigenvalues eigenvalues(const modes::SpectrumSolver &solver, double at) const {
         Eigenvalues values;
-        for (const modes::WhirlMode &mode : solver.at(speed, modes).modes)
+        for (const modes::WhirlMode &mode : solver.at(at, modes).modes)
             values.push_back(mode.eigenvalue);
         values.resize(std::min(values.size(), static_cast<std::size_t>(modes)));
         return values;
@@ -63,8 +63,14 @@ struct Study {
         if (found != known.end())
             return found->second;
         const modes::SpectrumSolver solver(rotor, form, order, refinement);
-        return known.emplace(mesh, eigenvalues(solver)).first->second;
+        return known.emplace(mesh, eigenvalues(solver, speed)).first->second;
     }
+
+    /// Of the order that tells the error of another one, on the same elements: from an order so
+    /// much higher than the row's they are those of halved elements long before the row's are.
+    /// @param values  of the row
+    [[nodiscard]] const Eigenvalues &finer_eigenvalues(int order, int refinement,
+                                                       const Eigenvalues &values) const;
 
     [[nodiscard]] Limits limits() const {
         return by_full_matrices(rotor, form) ? Limits{110, 180} : Limits{12000, 36000};
@@ -140,16 +146,31 @@ std::optional<double> difference(const Study &study, Eigenvalues values, Eigenva
     return largest_difference(std::move(values), exact);
 }
 
+const Eigenvalues &Study::finer_eigenvalues(int order, int refinement,
+                                            const Eigenvalues &values) const {
+    constexpr double settled = 1e-3; // of the difference from the row
+    const int finer = mesh_error::finer_order(order);
+    for (int coarse = 2; coarse < refinement; coarse *= 2) {
+        const Eigenvalues &coarser = eigenvalues(finer, coarse / 2);
+        const Eigenvalues &here = eigenvalues(finer, coarse);
+        const std::optional<double> change = difference(*this, coarser, here);
+        const std::optional<double> distance = difference(*this, values, here);
+        if (change && distance && *change < settled * *distance)
+            return here;
+    }
+    return eigenvalues(finer, refinement);
+}
+
 /// Best of three: the others were disturbed by the machine. Long runs, of which it takes little
 /// away, are not repeated.
 results::AccuracyRow timed_row(const Study &study, int order, int refinement, Eigenvalues &values) {
     results::AccuracyRow row{
-        order == 1 ? "classical" : "order-p", order, study.spans(refinement), 0, 0, {}, {}};
+        order == 1 ? "classical" : "order-p", order, study.spans(refinement), "full", 0, 0, {}, {}};
     constexpr double long_run = 0.05;
     for (int run = 0; run < 3 && row.seconds < long_run; ++run) {
         const auto start = std::chrono::steady_clock::now();
         const modes::SpectrumSolver solver(study.rotor, study.form, order, refinement);
-        values = study.eigenvalues(solver);
+        values = study.eigenvalues(solver, study.speed);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         row.seconds = run == 0 ? seconds : std::min(row.seconds, seconds);
@@ -171,7 +192,7 @@ results::AccuracyRow measured_row(const Study &study, int order, int refinement,
     Eigenvalues values;
     results::AccuracyRow row = timed_row(study, order, refinement, values);
     row.error_estimate =
-        difference(study, values, study.eigenvalues(mesh_error::finer_order(order), refinement));
+        difference(study, values, study.finer_eigenvalues(order, refinement, values));
     if (row.error_estimate)
         *row.error_estimate *= mesh_error::estimate_safety;
     // Against an order-p mesh as fine as the reference itself a difference says nothing.
@@ -179,6 +200,39 @@ results::AccuracyRow measured_row(const Study &study, int order, int refinement,
     if (order == 1 || study.unknowns(order, refinement) < of_reference)
         row.true_error = difference(study, std::move(values), reference.values);
     return row;
+}
+
+/// The same mesh with its modes followed on few shapes to the speed from all others of a sweep, as
+/// `campbell` does: the time of one speed of it. None where the form is not followed.
+std::optional<results::AccuracyRow> followed_row(const Study &study,
+                                                 const std::vector<double> &speeds,
+                                                 const results::AccuracyRow &full, int refinement,
+                                                 const Reference &reference) {
+    const auto start = std::chrono::steady_clock::now();
+    const modes::SpectrumSolver solver(study.rotor, study.form, full.order, refinement);
+    solver.follow(speeds, study.modes);
+    if (!solver.follows())
+        return std::nullopt;
+    Eigenvalues values;
+    for (const double speed : speeds) {
+        Eigenvalues here = study.eigenvalues(solver, speed);
+        if (speed == study.speed)
+            values = std::move(here);
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    results::AccuracyRow row = full;
+    row.method = "reduced";
+    row.seconds = passed.count() / static_cast<double>(speeds.size());
+    if (full.true_error)
+        row.true_error = difference(study, std::move(values), reference.values);
+    return row;
+}
+
+/// Speeds of the range, with its ends; none where it is one speed.
+std::vector<double> sweep_of(model::SpeedRange range) {
+    constexpr int most = 25; // enough for what is done once to be a small part
+    range.count = std::min(range.count, most);
+    return range.count > 1 ? range.values() : std::vector<double>();
 }
 
 Reference reference_at(const Study &study, int order, int refinement) {
@@ -238,6 +292,8 @@ void describe(results::AccuracyResult &result, const Study &study, const Referen
 } // namespace
 
 results::AccuracyResult accuracy(const model::Case &scene) {
+    constexpr int most_followed = 450; // unknowns: more would only cost a study its time
+
     if (scene.rotor.shaft.rigid)
         throw model::BadInput(fmt::format("{}: shaft.rigid: expected false for a study of the "
                                           "discretisation error, got true",
@@ -255,13 +311,22 @@ results::AccuracyResult accuracy(const model::Case &scene) {
             "meshes of more than {} unknowns are left out: with a shaft of hardly any mass each "
             "takes, in rotating axes, the eigenvalues of a full matrix",
             study.limits().row));
-    for (const auto &[order, refinement] : ladder(study)) {
+    const std::vector<double> sweep = sweep_of(range);
+    const std::vector<std::pair<int, int>> rungs = ladder(study);
+    for (std::size_t i = 0; i < rungs.size(); ++i) {
+        const auto &[order, refinement] = rungs[i];
         try {
             result.rows.push_back(measured_row(study, order, refinement, reference));
+            if (!sweep.empty() && (order == 1 || refinement == 1) &&
+                result.rows.back().unknowns <= most_followed)
+                if (auto row =
+                        followed_row(study, sweep, result.rows.back(), refinement, reference))
+                    result.rows.push_back(std::move(*row));
         } catch (const model::AnalysisFailure &failure) {
             result.model.notes.push_back(fmt::format("order {}, refinement {} left out: {}", order,
                                                      refinement, failure.what()));
         }
+        process::report_progress(static_cast<double>(i + 1) / static_cast<double>(rungs.size()));
     }
     return result;
 }

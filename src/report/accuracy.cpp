@@ -24,6 +24,7 @@ const Columns<AccuracyRow> accuracy_columns{
     {"family", "family", {"Family"}, {"family"}, &AccuracyRow::family},
     {"order", "order", {"Order"}, {"order"}, &AccuracyRow::order},
     {"elements", "elements", {"Elements"}, {"elements"}, &AccuracyRow::elements},
+    {"method", "method", {"Method"}, {"method"}, &AccuracyRow::method},
     {"unknowns", "unknowns", {"Unknowns"}, {"unknowns"}, &AccuracyRow::unknowns},
     {"seconds", "seconds [s]", {}, {}, &AccuracyRow::seconds},
     {"",
@@ -55,15 +56,23 @@ std::string text_of(const model::Case &scene, const AccuracyResult &result) {
            text_table(accuracy_columns, result.rows) + model_text(result.model);
 }
 
-/// Rows of one family and order, in the order of their unknowns.
-using Families = std::map<std::pair<std::string, int>, std::vector<AccuracyRow>>;
+/// Rows that one line joins, by its name: of one method, family and order, in the order of their
+/// unknowns. Of the followed rows those of all orders: they are on the same elements.
+using Families = std::map<std::string, std::vector<AccuracyRow>>;
+
+std::string line_name(const AccuracyRow &row) {
+    const bool classical = row.family == "classical";
+    if (row.method == "reduced")
+        return classical ? "classical, reduced" : "orders, reduced";
+    return classical ? "classical" : fmt::format("order {:2}", row.order);
+}
 
 Families families_of(const AccuracyResult &result) {
     Families families;
     for (const AccuracyRow &row : result.rows)
         if (row.true_error && *row.true_error > 0)
-            families[{row.family, row.order}].push_back(row);
-    for (auto &[family, rows] : families)
+            families[line_name(row)].push_back(row);
+    for (auto &[name, rows] : families)
         std::stable_sort(rows.begin(), rows.end(), [](const AccuracyRow &a, const AccuracyRow &b) {
             return a.unknowns < b.unknowns;
         });
@@ -73,11 +82,8 @@ Families families_of(const AccuracyResult &result) {
 std::string plots(const Families &families, int column, bool legend) {
     std::string text;
     std::size_t index = 0;
-    for (const auto &[family, rows] : families) {
+    for (const auto &[name, rows] : families) {
         const LineStyle style = series_style(index);
-        std::string name = family.first;
-        if (family.first != "classical")
-            name = fmt::format("order {}", family.second);
         text +=
             fmt::format("$f{} using {}:3 with linespoints lw 1.8 dt {} pt {} ps 1 lc rgb '{}' {}, ",
                         index, column, style.dash, style.point, style.colour,
@@ -101,7 +107,7 @@ Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result) {
         "Speed and accuracy: " + title_of(scene),
         "largest relative error of the frequencies against " + result.reference, figure.height);
     std::size_t index = 0;
-    for (const auto &[family, rows] : families) {
+    for (const auto &[name, rows] : families) {
         figure.script += fmt::format("$f{} << EOD\n", index++);
         for (const AccuracyRow &row : rows)
             figure.script +=
@@ -112,10 +118,10 @@ Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result) {
     figure.script +=
         "set logscale xy\nset format y '10^{%L}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
         "set ylabel 'True relative error'\nset xlabel 'Unknowns'\nunset key\n" +
-        panel_margins(0.075, 0.435, 0.115, 0.87) + plots(families, 1, false) +
+        panel_margins(0.075, 0.42, 0.115, 0.87) + plots(families, 1, false) +
         "unset label\nunset ylabel\nset xlabel 'Wall time (ms)'\n"
         "set key at graph 1.03,1 left top reverse Left vertical samplen 3\n" +
-        panel_margins(0.49, 0.85, 0.115, 0.87) + plots(families, 2, true) + "unset multiplot\n";
+        panel_margins(0.475, 0.82, 0.115, 0.87) + plots(families, 2, true) + "unset multiplot\n";
     return figure;
 }
 

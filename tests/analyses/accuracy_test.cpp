@@ -31,7 +31,8 @@ std::map<int, results::AccuracyRow> rows(const results::AccuracyResult &result,
                                          const std::string &family, int elements) {
     std::map<int, results::AccuracyRow> found;
     for (const results::AccuracyRow &row : result.rows)
-        if (row.family == family && (elements == 0 || row.elements == elements))
+        if (row.method == "full" && row.family == family &&
+            (elements == 0 || row.elements == elements))
             found[elements == 0 ? row.elements : row.order] = row;
     return found;
 }
@@ -67,6 +68,31 @@ TEST(Accuracy, raising_the_order_converges_exponentially) {
     EXPECT_GT(*classical.at(128).true_error, 1e4 * *by_order.at(10).true_error);
     for (const results::AccuracyRow &row : result.rows)
         EXPECT_GT(row.seconds, 0);
+}
+
+/// Followed modes are those of the whole rotor; a rotor without damping needs no following.
+TEST(Accuracy, followed_modes_have_the_error_of_the_whole_rotor) {
+    model::Case scene = shaft_on_springs();
+    for (const results::AccuracyRow &row : analyses::accuracy(scene).rows)
+        EXPECT_EQ(row.method, "full");
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows.front().c.diagonal() << 100, 200;
+    const results::AccuracyResult result = analyses::accuracy(scene);
+    int followed = 0;
+    for (std::size_t i = 1; i < result.rows.size(); ++i) {
+        const results::AccuracyRow &row = result.rows[i];
+        if (row.method != "reduced")
+            continue;
+        ++followed;
+        const results::AccuracyRow &full = result.rows[i - 1];
+        EXPECT_EQ(full.method, "full");
+        EXPECT_EQ(full.unknowns, row.unknowns);
+        EXPECT_NEAR(*row.true_error, *full.true_error, 1e-11) << row.order; // rounding of both
+    }
+    EXPECT_GT(followed, 7);
+    scene.speeds->count = 1; // nothing to follow
+    for (const results::AccuracyRow &row : analyses::accuracy(scene).rows)
+        EXPECT_EQ(row.method, "full");
 }
 
 /// The reference itself against the closed form of a pinned Timoshenko shaft.

@@ -132,7 +132,7 @@ TEST(Json, OtherResultsHaveTheirKeys) {
         EXPECT_TRUE(shown.contains(key)) << key;
 
     results::AccuracyResult accuracy;
-    accuracy.rows = {{"classical", 1, 6, 14, 1e-3, std::nullopt, 2e-4}};
+    accuracy.rows = {{"classical", 1, 6, "full", 14, 1e-3, std::nullopt, 2e-4}};
     const Json row = Json::parse(to_json(sample_case(), accuracy)).at("rows").at(0);
     EXPECT_TRUE(row.at("error_estimate").is_null());
     EXPECT_EQ(row.at("true_error"), 2e-4);
