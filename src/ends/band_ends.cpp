@@ -141,7 +141,7 @@ class CountSearch {
         return out;
     }
     void between(const Look &a, const Look &b) {
-        if (a.count == b.count)
+        if (a.count == b.count || lost_in_noise(a, b))
             return;
         if (b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
             const Look &more = b.count > a.count ? b : a;
@@ -167,6 +167,34 @@ class CountSearch {
   private:
     const MotionsAt &_at;
 
+    /// The motions that grow at one of two speeds close to each other only sank below the noise on
+    /// the way to the other, as those of balls do towards rest, with a power of the speed: beyond
+    /// an end they would die out, or have a real part of zero but for rounding.
+    [[nodiscard]] static bool lost_in_noise(const Look &a, const Look &b) {
+        constexpr double close = 0.3;       // of the speed
+        constexpr double same_order = 0.02; // a sixth power leaves 0.1
+        const Look &more = a.count > b.count ? a : b;
+        const Look &fewer = a.count > b.count ? b : a;
+        if (b.speed - a.speed > close * std::abs(more.speed) ||
+            std::abs(fewer.speed) > std::abs(more.speed))
+            return false;
+        const std::vector<double> growth = growths(more.motions);
+        const std::vector<double> left = growths(fewer.motions);
+        for (auto k = static_cast<std::size_t>(fewer.count); std::cmp_less(k, more.count); ++k)
+            if (k >= left.size() || left[k] <= same_order * growth[k])
+                return false;
+        return true;
+    }
+
+    /// Real parts, largest first, whether or not rounding could make them of zero.
+    [[nodiscard]] static std::vector<double> growths(const std::vector<Motion> &motions) {
+        std::vector<double> out;
+        for (const Motion &motion : motions)
+            out.push_back(motion.value.real());
+        std::sort(out.rbegin(), out.rend());
+        return out;
+    }
+
     /// Of those that grow the one that has just begun to.
     [[nodiscard]] static const Motion &least_growing(const std::vector<Motion> &motions) {
         const Motion *out = &motions.front();
@@ -184,9 +212,13 @@ EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds
     std::vector<double> looks = speeds;
     constexpr double beside = 1e-9;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
-        const double step = std::min(beside * std::abs(to), (to - from) / 8);
-        for (const double speed : {from - step, from + step, (from + to) / 2, to - step, to + step})
-            looks.push_back(speed);
+        looks.push_back((from + to) / 2);
+        for (const double end : {from, to}) {
+            if (end == speeds.front() || end == speeds.back())
+                continue; // a border of the range
+            const double step = std::min(beside * std::abs(end), (to - from) / 8);
+            looks.insert(looks.end(), {end - step, end + step});
+        }
     }
     std::sort(looks.begin(), looks.end());
     CountSearch search(at);
@@ -198,11 +230,11 @@ EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds
         Look now = search.look(speed);
         if (before)
             search.between(*before, now);
-        else
-            out.growing_from = now.count;
         before = std::move(now);
     }
     out.ends = std::move(search.ends);
+    if (before) // of the first speed, or of the first at which rounding does not hide it
+        out.growing_from = out.ends.empty() ? before->count : out.ends.front().growing_below;
     return out;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace whirl::forced {
@@ -26,10 +27,12 @@ std::map<int, std::string> attached_nodes(const assembly::Discretization &d) {
     const auto &mesh = d.shaft_mesh();
     nodes[0];
     nodes[static_cast<int>(mesh.nodes.size()) - 1];
+    std::set<std::pair<int, std::string>> named; // a balancer and its imbalance have one name
     const auto collect = [&](const auto &items) {
         for (const auto &item : items) {
-            std::string &name = nodes[mesh.node_at(item.z)];
-            if (!item.name.empty())
+            const int node = mesh.node_at(item.z);
+            std::string &name = nodes[node];
+            if (!item.name.empty() && named.emplace(node, item.name).second)
                 name += name.empty() ? item.name : ", " + item.name;
         }
     };

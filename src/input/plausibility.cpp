@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace whirl::input {
 
@@ -21,7 +23,7 @@ struct Usual {
     const char *example;
 };
 constexpr double no_limit = std::numeric_limits<double>::infinity(); // a shaft made rigid
-constexpr Usual of_modulus{1e8, no_limit, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
+constexpr Usual of_modulus{5e8, no_limit, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
 constexpr Usual of_density{200, 25000, "kg/m3", "steel has 7850 kg/m3, \"7.85 g/cm3\""};
 constexpr double massless = 1e-3; // kg/m3: a shaft made so
 constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a unit: \"1200 mm\""};
@@ -50,12 +52,22 @@ class Remarks {
     model::Case &_scene;
 };
 
+void check_density(double rho, Remarks &remarks) {
+    constexpr double lightest = 1.5e-9; // of metals in t/mm3
+    constexpr double heaviest = 9.5e-9;
+    if (rho > massless)
+        remarks.check("a density", rho, of_density);
+    else if (rho > lightest && rho < heaviest)
+        remarks.add(fmt::format("a density of {0:.6g} kg/m3 makes the shaft massless; with a unit, "
+                                "\"{0:.6g} t/mm3\", it is that of a metal",
+                                rho));
+}
+
 void check_shaft(const model::Shaft &shaft, Remarks &remarks) {
     remarks.check("a shaft length", shaft.length(), of_length);
     for (const model::Segment &segment : shaft.segments) {
         remarks.check("a modulus E", segment.material.E, of_modulus);
-        if (segment.material.rho > massless)
-            remarks.check("a density", segment.material.rho, of_density);
+        check_density(segment.material.rho, remarks);
         remarks.check("a shaft diameter", std::max(segment.outer_start, segment.outer_end),
                       of_diameter);
     }
@@ -86,11 +98,17 @@ double surface_speed(const model::Rotor &rotor, double speed) {
 }
 
 void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) {
-    if (!scene.speeds)
-        return;
     constexpr double fastest = 500; // m/s: where discs of steel burst
-    for (const auto &[key, speed] :
-         {std::pair{"speeds.from", scene.speeds->from}, std::pair{"speeds.to", scene.speeds->to}}) {
+    std::vector<std::pair<const char *, double>> speeds;
+    if (scene.speeds)
+        speeds = {{"speeds.from", scene.speeds->from}, {"speeds.to", scene.speeds->to}};
+    if (const auto &operation = scene.operation) {
+        speeds.insert(speeds.end(),
+                      {{"operation.from", operation->from}, {"operation.to", operation->to}});
+        if (operation->trip)
+            speeds.emplace_back("operation.trip", *operation->trip);
+    }
+    for (const auto &[key, speed] : speeds) {
         const Node *node = find_path(tree, key);
         const double surface = surface_speed(scene.rotor, std::abs(speed));
         if (node && node->is_number() && surface > fastest)

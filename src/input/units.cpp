@@ -229,6 +229,8 @@ std::optional<double> parse_quantity(std::string_view text, Quantity quantity) {
 
 std::string spaced_unit_hint(std::string_view text, Quantity quantity) {
     const auto number = leading_number(text);
+    if (number && unit_factor(number->rest, quantity))
+        return ""; // it is the number that is refused
     for (std::size_t k = 1; number && k < number->rest.size(); ++k) {
         const std::string unit =
             fmt::format("{} {}", number->rest.substr(0, k), number->rest.substr(k));

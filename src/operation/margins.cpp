@@ -41,14 +41,20 @@ std::vector<const ResponsePeak *> judged(const std::vector<ResponsePeak> &peaks)
 /// A peak without limit has none; one whose half-power points are not both known no factor.
 bool has_factor(const ResponsePeak &peak) { return std::isinf(peak.value) || peak.amplification; }
 
-/// Peak and eigenvalue of one resonance are apart by less than the width of the resonance.
-bool together(const ResponsePeak &peak, const CriticalSpeed &critical) {
+/// What is of one resonance is apart by less than the width of the resonance.
+bool within_width(double speed, std::optional<double> factor, double other_speed,
+                  std::optional<double> other_factor) {
     constexpr double rounding = 1e-3; // of sharp resonances: far narrower than they are apart
     double sharpness = 1 / rounding;
-    for (const auto &factor : {peak.amplification, critical.damping.amplification})
-        if (factor)
-            sharpness = std::min(sharpness, *factor);
-    return std::abs(std::log(peak.speed / critical.speed)) <= 1 / sharpness;
+    for (const auto &each : {factor, other_factor})
+        if (each)
+            sharpness = std::min(sharpness, *each);
+    return std::abs(std::log(speed / other_speed)) <= 1 / sharpness;
+}
+
+bool together(const ResponsePeak &peak, const CriticalSpeed &critical) {
+    return within_width(peak.speed, peak.amplification, critical.speed,
+                        critical.damping.amplification);
 }
 
 /// The critical speed that a peak belongs to, or none.
@@ -100,6 +106,35 @@ std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> 
     return out;
 }
 
+/// Peaks that belong to no critical speed, those of one resonance together: within the width of the
+/// largest of them, and of each place one, for two peaks of one curve are two resonances.
+std::vector<std::vector<const ResponsePeak *>>
+of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
+    std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak *a, const ResponsePeak *b) {
+        return a->value > b->value;
+    });
+    std::vector<std::vector<const ResponsePeak *>> out;
+    const auto distance = [](const auto &group, const ResponsePeak *peak) {
+        return std::abs(std::log(group.front()->speed / peak->speed));
+    };
+    for (const ResponsePeak *peak : peaks) {
+        std::vector<const ResponsePeak *> *nearest = nullptr;
+        for (auto &group : out) {
+            const ResponsePeak &first = *group.front();
+            if (within_width(peak->speed, peak->amplification, first.speed, first.amplification) &&
+                std::none_of(group.begin(), group.end(),
+                             [&](const auto *other) { return other->place == peak->place; }) &&
+                (!nearest || distance(group, peak) < distance(*nearest, peak)))
+                nearest = &group;
+        }
+        if (nearest != nullptr)
+            nearest->push_back(peak);
+        else
+            out.push_back({peak});
+    }
+    return out;
+}
+
 } // namespace
 
 double required_margin(std::optional<double> amplification, MarginSide side) {
@@ -143,17 +178,23 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
             if (excited.empty() || critical.speed > excited.back()->speed * (1 + one))
                 excited.push_back(&critical);
     std::vector<std::vector<const ResponsePeak *>> theirs(excited.size());
-    std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
+    std::vector<const ResponsePeak *> strays; // of no critical speed
     for (const ResponsePeak *peak : judged(peaks)) {
         if (!has_factor(*peak))
             continue;
         const CriticalSpeed *critical = nearest(*peak, excited);
         if (!critical) {
-            groups.push_back({of_peak(*peak, nullptr, operation)});
+            strays.push_back(peak);
             continue;
         }
         const auto place = std::find(excited.begin(), excited.end(), critical) - excited.begin();
         theirs[static_cast<std::size_t>(place)].push_back(peak);
+    }
+    std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
+    for (const auto &resonance : of_one_resonance_each(std::move(strays))) {
+        groups.emplace_back();
+        for (const ResponsePeak *peak : one_a_probe(resonance))
+            groups.back().push_back(of_peak(*peak, nullptr, operation));
     }
     for (std::size_t i = 0; i < excited.size(); ++i) {
         std::vector<SeparationMargin> group;

@@ -5,6 +5,7 @@
 #include "report/common/csv.h"
 #include "report/common/html.h"
 #include "report/common/table.h"
+#include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace whirl::report {
 
@@ -21,25 +23,43 @@ using Rows = std::vector<RigidLimitRow>;
 
 namespace {
 
-Json first(const RigidLimitRow &row) { return row.fe.front(); }
-Json last(const RigidLimitRow &row) { return row.fe.back(); }
+/// The rows of one column differ in what they are, so the units asked for are each row's own.
+struct RowUnit {
+    std::string name;
+    double factor = 1;
+};
+
+RowUnit unit_of(const RigidLimitRow &row) {
+    for (const auto &[unit, quantity] : {std::pair{"rad/s", "speed"}, std::pair{"m", "length"},
+                                         std::pair{"kg", "mass"}, std::pair{"kg m2", "inertia"}})
+        if (row.unit == unit)
+            return {unit_name(quantity, row.unit), written_factor(quantity).value_or(1)};
+    return {row.unit};
+}
+
+Json in_unit(const RigidLimitRow &row, std::optional<double> value) {
+    return value ? Json(*value * unit_of(row).factor) : Json();
+}
+Json closed_form(const RigidLimitRow &row) { return in_unit(row, row.closed_form); }
+Json rigid_model(const RigidLimitRow &row) { return in_unit(row, row.rigid); }
+Json first(const RigidLimitRow &row) { return in_unit(row, row.fe.front()); }
+Json last(const RigidLimitRow &row) { return in_unit(row, row.fe.back()); }
 Json first_difference(const RigidLimitRow &row) { return row.relative_difference.front(); }
 Json last_difference(const RigidLimitRow &row) { return row.relative_difference.back(); }
 
 std::string label(const RigidLimitRow &row) {
-    return row.unit.empty() ? row.quantity : fmt::format("{} ({})", row.quantity, row.unit);
+    const std::string unit = unit_of(row).name;
+    return unit.empty() ? row.quantity : fmt::format("{} ({})", row.quantity, unit);
 }
 
 /// First and last point of every row, and the rate.
 const Columns<RigidLimitRow> stiffness_columns{
     {"", "", {"Quantity"}, {}, label},
-    {"quantity", "", {}, {"quantity"}, &RigidLimitRow::quantity},
+    {"", "", {}, {"quantity"}, label},
+    {"quantity", "", {}, {}, &RigidLimitRow::quantity},
     {"unit", "", {}, {}, &RigidLimitRow::unit},
-    {"closed_form",
-     "",
-     {"closed form", "{:.10g}"},
-     {"closed form", precise},
-     &RigidLimitRow::closed_form},
+    {"", "", {"closed form", "{:.10g}"}, {"closed form", precise}, closed_form},
+    {"closed_form", "", {}, {}, &RigidLimitRow::closed_form},
     {"fe", "", {}, {}, &RigidLimitRow::fe},
     {"stiffness", "", {}, {}, &RigidLimitRow::stiffness},
     {"stiffness_factor", "", {}, {}, &RigidLimitRow::factor},
@@ -51,11 +71,13 @@ const Columns<RigidLimitRow> stiffness_columns{
     {"", "", {"difference", "{:.3g}"}, {"difference", rough}, last_difference},
     {"rate", "", {"rate", "{:.5g}"}, {"rate", "{:.4f}"}, &RigidLimitRow::rate},
     {"order", "", {}, {}, &RigidLimitRow::order},
-    {"rigid_fe", "", {"rigid model", "{:.12g}"}, {}, &RigidLimitRow::rigid}};
+    {"", "", {"rigid model", "{:.12g}"}, {}, rigid_model},
+    {"rigid_fe", "", {}, {}, &RigidLimitRow::rigid}};
 
 const Columns<RigidLimitRow> mesh_columns{
     {"", "", {"Quantity"}, {}, label},
-    {"quantity", "", {}, {"quantity"}, &RigidLimitRow::quantity},
+    {"", "", {}, {"quantity"}, label},
+    {"quantity", "", {}, {}, &RigidLimitRow::quantity},
     {"unit", "", {}, {}, &RigidLimitRow::unit},
     {"",
      "",
@@ -64,11 +86,8 @@ const Columns<RigidLimitRow> mesh_columns{
      [](const RigidLimitRow &row) {
          return row.order == 1 ? "classical" : fmt::format("order {}", row.order);
      }},
-    {"closed_form",
-     "",
-     {"closed form", "{:.10g}"},
-     {"closed form", precise},
-     &RigidLimitRow::closed_form},
+    {"", "", {"closed form", "{:.10g}"}, {"closed form", precise}, closed_form},
+    {"closed_form", "", {}, {}, &RigidLimitRow::closed_form},
     {"order", "", {}, {"order"}, &RigidLimitRow::order},
     {"fe", "", {}, {}, &RigidLimitRow::fe},
     {"elements", "", {}, {}, &RigidLimitRow::elements},
@@ -104,7 +123,7 @@ struct Point {
 
 const Columns<Point> point_columns{
     {"", "quantity", {}, {}, [](const Point &at) { return at.row.quantity; }},
-    {"", "unit", {}, {}, [](const Point &at) { return at.row.unit; }},
+    {"", "unit", {}, {}, [](const Point &at) { return unit_of(at.row).name; }},
     {"", "order", {}, {}, [](const Point &at) { return at.row.order; }},
     {"", "elements", {}, {}, &Point::elements},
     {"", "factor of E and G", {}, {}, [](const Point &at) { return at.row.factor[at.index]; }},
@@ -115,8 +134,8 @@ const Columns<Point> point_columns{
      [](const Point &at) {
          return at.row.stiffness.empty() ? Json() : Json(at.row.stiffness[at.index]);
      }},
-    {"", "closed form", {}, {}, [](const Point &at) { return at.row.closed_form; }},
-    {"", "model", {}, {}, [](const Point &at) { return at.row.fe[at.index]; }},
+    {"", "closed form", {}, {}, [](const Point &at) { return closed_form(at.row); }},
+    {"", "model", {}, {}, [](const Point &at) { return in_unit(at.row, at.row.fe[at.index]); }},
     {"",
      "relative difference",
      {},

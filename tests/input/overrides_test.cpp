@@ -90,6 +90,10 @@ TEST(Overrides, MistakesAreNamedByTheOption) {
         EXPECT_NE(message.find(start), std::string::npos) << message;
         EXPECT_EQ(message.find('\n', message.find(": ")), std::string::npos) << message;
     }
+    // The unit fits, the number does not.
+    const std::string negative = refusal(base, {"bearing[0].c=-1.5 kN s/m"});
+    EXPECT_NE(negative.find("0 or more, got \"-1.5 kN s/m\""), std::string::npos) << negative;
+    EXPECT_EQ(negative.find("did you mean"), std::string::npos) << negative;
 }
 
 } // namespace

@@ -25,6 +25,11 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> slips{
         {{"material.steel.E=211"}, "a modulus E of 211 Pa"},
         {{"material.steel.rho=7.81"}, "a density of 7.81 kg/m3"},
+        {{"material.steel.rho=7.85e-9"}, "a density of 7.85e-09 kg/m3 makes the shaft massless"},
+        {{"material.steel.E=211e6"}, "a modulus E of 2.11e+08 Pa"},
+        {{"disc=[{z = 0.5, mass = 10, Id = 0.1, Ip = 0.2}]", "operation.from=300",
+          "operation.to=11000"},
+         "operation.to = 11000 is in rad/s, 105042 rpm"},
         {{"shaft.segments[0].length=1200"}, "a shaft length of 1200 m"},
         {{"shaft.segments[0].outer=50"}, "a shaft diameter of 50 m"},
         {{"disc=[{z = 0.5, mass = 10, Id = 0.1, Ip = 0.2}]", "speeds.to=12000"},

@@ -137,6 +137,31 @@ TEST(Margins, AreThoseOfEveryProbeTheLargestReadingFirst) {
     EXPECT_NE(notes[0].find("z = 0.1 m reads at its peak, 8642.11 rpm"), std::string::npos); // 905
 }
 
+// Rotors and bearings both anisotropic have no critical speeds: what is of one resonance is seen by
+// its peaks alone.
+TEST(Margins, WithoutCriticalSpeedsPeaksOfOneResonanceAreOne) {
+    std::vector<results::ResponsePeak> peaks{
+        peak("station", 0.0, 500, 5e-6, 8),  peak("station", 0.5, 504, 3e-6, 7),
+        peak("station", 1.0, 520, 4e-6, 9),  peak("station", 0.0, 560, 6e-6, 10),
+        peak("station", 0.5, 562, 7e-6, 10), peak("station", 1.0, 2900, 1e-6, 12)};
+    const std::vector<int> places{0, 1, 2, 0, 1, 2};
+    for (std::size_t i = 0; i < peaks.size(); ++i)
+        peaks[i].place = places[i];
+    const auto of_stations = separation_margins(running, {}, peaks, true);
+    ASSERT_EQ(of_stations.size(), 3U); // two at z = 0 within each other's width are two
+    EXPECT_EQ(of_stations[0].speed, 500);
+    EXPECT_EQ(of_stations[1].speed, 562);
+    EXPECT_EQ(of_stations[2].speed, 2900);
+    for (auto &each : peaks)
+        each.of = "probe";
+    const auto of_probes = separation_margins(running, {}, peaks, true);
+    ASSERT_EQ(of_probes.size(), 6U); // each must have its margin, the one that reads most first
+    EXPECT_EQ(of_probes[0].speed, 500);
+    EXPECT_EQ(of_probes[1].speed, 520);
+    EXPECT_EQ(of_probes[2].speed, 504);
+    EXPECT_EQ(of_probes[3].speed, 562);
+}
+
 TEST(Margins, LeaveOutHeavilyDampedOnesAndBackwardWhirlThatNothingExcites) {
     const std::vector<results::CriticalSpeed> speeds{critical(300, Whirl::backward, 10),
                                                      critical(500, Whirl::forward, 2.4),

@@ -52,6 +52,27 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     EXPECT_EQ(stretches(panel, result, all).size(), 1U);
 }
 
+// In rotating axes a motion at 7 rad/s is one at speed + 7 or speed - 7 in those that stand still:
+// the step from one to the other is no line, however small it is beside the highest frequency.
+TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
+    results::CampbellResult result = sample_campbell();
+    results::CampbellMode mode = result.modes[0];
+    result.speeds = {80, 82, 84, 86, 88, 90, 92};
+    mode.frequency_rotating = {7., 7., 7., 7.1, 7., 7., 7.};
+    mode.frequency = {87., 89., 91., 78.9, 81., 83., 85.};
+    mode.whirl.assign(7, results::Whirl::forward);
+    results::CampbellMode fast = mode;
+    fast.frequency.assign(7, 7000.);
+    fast.frequency_rotating = {6920., 6918., 6916., 6914., 6912., 6910., 6908.};
+    result.modes = {mode, fast};
+    const Panel panel{"p", false, {0, 60}, {0, 20}};
+    const auto lines = stretches(panel, result, [](const auto &, std::size_t) { return true; });
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0].size(), 3U);
+    EXPECT_EQ(lines[1].size(), 4U);
+    EXPECT_EQ(lines[2].size(), 7U);
+}
+
 TEST(PlotData, NumbersOfPicturesAreWrittenAsByHand) {
     EXPECT_EQ(with_powers("2e+07 N/m | 1e+10, 1.25e-09"), "2·10⁷ N/m | 10¹⁰, 1.25·10⁻⁹");
     EXPECT_EQ(with_powers("11e+06 and 0.1e+06"), "11·10⁶ and 0.1·10⁶");

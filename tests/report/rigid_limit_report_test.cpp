@@ -1,3 +1,4 @@
+#include "report/common/units.h"
 #include "results/rigid_limit.h"
 #include "sample_results.h"
 #include "whole_report.h"
@@ -65,6 +66,29 @@ TEST_F(RigidLimitReport, CsvQuotesNamesAndLeavesMissingCellsEmpty) {
     EXPECT_NE(csv.find("\"additional speed, pinned at \"\"it's <one>\"\"\""), std::string::npos);
     EXPECT_NE(csv.find(",1,1000000,100,,,-1\n"), std::string::npos) << csv;
     EXPECT_EQ(csv.find("inf"), std::string::npos) << csv;
+}
+
+// Every row in the unit asked for of what it is, on the page, the terminal and in the table.
+TEST_F(RigidLimitReport, RowsAreInTheUnitsAskedFor) {
+    model::OutputUnits units;
+    units.of = {{"speed", {"rpm", pi / 30}}, {"mass", {"lb", 0.5}}};
+    const WrittenIn written(units);
+    results::RigidLimitResult result = sample_rigid_limit();
+    result.rows[0].quantity = "critical speed";
+    const std::string csv = to_csv(result);
+    EXPECT_NE(csv.find("critical speed,rpm"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",954.929658551"), std::string::npos) << csv; // 100 rad/s
+    EXPECT_NE(csv.find("mass,lb"), std::string::npos) << csv;
+    EXPECT_NE(csv.find(",6,6,"), std::string::npos) << csv; // 3 kg in halves
+    (void)write_report(sample_case(), result, folder);
+    for (const std::string &text :
+         {to_text(describe(sample_case(), result)), content_of(folder / "report.html")}) {
+        EXPECT_NE(text.find("critical speed (rpm)"), std::string::npos) << text;
+        EXPECT_NE(text.find("954.9296586"), std::string::npos) << text;
+        EXPECT_NE(text.find("mass (lb)"), std::string::npos) << text;
+    }
+    const auto json = nlohmann::json::parse(to_json(sample_case(), result));
+    EXPECT_EQ(json.at("rows").at(0).at("closed_form"), 100); // SI
 }
 
 TEST_F(RigidLimitReport, WritesPicturesDataAndPage) {

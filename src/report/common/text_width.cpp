@@ -58,4 +58,15 @@ double text_width(std::string_view text, double size) {
     return size * sum / 1000;
 }
 
+std::string fitting(std::string text, double size, double width) {
+    if (text_width(text, size) <= width)
+        return text;
+    while (!text.empty() && text_width(text + "…", size) > width) {
+        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
+            text.pop_back();
+        text.pop_back();
+    }
+    return text + "…";
+}
+
 } // namespace whirl::report

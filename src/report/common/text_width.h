@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace whirl::report {
@@ -10,5 +11,8 @@ namespace whirl::report {
 /// @param size  of the font, pixels
 /// @returns pixels
 [[nodiscard]] double text_width(std::string_view text, double size);
+
+/// The text, cut with dots where it is wider than so many pixels.
+[[nodiscard]] std::string fitting(std::string text, double size, double width);
 
 } // namespace whirl::report

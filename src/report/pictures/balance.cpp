@@ -1,3 +1,4 @@
+#include "report/common/text_width.h"
 #include "report/pictures/figures.h"
 
 #include "report/pictures/operation.h"
@@ -40,8 +41,9 @@ std::vector<Row> rows_of(const BalanceResult &result) {
     for (std::size_t i = 0; i < result.planes.size(); ++i) {
         const auto &plane = result.planes[i];
         const std::string name = plane.name.empty() ? "plane " + std::to_string(i + 1) : plane.name;
-        rows.push_back(
-            {name + ", z = " + readable(plane.z, 4) + " m", &plane.bands, nullptr, nullptr});
+        constexpr double most = 280; // pixels
+        rows.push_back({fitting(name, picture_font, most) + ", z = " + readable(plane.z, 4) + " m",
+                        &plane.bands, nullptr, nullptr});
     }
     if (result.planes.size() > 1)
         rows.push_back({"all planes together", &result.joint.bands, nullptr, nullptr});
@@ -248,6 +250,11 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
     const Range speeds = range_of(result.speeds);
     const Range x{speeds.low * rpm, speeds.high * rpm};
     const double split = 1 - (100 + bands_height) * pixel;
+    std::vector<std::string> names;
+    for (const Row &row : rows)
+        names.push_back(row.name);
+    constexpr double beside = 20; // of a name, pixels
+    const double left = std::max(0.19, (widest_text(names) + beside) / figure.width);
     figure.script =
         figure_head(
             "Where auto-balancers work: " + title_of(scene),
@@ -256,9 +263,9 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
             figure.height) +
         fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
                     x.low, x.high) +
-        panel_margins(0.19, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
+        panel_margins(left, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
         bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
-        panel_margins(0.19, 0.965, 70 * pixel, split - 55 * pixel) +
+        panel_margins(left, 0.965, 70 * pixel, split - 55 * pixel) +
         signature_panel(scene, result, x) + "unset multiplot\n";
     return figure;
 }

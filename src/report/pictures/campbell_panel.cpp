@@ -4,6 +4,7 @@
 #include "results/whirl.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::report {
 
@@ -18,11 +19,31 @@ std::optional<double> Panel::value(const CampbellMode &mode, std::size_t i) cons
 
 namespace {
 
+/// Steps in which the other one of the two frequencies of a motion in rotating axes is drawn. As
+/// long as it is the same one, spin speed plus or less the frequency there or the opposite of that,
+/// it changes by no more than these two do.
+std::vector<bool> other_of_two(const CampbellMode &mode, const std::vector<double> &speeds) {
+    constexpr double rounding = 1e-6;
+    std::vector<bool> out(speeds.size(), false);
+    for (std::size_t i = 0; i + 1 < speeds.size(); ++i) {
+        const auto here = entry(mode.frequency, i);
+        const auto next = entry(mode.frequency, i + 1);
+        const auto turning = entry(mode.frequency_rotating, i);
+        const auto turning_next = entry(mode.frequency_rotating, i + 1);
+        if (!here || !next || !turning || !turning_next)
+            continue;
+        const double most = speeds[i + 1] - speeds[i] + std::abs(*turning_next - *turning);
+        out[i] = std::abs(*next - *here) > (1 + rounding) * most;
+    }
+    return out;
+}
+
 /// Which steps between neighbouring speeds are no line of a motion: its frequency springs by far
 /// more than before and after. Of an anisotropic rotor a motion has two frequencies, whirl and
 /// twice the spin speed less whirl, of which the larger share is drawn; and between the given
 /// speeds two motions may have exchanged their places.
-std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double highest) {
+std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result, double highest) {
+    const std::size_t speeds = result.speeds.size();
     constexpr double seen = 0.04; // of the highest frequency
     constexpr double more = 5;
     const auto step = [&](std::size_t i) -> std::optional<double> {
@@ -32,7 +53,7 @@ std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double h
         const auto next = entry(mode.frequency, i + 1);
         return here && next ? std::optional(std::abs(*next - *here)) : std::nullopt;
     };
-    std::vector<bool> sprung(speeds, false);
+    std::vector<bool> sprung = other_of_two(mode, result.speeds);
     const auto large = [&](std::size_t i) { return step(i).value_or(0) > seen * highest; };
     for (std::size_t i = 0; i + 1 < speeds; ++i) {
         if (!large(i) || (i > 0 && large(i - 1)))
@@ -42,7 +63,7 @@ std::vector<bool> springs(const CampbellMode &mode, std::size_t speeds, double h
         const auto after = step(i + run); // one of them is missing at an end of the range
         const double usual = std::max(before.value_or(0), after.value_or(0));
         for (std::size_t k = i; (before || after) && k < i + run; ++k)
-            sprung[k] = !large(i + run) && *step(k) > more * usual;
+            sprung[k] = sprung[k] || (!large(i + run) && *step(k) > more * usual);
     }
     return sprung;
 }
@@ -63,7 +84,7 @@ stretches(const Panel &panel, const CampbellResult &result,
     std::vector<std::vector<PlotPoint>> lines;
     const double highest = highest_frequency(result);
     for (const CampbellMode &mode : result.modes) {
-        const std::vector<bool> sprung = springs(mode, result.speeds.size(), highest);
+        const std::vector<bool> sprung = springs(mode, result, highest);
         std::vector<PlotPoint> line;
         for (std::size_t i = 0; i + 1 < result.speeds.size(); ++i) {
             const auto here = panel.value(mode, i);
@@ -89,7 +110,7 @@ std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result,
     const std::size_t step = std::max<std::size_t>(1, result.speeds.size() / 10);
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
         const CampbellMode &mode = result.modes[m];
-        const std::vector<bool> sprung = springs(mode, result.speeds.size(), highest);
+        const std::vector<bool> sprung = springs(mode, result, highest);
         for (std::size_t i = 0; i < result.speeds.size() && i < mode.whirl.size(); ++i) {
             const auto value = panel.value(mode, i);
             const bool lone =

@@ -2,6 +2,7 @@
 
 #include "report/common/gnuplot.h"
 #include "report/common/text_width.h"
+#include "report/common/units.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
@@ -72,14 +73,17 @@ std::string panel_margins(double left, double right, double bottom, double top) 
                        left, right, bottom, top);
 }
 
+double widest_text(const std::vector<std::string> &texts) {
+    double widest = 0;
+    for (const std::string &text : texts)
+        widest = std::max(widest, text_width(in_written_units(text), picture_font));
+    return widest;
+}
+
 LegendedFigure beside_legend(double left, double right, int least,
                              const std::vector<std::string> &names) {
-    constexpr double font = 14;   // of the pictures (common/gnuplot.cpp)
     constexpr double sample = 62; // as gnuplot draws it: the line before a name and the gaps
-    double widest = 0;
-    for (const std::string &name : names)
-        widest = std::max(widest, text_width(name, font));
-    const double needed = right + 0.02 * (right - left) + sample + widest + 8;
+    const double needed = right + 0.02 * (right - left) + sample + widest_text(names) + 8;
     const int width = std::max(least, static_cast<int>(std::ceil(needed)));
     return {width, left / width, right / width};
 }

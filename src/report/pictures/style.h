@@ -43,6 +43,10 @@ struct PlotPoint {
 /// Margins of a panel in fractions of the figure.
 [[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
 
+constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
+/// Width of the widest of some texts as they are written, in the units asked for, pixels.
+[[nodiscard]] double widest_text(const std::vector<std::string> &texts);
+
 /// A figure whose panels have their legends at their right, `set key at graph 1.02,1 left top
 /// reverse Left samplen 3`: as wide as the longest name needs.
 struct LegendedFigure {

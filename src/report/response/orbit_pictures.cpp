@@ -61,18 +61,6 @@ std::string axis_name(const char *what) {
     return plot_text(fmt::format("{} ({})", what, deflection_unit()));
 }
 
-/// Cut where it is too long, with dots.
-std::string fitting(std::string text, double size, double width) {
-    if (text_width(text, size) <= width)
-        return text;
-    while (!text.empty() && text_width(text + "…", size) > width) {
-        while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U)
-            text.pop_back();
-        text.pop_back();
-    }
-    return text + "…";
-}
-
 PlotPoint at_angle(const Orbit &orbit, double angle) {
     return {orbit.x * std::cos(angle + orbit.x_phase) * still_micrometres,
             orbit.y * std::cos(angle + orbit.y_phase) * still_micrometres};

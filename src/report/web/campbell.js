@@ -10,12 +10,15 @@ const highest = Math.max(0, ...result.modes.flatMap(m => m.frequency.map(f => f 
 function springs(mode) {
   const step = i => i < 0 || i + 1 >= speeds.length || mode.frequency[i] === null || mode.frequency[i + 1] === null ? null
     : Math.abs(mode.frequency[i + 1] - mode.frequency[i]);
-  const large = i => step(i) > 0.04 * highest, sprung = speeds.map(() => false);
+  const turning = i => (mode.frequency_rotating || [])[i] ?? null; // of its two frequencies the other one is drawn
+  const other = i => step(i) !== null && turning(i) !== null && turning(i + 1) !== null &&
+    step(i) > (1 + 1e-6) * (result.speeds[i + 1] - result.speeds[i] + Math.abs(turning(i + 1) - turning(i)));
+  const large = i => step(i) > 0.04 * highest, sprung = speeds.map((_, i) => other(i));
   for (let i = 0; i + 1 < speeds.length; ++i) {
     if (!large(i) || large(i - 1)) continue;
     const run = large(i + 1) ? 2 : 1, before = step(i - 1), after = step(i + run);
     if (before === null && after === null) continue;
-    for (let k = i; k < i + run; ++k) sprung[k] = !large(i + run) && step(k) > 5 * Math.max(before || 0, after || 0);
+    for (let k = i; k < i + run; ++k) sprung[k] ||= !large(i + run) && step(k) > 5 * Math.max(before || 0, after || 0);
   }
   return sprung;
 }
