@@ -80,10 +80,12 @@ std::complex<double> AllMotions::fastest_growing(double speed) const {
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     bool neutral = false;
+    constexpr double none = 1e-6; // at rest, of the motions on the supports: a ball that lies still
+    const double zero = std::max(least_reach(), none * _slow);
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
         // A root that drowns in its noise altogether says nothing, but for one that may be zero.
-        const bool known = size <= least_reach() || root.noise < size;
+        const bool known = size <= zero || root.noise < size;
         neutral = neutral || (root.sign() == 0 && known && within_reach(size));
         const bool counts = root.sign() > 0 || within_reach(size);
         if (root.value.imag() < 0 || root.sign() == 0 || !counts)

@@ -160,6 +160,22 @@ TEST(OneSpeed, SaysWhetherItIsStable) {
     EXPECT_EQ(stability(driven, {}).verdict[0], results::Verdict::unstable);
 }
 
+// At rest balls without weight lie still wherever they are, however much their drag damps them.
+TEST(OneSpeed, BallsAtRestAreNeutral) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1.2, 0.08, tests::steel());
+    scene.rotor.shaft.order = 4;
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 4e6, 2e3),
+                            tests::isotropic_bearing(1.2, 5e6, 2e3)};
+    scene.rotor.balancers = {tests::ball_balancer(0.3, 2, 0.1, 0.17, 0.6, 0.012)};
+    scene.speeds = model::SpeedRange{0, 0, 1};
+    const auto alone = stability(scene, {});
+    EXPECT_EQ(alone.verdict[0], results::Verdict::neutral);
+    EXPECT_EQ(alone.growth[0], 0);
+    scene.speeds = model::SpeedRange{0, 100, 2};
+    EXPECT_EQ(stability(scene, {}).verdict[0], results::Verdict::neutral);
+}
+
 // A coarse mesh has the ends of its bands wrong by what it says, against a mesh that is converged.
 TEST(BandErrors, AreThoseOfTheMesh) {
     for (const int order : {1, 3}) {

@@ -53,6 +53,7 @@ std::vector<Drawn> drawn_of(const std::string &text) {
     for (const char *command : {"campbell", "stability", "response", "rigid-limit", "modes"})
         all.push_back({command, few});
     all.push_back({"balance", placement});
+    std::erase(placement, "--map");
     placement.insert(placement.end(), {"--units", "mm-rpm"}); // the longest names of places
     all.push_back({"balance", placement});
     if (has("\n[simulate]"))

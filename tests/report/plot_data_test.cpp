@@ -6,6 +6,7 @@
 #include "results/campbell.h"
 #include "results/modes.h"
 #include "results/response.h"
+#include "results/stability.h"
 #include "sample_results.h"
 
 #include <complex>
@@ -71,6 +72,29 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     EXPECT_EQ(lines[0].size(), 3U);
     EXPECT_EQ(lines[1].size(), 4U);
     EXPECT_EQ(lines[2].size(), 7U);
+}
+
+// Between two speeds the curve of growth leaves zero at the end of the band, not at the speed
+// before it; numbers at its axis differ from each other.
+TEST(PlotData, GrowthIsZeroAtTheEndsOfBands) {
+    results::StabilityResult result;
+    result.speeds = {0, 10, 20, 30};
+    result.growth = {-1, -1, 4, -1};
+    result.unstable = {{18 / rpm, 25 / rpm}};
+    const std::string script = stability_figure(sample_case(), result).script;
+    const std::string block = script.substr(script.find("$growth"));
+    const std::size_t begins = block.find("\n18 0\n");
+    const std::size_t ends = block.find("\n25 0\n");
+    ASSERT_NE(begins, std::string::npos) << block;
+    ASSERT_NE(ends, std::string::npos) << block;
+    EXPECT_LT(begins, ends);
+    result.growth = {-0.003351, -0.0033515, -0.003352, -0.0033525};
+    result.unstable = {};
+    EXPECT_NE(stability_figure(sample_case(), result).script.find("set format y '%.6g'"),
+              std::string::npos);
+    result.growth = {-100.00001, -100.00002, -100.00003, -100.00004};
+    EXPECT_NE(stability_figure(sample_case(), result).script.find("set format y '%.9g'"),
+              std::string::npos);
 }
 
 TEST(PlotData, NumbersOfPicturesAreWrittenAsByHand) {

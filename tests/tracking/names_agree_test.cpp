@@ -146,4 +146,33 @@ TEST(NamesAgree, in_all_commands) {
     }
 }
 
+// Bearings alike in all directions: a critical speed far beyond the range has the name that its
+// mode has in a diagram that reaches there.
+TEST(NamesAgree, beyond_the_range_too_on_isotropic_bearings) {
+    model::Case scene = rotors().front().second;
+    scene.rotor.bearings = {tests::isotropic_bearing(0, 2e7, 5e3),
+                            tests::isotropic_bearing(1, 3e7, 4e3)};
+    scene.speeds = model::SpeedRange{0, 100, 5};
+    scene.campbell.modes = 8;
+    const auto near = analyses::critical_speeds(scene).critical_speeds;
+    int beyond = 0;
+    for (const auto &critical : near) {
+        if (critical.speed < 100 || critical.damping.heavy())
+            continue;
+        model::Case far = scene;
+        far.modes.speed = critical.speed;
+        const std::complex<double> value(critical.real, critical.speed);
+        Named next{INFINITY, ""};
+        for (const auto &shape : analyses::mode_shapes(far).modes)
+            if (std::abs(shape.eigenvalue - value) < std::abs(next.value - value) &&
+                shape.whirl == critical.whirl)
+                next = {shape.eigenvalue, shape.label};
+        if (next.name.empty())
+            continue;
+        ++beyond;
+        EXPECT_EQ(critical.mode, next.name) << critical.speed;
+    }
+    EXPECT_GE(beyond, 3);
+}
+
 } // namespace

@@ -17,9 +17,11 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Lines without damping are followed far beyond the speeds of a case in no time.
+/// Lines of half the unknowns, or without damping, are followed far beyond the speeds of a case in
+/// no time.
 bool cheap_at_any_speed(results::Form form) {
-    return form == results::Form::planar || form == results::Form::hyperbolic;
+    return form == results::Form::planar || form == results::Form::planar_damped ||
+           form == results::Form::hyperbolic;
 }
 
 template <class Item> std::vector<double> speeds_of(const std::vector<Item> &items) {

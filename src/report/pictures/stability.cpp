@@ -50,11 +50,29 @@ std::string bars(const Bands &bands, double row, const char *colour) {
     return text;
 }
 
-std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
+/// Growth at the given speeds, and 0 at the ends of the bands, which are exact: between the speeds
+/// the curve leaves zero where they are.
+std::vector<PlotPoint> growth_points(const StabilityResult &result) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         points.push_back({result.speeds[i] * rpm, result.growth[i]});
-    // Ends are exact, so the curve may start and stop there even between grid speeds.
+    for (const auto &[from, to] : result.unstable)
+        for (const double end : {from, to})
+            if (end > result.speeds.front() && end < result.speeds.back())
+                points.push_back({end * rpm, 0.0});
+    std::stable_sort(points.begin(), points.end(),
+                     [](const PlotPoint &a, const PlotPoint &b) { return a.x < b.x; });
+    return points;
+}
+
+/// Digits with which numbers at an axis from one value to another differ.
+int digits_between(double low, double high) {
+    const double largest = std::max(std::abs(low), std::abs(high));
+    return std::max(6, 2 + static_cast<int>(std::ceil(std::log10(largest / (high - low)))));
+}
+
+std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
+    const std::vector<PlotPoint> points = growth_points(result);
     const bool one = result.speeds.size() == 1; // a point amid its panel
     const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
     std::string text = data_block("growth", {points}) + operation_band(scene, x);
@@ -86,6 +104,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     const double centre = flat ? low : 0; // of a growth that does not change
     const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
     text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
+    if (!flat)
+        text += fmt::format("set format y '%.{}g'\n", digits_between(low, high));
     if (flat)
         text += fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
                             std::max(0.0, centre) + reach);
@@ -96,7 +116,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
            fmt::format("plot $growth using 1:2 with {} lw 2 lc rgb '#222222' title 'growth'",
                        one ? "points pt 7" : "lines") +
            keys + operation_key(scene, x) +
-           "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n";
+           "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\nset format "
+           "y\n";
 }
 
 std::string family_panel(const model::Case &scene, const StabilityResult &result) {
