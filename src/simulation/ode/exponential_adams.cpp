@@ -19,6 +19,8 @@ constexpr std::size_t most_weights = 32;
 constexpr double error_aimed_at = 0.3;
 /// Longer steps at a stop are worth the differences that they cost.
 constexpr double worth_a_change = 1.3;
+/// From here on a fifth off the step is not enough.
+constexpr double far_too_large = 5;
 /// Steps between two looks at the neighbouring orders.
 constexpr int order_every = 3;
 
@@ -120,7 +122,7 @@ void ExponentialAdams::aim(double end) {
     const double way = end - _t;
     double wanted = _h;
     if (_factor < 1 || _factor > worth_a_change)
-        wanted *= std::clamp(_factor, 0.8, _known >= 2 * _order ? 2.0 : 1.0);
+        wanted *= std::clamp(_factor, 0.8, _known > _order + 2 ? 2.0 : 1.0);
     wanted = std::min(wanted, _reach);
     const double parts = std::ceil(way / wanted - 1e-6);
     _left = std::max(1L, static_cast<long>(std::min(parts, 1e15)));
@@ -282,18 +284,20 @@ const double *ExponentialAdams::within(double share) {
     return _between.y.data();
 }
 
-/// Half the step.
+/// A shorter step: a little, half of it where the last one has been shortened already.
 void ExponentialAdams::repeat(double error) {
     ++_counts.failed;
     if (_h < 32 * std::numeric_limits<double>::epsilon() * std::abs(_t) || _left > (1L << 60))
         throw linalg::SolverError("the steps become too short to go on");
-    if (_good < _order) // what was is no guide
+    const bool again = _good < _order; // what was is no guide
+    if (again)
         _order = (_order + 1) / 2;
     else if (std::isfinite(error) && _order > 1 && this->error(_order - 1) <= error)
         --_order;
     _good = 0;
-    _left *= 2;
-    change_step(_h / 2);
+    const double way = static_cast<double>(_left) * _h;
+    _left = again || error > far_too_large ? 2 * _left : (5 * _left + 3) / 4;
+    change_step(way / static_cast<double>(_left));
 }
 
 /// The differences with the new N; the first of the older ones becomes one more.
