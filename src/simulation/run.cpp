@@ -46,17 +46,22 @@ std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
     return rows;
 }
 
+RotorMotion moving(const MotionScene &scene) {
+    RotorMotion motion(scene.parts);
+    motion.set_dry(dry_state(motion.parts(), scene.start_angles, scene.fastest));
+    return motion;
+}
+
 } // namespace
 
 Run::Run(const model::Case &scene, const MotionScene &motion)
-    : _scene(scene), _prepared(motion), _motion(motion.parts),
+    : _scene(scene), _prepared(motion), _motion(moving(motion)),
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
       _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-      _solver(problem(), method()) {
+      _axes(axes()), _solver(problem(), method()) {
     if (!motion.stations.rows.empty())
         _stations.emplace(_motion, motion.stations.rows, scene.simulate.time, motion.fastest);
-    _motion.set_dry(dry_state(_motion.parts(), motion.start_angles, motion.fastest));
     if (_motion.dry().any())
         _dry.emplace(_motion, motion.fastest,
                      [this] { return std::make_unique<OdeSolver>(problem(), method()); });
@@ -73,9 +78,9 @@ Run::Scales Run::scales_of(const MotionScene &motion) {
 
 /// The error allowed in each unknown: the tolerance times the size of its kind.
 void Run::allowed_error(const double *state, double *allowed) const {
-    // Fast shapes gather the errors of the implicit method, in which their speed does not shorten
-    // the steps.
-    const double tolerance = _scene.simulate.tolerance * (_stiff ? 0.01 : 1);
+    // Fast shapes gather the errors of the methods in which their speed does not shorten the steps.
+    const bool strides = method() != OdeMethod::explicit_high_order;
+    const double tolerance = _scene.simulate.tolerance * (strides ? 0.01 : 1);
     const int n = _motion.coordinates();
     const int shapes = _motion.first_angle();
     // Of all shapes the same energy may be wrong: that of a fast one moves the balls as much as
@@ -104,7 +109,7 @@ void Run::allowed_error(const double *state, double *allowed) const {
 OdeProblem Run::problem() {
     return {_motion.size(),
             [this](double t, const double *y, double *rates) { _motion.rates(t, y, rates); },
-            [this](const double *y, double *allowed) { allowed_error(y, allowed); }, axes()};
+            [this](const double *y, double *allowed) { allowed_error(y, allowed); }, _axes};
 }
 
 /// Those of the rotor, where all that acts goes round with it: imbalances, and balls that rest in
@@ -115,7 +120,12 @@ TurningAxes Run::axes() const {
     if (_stiff || parts.motor || !parts.spin.constant() || !parts.excitation.none() ||
         _scene.simulate.gravity != 0 || !_scene.rotor.bearings_isotropic())
         return {};
-    return {parts.spin.at(0, 0).speed, parts.rotor.size(), {0, _motion.coordinates()}};
+    const double speed = parts.spin.at(0, 0).speed;
+    TurningAxes axes{speed, parts.rotor.size(), {0, _motion.coordinates()}};
+    // Peaks at stations are sought within steps that follow the turning of the fixed axes.
+    if (!_motion.dry().any() && _prepared.stations.rows.empty())
+        axes.linear = rotor_alone(parts.rotor, speed).value_or(LinearMotion{});
+    return axes;
 }
 
 /// All at rest in the rotor, the free masses at their angles; or the rotor in its steady motion.
@@ -197,11 +207,24 @@ void Run::step(double stop) {
     }
 }
 
+/// What is recorded after every step, where a step may last longer than half a radian of a turn.
+void Run::look_within(double from) {
+    if (method() != OdeMethod::exponential)
+        return;
+    const int parts = static_cast<int>(std::ceil(2 * _scales.speed * (_t - from)));
+    for (int i = 1; i < parts; ++i) {
+        const double share = static_cast<double>(i) / parts;
+        _recorder.step(from + share * (_t - from), _solver.within(share));
+    }
+}
+
 bool Run::reach(double stop) {
     while (_t < stop) {
         if (process::take_interruption())
             return false;
+        const double from = _t;
         step(stop);
+        look_within(from);
         _recorder.step(_t, _solver.state());
         if (_stations)
             _stations->step(_t, _solver.state());
@@ -273,8 +296,10 @@ void Run::fill(results::SimulateResult &result) {
         _motion.parts().motor ? state[2 * _motion.coordinates()] : _motion.parts().spin.turned(_t);
     result.revolutions = turned / (2 * std::numbers::pi);
     result.series = _recorder.series();
-    result.integrator = _stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
-                               : "explicit Runge-Kutta, order 8";
+    result.integrator =
+        method() == OdeMethod::implicit_stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
+        : method() == OdeMethod::exponential  ? "Adams over the rotor's own motions, order up to 13"
+                                              : "explicit Runge-Kutta, order 8";
     const OdeCounts counts = _solver.counts();
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;

@@ -5,7 +5,7 @@
 #include "results/simulate.h"
 #include "simulation/dry/dry_events.h"
 #include "simulation/equations.h"
-#include "simulation/ode_solver.h"
+#include "simulation/ode/ode_solver.h"
 #include "simulation/recorder.h"
 #include "simulation/stations/station_recorder.h"
 
@@ -42,6 +42,7 @@ class Run {
     std::optional<StationRecorder> _stations; ///< without balancers
     Scales _scales;
     bool _stiff;
+    TurningAxes _axes;
     OdeSolver _solver;
     std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
@@ -53,7 +54,9 @@ class Run {
     [[nodiscard]] OdeProblem problem();
     [[nodiscard]] TurningAxes axes() const;
     [[nodiscard]] OdeMethod method() const {
-        return _stiff ? OdeMethod::implicit_stiff : OdeMethod::explicit_high_order;
+        return _stiff                 ? OdeMethod::implicit_stiff
+               : _axes.linear.empty() ? OdeMethod::explicit_high_order
+                                      : OdeMethod::exponential;
     }
     [[nodiscard]] Eigen::VectorXd first_state() const;
     [[nodiscard]] std::vector<double> stops() const;
@@ -61,6 +64,7 @@ class Run {
     void pass_jump(double time);
     bool reach(double stop);
     void step(double stop);
+    void look_within(double from);
     void fill_audit(results::SimulateResult &result) const;
     void fill_stations(results::SimulateResult &result);
     [[nodiscard]] results::PeakInTime refined(std::size_t station, const PeakCandidate &candidate);

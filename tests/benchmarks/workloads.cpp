@@ -1,5 +1,6 @@
 #include "benchmarks/workloads.h"
 
+#include "analyses/balance.h"
 #include "analyses/campbell.h"
 #include "analyses/critical.h"
 #include "analyses/response.h"
@@ -171,6 +172,11 @@ void add_others(std::vector<Workload> &list, const std::string &folder) {
                         three_discs(folder, {}), +[](const model::Case &scene) {
                             return analyses::critical_speeds(scene);
                         })});
+    list.push_back({.name = "balance_extractor",
+                    .what = "balance of extractor_two_plane: all tiers; 16 motions in time",
+                    .run = on(
+                        Scene(folder + "/extractor_two_plane", {}),
+                        +[](const model::Case &scene) { return analyses::balance(scene, {}); })});
     constexpr int count = 6;
     const std::string samples = fmt::format(
         R"(samples={{count = {}, of = ["critical", "peaks"], vary = [)"

@@ -1,7 +1,8 @@
-#include "simulation/ode_solver.h"
+#include "simulation/ode/ode_solver.h"
 
 #include "linalg/check.h"
-#include "simulation/runge_kutta.h"
+#include "simulation/ode/exponential_adams.h"
+#include "simulation/ode/runge_kutta.h"
 
 #include <arkode/arkode_arkstep.h>
 #include <nvector/nvector_serial.h>
@@ -102,6 +103,7 @@ struct OdeSolver::Data {
     Handle<SUNMatrix, FreeMatrix> jacobian;
     Handle<SUNLinearSolver, FreeSolver> linear;
     std::unique_ptr<void, FreeStepper> stepper;
+    std::unique_ptr<ExponentialAdams> adams; ///< in place of all these
     double t = 0;
     OdeCounts before;            ///< of what ran before the last start
     std::vector<double> resting; ///< y in axes that stand still, where those of `y` turn
@@ -122,20 +124,22 @@ struct OdeSolver::Data {
         }
     }
 
-    /// dy/dt; in turning axes exp(-i angle) dy/dt - i speed y, by y in resting axes.
-    void rates_in_axes(double at, const double *y, double *out) {
+    [[nodiscard]] const double *in_resting_axes(const double *y, double at) {
+        if (!turns())
+            return y;
+        std::copy(y, y + problem.size, resting.begin());
+        turn(std::cos(problem.axes.speed * at), std::sin(problem.axes.speed * at), resting.data());
+        return resting.data();
+    }
+
+    /// dy/dt; in turning axes less i speed y, for these turn away.
+    void rates_in_axes(double at, const double *y, double *out) const {
         if (!turns()) {
             problem.rates(at, y, out);
             return;
         }
         const TurningAxes &axes = problem.axes;
-        const double angle = axes.speed * at;
-        const double cosine = std::cos(angle);
-        const double sine = std::sin(angle);
-        std::copy(y, y + problem.size, resting.begin());
-        turn(cosine, sine, resting.data());
-        problem.rates(at, resting.data(), out);
-        turn(cosine, -sine, out);
+        problem.rates(0, y, out);
         for (const int first : axes.first)
             for (int i = first; i < first + axes.count; ++i) {
                 out[i] += axes.speed * y[i + axes.count];
@@ -206,6 +210,10 @@ OdeSolver::OdeSolver(OdeProblem problem, OdeMethod method) : _data(std::make_uni
     d.problem = std::move(problem);
     d.method = method;
     d.resting.resize(d.problem.size);
+    if (method == OdeMethod::exponential) {
+        d.adams = std::make_unique<ExponentialAdams>(d.problem);
+        return;
+    }
     SUNContext context = nullptr;
     if (SUNContext_Create(nullptr, &context) != 0)
         throw linalg::SolverError("SUNDIALS: cannot start");
@@ -223,11 +231,16 @@ OdeSolver::~OdeSolver() = default;
 void OdeSolver::start(double t, const double *y, double step) {
     Data &d = *_data;
     d.before = counts();
-    std::copy(y, y + d.problem.size, N_VGetArrayPointer(d.y.get()));
+    double *own = d.y ? N_VGetArrayPointer(d.y.get()) : d.resting.data();
+    std::copy(y, y + d.problem.size, own);
     const double angle = d.problem.axes.speed * t;
     if (d.turns())
-        d.turn(std::cos(angle), -std::sin(angle), N_VGetArrayPointer(d.y.get()));
+        d.turn(std::cos(angle), -std::sin(angle), own);
     d.t = t;
+    if (d.adams) {
+        d.adams->start(t, own);
+        return;
+    }
     d.create();
     if (step > 0)
         require(ARKStepSetInitStep(d.stepper.get(), step));
@@ -235,6 +248,8 @@ void OdeSolver::start(double t, const double *y, double step) {
 
 double OdeSolver::step(double end) {
     Data &d = *_data;
+    if (d.adams)
+        return d.t = d.adams->step(end);
     require(ARKStepSetStopTime(d.stepper.get(), end));
     require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP));
     double last = 0;
@@ -246,6 +261,8 @@ double OdeSolver::step(double end) {
 }
 
 double OdeSolver::next_step() const {
+    if (_data->adams)
+        return _data->adams->next_step();
     double step = 0;
     require(ARKStepGetCurrentStep(_data->stepper.get(), &step));
     return step;
@@ -253,16 +270,17 @@ double OdeSolver::next_step() const {
 
 const double *OdeSolver::state() const {
     Data &d = *_data;
-    const double *y = N_VGetArrayPointer(d.y.get());
-    if (!d.turns())
-        return y;
-    std::copy(y, y + d.problem.size, d.resting.begin());
-    const double angle = d.problem.axes.speed * d.t;
-    d.turn(std::cos(angle), std::sin(angle), d.resting.data());
-    return d.resting.data();
+    return d.in_resting_axes(d.adams ? d.adams->state() : N_VGetArrayPointer(d.y.get()), d.t);
+}
+
+const double *OdeSolver::within(double share) const {
+    ExponentialAdams &adams = *_data->adams;
+    return _data->in_resting_axes(adams.within(share), _data->t - (1 - share) * adams.last_step());
 }
 
 OdeCounts OdeSolver::counts() const {
+    if (_data->adams)
+        return _data->adams->counts();
     OdeCounts total = _data->before;
     if (!_data->stepper)
         return total;
