@@ -19,8 +19,7 @@ struct FollowedSpeed {
     [[nodiscard]] int within(double radius) const;
 };
 
-/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it: its
-/// coordinates where these are known, else its vector.
+/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it.
 /// @param known  by speed, at least one
 [[nodiscard]] SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed,
                                   std::size_t i);
@@ -36,6 +35,13 @@ struct FollowedSpeed {
 [[nodiscard]] std::optional<std::vector<SymmetricPair>>
 pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
            int slowest);
+
+/// The same of guesses that may be mixed where eigenvalues nearly meet.
+/// @param nearest  each pair at the nearest speed known; `mixed` are those that have turned far
+///                 from it
+[[nodiscard]] std::optional<std::vector<SymmetricPair>>
+pairs_of_guesses(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
+                 const std::vector<const SymmetricPair *> &nearest, int slowest);
 
 /// The eigenpair nearest a real number, of two conjugates the upper one.
 [[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,
