@@ -82,7 +82,8 @@ class SymmetricFactor {
     void analyse();
 };
 
-/// b^H A^-1 b with a real symmetric positive definite A, from its factors.
+/// Factors of a real symmetric positive definite matrix, as one lane of RealEnergies
+/// (lanes/symmetric_factors.h).
 class RealEnergy {
   public:
     explicit RealEnergy(const SymmetricFactor &factors);

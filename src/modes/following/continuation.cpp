@@ -89,10 +89,11 @@ std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
     std::vector<const SymmetricPair *> neighbours;
     std::vector<bool> solved;
     for (std::size_t i = 0; i < run.places.size(); ++i) {
+        Guess guessed = guess(run.at, speed, i);
         out.pairs.push_back(before != run.before.end() && run.places[i]
                                 ? before->second.pairs[*run.places[i]]
-                                : guess(run.at, speed, i));
-        neighbours.push_back(&nearest(run.at, speed, i));
+                                : std::move(guessed.pair));
+        neighbours.push_back(guessed.nearest);
         solved.push_back(out.pairs.back().solved);
     }
     std::optional<std::vector<SymmetricPair>> pairs =

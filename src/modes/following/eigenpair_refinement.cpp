@@ -42,12 +42,13 @@ void EigenpairRefinement::multiply() {
             linalg::add_product(_xDx, _x[k], _of.D[k]);
             linalg::add_product(_xKx, _x[k], _of.K[k]);
             linalg::add_product(_xD1x, _x[k], _of.D1[k]);
-            linalg::add_product(_xK1x, _x[k], _of.K1[k]);
         }
+        for (std::size_t k = 0; k < _of.K1.size(); ++k)
+            linalg::add_product(_xK1x, _x[k], _of.K1[k]);
     });
     for (int lane = 0; lane < linalg::lanes; ++lane)
-        _value.set(lane, nearest_root(_xMx.at(lane), _xDx.at(lane), _xKx.at(lane),
-                                      _value.at(lane)));
+        _value.set(lane,
+                   nearest_root(_xMx.at(lane), _xDx.at(lane), _xKx.at(lane), _value.at(lane)));
 }
 
 /// Values and errors of the pairs in the lanes.
@@ -124,30 +125,30 @@ void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
     pair.solved = false;
 }
 
-/// Of up to four pairs, from the first of the tasks on, that are not good enough yet.
+/// Of the pairs in the lanes those that are not good enough yet.
 bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t first) {
     constexpr int most_steps = 8;
-    const std::size_t end = std::min(first + linalg::lanes, tasks.size());
-    std::vector<Task> open(tasks.begin() + static_cast<std::ptrdiff_t>(first),
-                           tasks.begin() + static_cast<std::ptrdiff_t>(end));
-    std::vector<bool> done(open.size(), false);
-    load(open, 0);
+    const std::size_t count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
+    std::vector<SymmetricPair> now(count);
+    std::vector<Task> open;
+    std::vector<bool> done;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Task &task = tasks[first + i];
+        open.push_back({&now[i], task.distance, task.enough});
+        done.push_back(task.pair->error <= task.enough);
+    }
     for (int step = 1; step <= most_steps; ++step) {
         inverse_step();
-        std::vector<SymmetricPair> now(open.size());
-        std::vector<Task> assessed = open;
-        for (std::size_t i = 0; i < open.size(); ++i)
-            assessed[i].pair = &now[i];
-        settle(assessed, 0);
-        for (std::size_t i = 0; i < open.size(); ++i) {
+        settle(open, 0);
+        for (std::size_t i = 0; i < count; ++i) {
             if (done[i])
                 continue;
-            SymmetricPair &pair = *open[i].pair;
+            SymmetricPair &pair = *tasks[first + i].pair;
             const double last = std::exchange(pair.error, now[i].error);
             const double settled = std::max(open[i].enough, 1e-13);
-            const bool rounding = pair.error <= settled && pair.error > 0.1 * last;
-            if (!(pair.error <= open[i].enough) && !rounding &&
-                !(step == most_steps && pair.error <= settled))
+            const bool rounding =
+                pair.error <= settled && (pair.error > 0.1 * last || step == most_steps);
+            if (!(pair.error <= open[i].enough) && !rounding)
                 continue;
             pair.value = now[i].value;
             pair.vector = linalg::vector_of(_x, static_cast<int>(i));
@@ -162,10 +163,11 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
 }
 
 bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
-    std::vector<Task> open;
+    std::vector<Task> rest; // taken together with others
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);
         settle(tasks, first);
+        std::vector<Task> open;
         for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
             tasks[i].pair->solved = false;
             if (tasks[i].pair->error <= tasks[i].enough)
@@ -173,10 +175,16 @@ bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
             else
                 open.push_back(tasks[i]);
         }
-    }
-    for (std::size_t first = 0; first < open.size(); first += linalg::lanes)
-        if (!iterate(open, first))
+        if (open.size() <= linalg::lanes / 2)
+            rest.insert(rest.end(), open.begin(), open.end());
+        else if (!iterate(tasks, first))
             return false;
+    }
+    for (std::size_t first = 0; first < rest.size(); first += linalg::lanes) {
+        load(rest, first);
+        if (!iterate(rest, first))
+            return false;
+    }
     return true;
 }
 

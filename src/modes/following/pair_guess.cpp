@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace whirl::modes {
@@ -93,43 +94,52 @@ std::vector<double> best_factors(const Points &points, double speed, std::size_t
 
 /// a^H b
 Complex dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
-    double re = 0;
-    double im = 0;
+    linalg::Real4 along{};
+    linalg::Real4 across{}; // real times imaginary parts and the other way round, in turn
+    const auto *x = reinterpret_cast<const double *>(a.data());
+    const auto *y = reinterpret_cast<const double *>(b.data());
+    const Eigen::Index whole = 2 * a.size() / linalg::lanes * linalg::lanes;
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const auto *x = reinterpret_cast<const double *>(a.data());
-        const auto *y = reinterpret_cast<const double *>(b.data());
-        linalg::Real4 along{};
-        linalg::Real4 across{};
-        const Eigen::Index whole = 2 * a.size() / linalg::lanes * linalg::lanes;
+        linalg::Real4 one{};
+        linalg::Real4 other{};
         for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
-            const linalg::Real4 p{x[k], x[k + 1], x[k + 2], x[k + 3]};
-            const linalg::Real4 q{y[k], y[k + 1], y[k + 2], y[k + 3]};
-            const linalg::Real4 turned{q[1], -q[0], q[3], -q[2]};
-            along += p * q;
-            across += p * turned;
+            linalg::Real4 p;
+            linalg::Real4 q;
+            std::memcpy(&p, x + k, sizeof p);
+            std::memcpy(&q, y + k, sizeof q);
+            one += p * q;
+            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
         }
-        for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
-            along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
-            across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
-        }
-        re = along[0] + along[1] + along[2] + along[3];
-        im = across[0] + across[1] + across[2] + across[3];
+        along = one;
+        across = other;
     });
-    return {re, im};
+    for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
+        along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
+        across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
+    }
+    return {along[0] + along[1] + along[2] + along[3],
+            across[0] - across[1] + across[2] - across[3]};
 }
 
 /// y += f x
 void add_multiple(Complex f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
+    const auto *in = reinterpret_cast<const double *>(x.data());
+    auto *out = reinterpret_cast<double *>(y.data());
+    const Eigen::Index whole = 2 * x.size() / linalg::lanes * linalg::lanes;
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const double re = f.real();
-        const double im = f.imag();
-        const auto *in = reinterpret_cast<const double *>(x.data());
-        auto *__restrict out = reinterpret_cast<double *>(y.data());
-        for (Eigen::Index k = 0; k < 2 * x.size(); k += 2) {
-            out[k] += re * in[k] - im * in[k + 1];
-            out[k + 1] += re * in[k + 1] + im * in[k];
+        const linalg::Real4 re{f.real(), f.real(), f.real(), f.real()};
+        const linalg::Real4 im{-f.imag(), f.imag(), -f.imag(), f.imag()};
+        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
+            linalg::Real4 p;
+            linalg::Real4 to;
+            std::memcpy(&p, in + k, sizeof p);
+            std::memcpy(&to, out + k, sizeof to);
+            to += re * p + im * __builtin_shufflevector(p, p, 1, 0, 3, 2);
+            std::memcpy(out + k, &to, sizeof to);
         }
     });
+    for (Eigen::Index k = whole / 2; k < x.size(); ++k)
+        y(k) += f * x(k);
 }
 
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
@@ -202,14 +212,15 @@ int FollowedSpeed::within(double size) const {
     }));
 }
 
-SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
+Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
     const Points points = points_near(known, speed, i);
     const SymmetricPair &nearest = points.front()->pairs[i];
-    SymmetricPair out;
+    Guess found{{}, &nearest};
+    SymmetricPair &out = found.pair;
     if (points.size() == 1) {
         out.value = nearest.value + nearest.rate * (speed - points.front()->speed);
         out.vector = nearest.vector;
-        return out;
+        return found;
     }
     const std::vector<double> factors = best_factors(points, speed, i);
     const double length = nearest.vector.squaredNorm();
@@ -222,12 +233,7 @@ SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, 
             add_multiple(factors[k] * length / dot(nearest.vector, pair.vector), pair.vector,
                          out.vector);
     }
-    return out;
-}
-
-const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known, double speed,
-                             std::size_t i) {
-    return points_near(known, speed, i).front()->pairs[i];
+    return found;
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {

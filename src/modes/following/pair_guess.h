@@ -19,14 +19,15 @@ struct FollowedSpeed {
     [[nodiscard]] int within(double radius) const;
 };
 
+struct Guess {
+    SymmetricPair pair;           ///< value and vector
+    const SymmetricPair *nearest; ///< the pair at the speed nearest to it among those it is made of
+};
+
 /// One of the pairs at a speed by a polynomial through those of the speeds nearest to it.
 /// @param known  by speed, at least one
-[[nodiscard]] SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed,
-                                  std::size_t i);
-
-/// One of the pairs at the speed nearest to one among those that make guesses.
-[[nodiscard]] const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known,
-                                           double speed, std::size_t i);
+[[nodiscard]] Guess guess(const std::map<double, FollowedSpeed> &known, double speed,
+                          std::size_t i);
 
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real

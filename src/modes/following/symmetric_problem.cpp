@@ -69,12 +69,43 @@ std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
             planes[3].within, planes[3].across, planes[4].across};
 }
 
-/// Where what a part makes of a vector goes to, times i or not.
-struct Term {
-    SymmetricProblem::Part part;
-    linalg::Vector4 *out;
-    bool turned;
-};
+/// A row of a real matrix times a vector.
+template <class Rows>
+WHIRL_INLINED void row_times(const Rows &A, std::size_t r, const linalg::Vector4 &x,
+                             linalg::Complex4 &sum) {
+    const linalg::Complex4 *in = x.data();
+    const int *columns = A.column.data();
+    const double *values = A.value.data();
+    const int last = A.start[r + 1];
+    for (int p = A.start[r]; p < last; ++p) {
+        sum.re += values[p] * in[columns[p]].re;
+        sum.im += values[p] * in[columns[p]].im;
+    }
+}
+
+template <class Rows>
+WHIRL_INLINED void set_rows(const Rows &A, const linalg::Vector4 &x, linalg::Vector4 &out) {
+    if (A.row.size() < out.size())
+        std::fill(out.begin(), out.end(), linalg::Complex4{});
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        linalg::Complex4 sum{};
+        row_times(A, r, x, sum);
+        out[static_cast<std::size_t>(A.row[r])] = sum;
+    }
+}
+
+/// @param turned  times i
+template <class Rows>
+WHIRL_INLINED void add_rows(const Rows &A, const linalg::Vector4 &x, bool turned,
+                            linalg::Vector4 &out) {
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        linalg::Complex4 sum{};
+        row_times(A, r, x, sum);
+        linalg::Complex4 &to = out[static_cast<std::size_t>(A.row[r])];
+        to.re += turned ? -sum.im : sum.re;
+        to.im += turned ? sum.re : sum.im;
+    }
+}
 
 struct Factor {
     SymmetricProblem::Part part;
@@ -122,6 +153,12 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
         for (std::size_t p = 0; p < rows.place.size(); ++p)
             if (const int entry = entries[static_cast<std::size_t>(rows.place[p])]; entry >= 0)
                 rows.triangle.emplace_back(entry, rows.value[p]);
+    _everywhere.resize(_entries.size());
+    for (const auto &[part, of] :
+         {std::pair(mass, &Everywhere::M), std::pair(gyroscopic, &Everywhere::G),
+          std::pair(stiffness, &Everywhere::K)})
+        for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle)
+            _everywhere[static_cast<std::size_t>(entry)].*of = value;
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
@@ -197,34 +234,30 @@ Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vect
 }
 
 void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products &out) const {
-    for (linalg::Vector4 *y : {&out.M, &out.D, &out.K, &out.D1, &out.K1})
-        y->assign(x.size(), linalg::Complex4{});
+    const auto rows = [this](Part part) -> const Rows & {
+        return _parts[static_cast<std::size_t>(part)];
+    };
+    for (linalg::Vector4 *y : {&out.M, &out.D, &out.K, &out.D1})
+        y->resize(x.size());
+    out.K1.resize(rows(circulatory).row.empty() ? 0 : x.size());
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const linalg::Complex4 *in = x.data();
-        for (const auto &[part, y, turned] :
-             {Term{mass, &out.M, false}, Term{damping, &out.D, false},
-              Term{damping_turned, &out.D, true}, Term{gyroscopic, &out.D1, true},
-              Term{stiffness, &out.K, false}, Term{stiffness_turned, &out.K, true},
-              Term{circulatory, &out.K1, true}}) {
-            const Rows &A = _parts[static_cast<std::size_t>(part)];
-            const int *columns = A.column.data();
-            const double *values = A.value.data();
-            for (std::size_t r = 0; r < A.row.size(); ++r) {
-                linalg::Complex4 sum{};
-                for (int p = A.start[r]; p < A.start[r + 1]; ++p) {
-                    sum.re += values[p] * in[columns[p]].re;
-                    sum.im += values[p] * in[columns[p]].im;
-                }
-                linalg::Complex4 &to = (*y)[static_cast<std::size_t>(A.row[r])];
-                to.re += turned ? -sum.im : sum.re;
-                to.im += turned ? sum.re : sum.im;
-            }
-        }
+        set_rows(rows(mass), x, out.M);
+        set_rows(rows(stiffness), x, out.K);
+        add_rows(rows(stiffness_turned), x, true, out.K);
+        set_rows(rows(gyroscopic), x, out.D1);
         for (std::size_t k = 0; k < x.size(); ++k) {
-            out.D[k].re += speed * out.D1[k].re;
-            out.D[k].im += speed * out.D1[k].im;
-            out.K[k].re += speed * out.K1[k].re;
-            out.K[k].im += speed * out.K1[k].im;
+            out.D1[k] = {-out.D1[k].im, out.D1[k].re};
+            out.D[k] = {speed * out.D1[k].re, speed * out.D1[k].im};
+        }
+        add_rows(rows(damping), x, false, out.D);
+        add_rows(rows(damping_turned), x, true, out.D);
+        if (!out.K1.empty()) {
+            set_rows(rows(circulatory), x, out.K1);
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                out.K1[k] = {-out.K1[k].im, out.K1[k].re};
+                out.K[k].re += speed * out.K1[k].re;
+                out.K[k].im += speed * out.K1[k].im;
+            }
         }
     });
 }
@@ -249,14 +282,17 @@ bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4
         linalg::Complex4 square;
         linalg::set_product(square, l, l);
         const linalg::Complex4 l_turned{-l.im, l.re};
+        const linalg::Complex4 turning{l_turned.re * speed, l_turned.im * speed};
+        for (std::size_t entry = 0; entry < _entries.size(); ++entry) {
+            const Everywhere &of = _everywhere[entry];
+            linalg::Complex4 &Q = _entries[entry];
+            Q.re = of.M * square.re + of.G * turning.re + of.K;
+            Q.im = of.M * square.im + of.G * turning.im;
+        }
         const linalg::Real4 none{};
-        const linalg::Real4 one = none + 1;
-        std::fill(_entries.begin(), _entries.end(), linalg::Complex4{});
         for (const auto &[part, factor] :
-             {Factor{mass, square}, Factor{damping, l}, Factor{damping_turned, l_turned},
-              Factor{gyroscopic, {l_turned.re * speed, l_turned.im * speed}},
-              Factor{stiffness, {one, none}}, Factor{stiffness_turned, {none, one}},
-              Factor{circulatory, {none, speed}}})
+             {Factor{damping, l}, Factor{damping_turned, l_turned},
+              Factor{stiffness_turned, {none, none + 1}}, Factor{circulatory, {none, speed}}})
             for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle) {
                 linalg::Complex4 &to = _entries[static_cast<std::size_t>(entry)];
                 to.re += value * factor.re;

@@ -80,6 +80,10 @@ class SymmetricProblem {
         /// One triangle for the factors: places among their entries, and values.
         std::vector<std::pair<int, double>> triangle;
     };
+    /// What every element has, at an entry of the factors.
+    struct Everywhere {
+        double M = 0, G = 0, K = 0;
+    };
     int _size = 0;
     results::Form _form = results::Form::general;
     std::vector<Rows> _parts;
@@ -89,6 +93,7 @@ class SymmetricProblem {
     mutable linalg::SymmetricFactor::Sparse _Q;
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor; ///< of real matrices
     mutable std::unique_ptr<linalg::SymmetricFactors> _factors;
+    std::vector<Everywhere> _everywhere;
     mutable linalg::Vector4 _entries; ///< of four Q
     using Exponents = std::array<int, linalg::lanes>;
     mutable std::map<int, linalg::RealEnergy> _energy; ///< by the exponent of two
