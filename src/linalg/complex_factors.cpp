@@ -200,28 +200,11 @@ Eigen::VectorXcd SymmetricFactor::solve(const Eigen::VectorXcd &b) const {
 }
 
 RealEnergy::RealEnergy(const SymmetricFactor &factors)
-    : _order(factors._order), _start(factors._start), _rows(factors._rows),
-      _work(factors._order.size()) {
+    : _order(factors._order), _start(factors._start), _rows(factors._rows) {
     for (const std::complex<double> &entry : factors._L)
         _L.push_back(entry.real());
     for (const std::complex<double> &inverse : factors._inverse)
         _inverse.push_back(inverse.real());
-}
-
-/// With A = L D L^T it is the sum of |L^-1 b|^2 / D.
-double RealEnergy::operator()(const Eigen::VectorXcd &b) const {
-    const std::size_t n = _order.size();
-    for (std::size_t k = 0; k < n; ++k)
-        _work[k] = b(_order[k]);
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::complex<double> value = _work[k];
-        sum += _inverse[k] * (value.real() * value.real() + value.imag() * value.imag());
-        for (auto p = static_cast<std::size_t>(_start[k]);
-             p < static_cast<std::size_t>(_start[k + 1]); ++p)
-            _work[static_cast<std::size_t>(_rows[p])] -= _L[p] * value;
-    }
-    return sum;
 }
 
 double SymmetricFactor::determinant_phase() const {

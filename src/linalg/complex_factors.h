@@ -62,6 +62,7 @@ class SymmetricFactor {
 
   private:
     friend class RealEnergy;
+    friend class SymmetricFactors;
     using Complex = std::complex<double>;
     /// An entry of the upper triangle in the order of elimination, and its place in the matrix.
     struct Entry {
@@ -81,17 +82,16 @@ class SymmetricFactor {
     void analyse();
 };
 
-/// b^H A^-1 b with a real symmetric positive definite A, from its factors.
+/// Factors of a real symmetric positive definite matrix, as one lane of RealEnergies
+/// (lanes/symmetric_factors.h).
 class RealEnergy {
   public:
     explicit RealEnergy(const SymmetricFactor &factors);
 
-    [[nodiscard]] double operator()(const Eigen::VectorXcd &b) const;
-
   private:
+    friend class RealEnergies;
     std::vector<int> _order, _start, _rows;
     std::vector<double> _L, _inverse;
-    mutable std::vector<std::complex<double>> _work;
 };
 
 } // namespace whirl::linalg

@@ -45,16 +45,14 @@ std::vector<double> kinks(const model::Rotor &rotor) {
 Stations::Stations(const assembly::Discretization &d, int per_span) {
     const auto &mesh = d.shaft_mesh();
     for (std::size_t span = 0; span < mesh.spans.size(); ++span) {
-        _z.push_back(mesh.nodes[span]);
-        _rows.push_back(d.deflection_at_node(static_cast<int>(span)));
+        add(mesh.nodes[span], d.deflection_at_node(static_cast<int>(span)));
         for (int i = 1; i <= per_span; ++i) {
             const double xi = static_cast<double>(i) / (per_span + 1);
-            _z.push_back(mesh.spans[span].z + xi * mesh.spans[span].length);
-            _rows.push_back(d.deflection_inside(static_cast<int>(span), xi));
+            add(mesh.spans[span].z + xi * mesh.spans[span].length,
+                d.deflection_inside(static_cast<int>(span), xi));
         }
     }
-    _z.push_back(mesh.nodes.back());
-    _rows.push_back(d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
+    add(mesh.nodes.back(), d.deflection_at_node(static_cast<int>(mesh.nodes.size()) - 1));
 }
 
 Stations Stations::for_drawing(const assembly::Discretization &d) {
@@ -63,9 +61,18 @@ Stations Stations::for_drawing(const assembly::Discretization &d) {
     return {d, std::max(0, (wanted + spans - 1) / spans - 1)};
 }
 
-void Stations::add(double z, assembly::Combination row, double mass, std::vector<double> &masses) {
+void Stations::add(double z, const assembly::Combination &row) {
     _z.push_back(z);
-    _rows.push_back(std::move(row));
+    for (const auto &[unknown, value] : row) {
+        _unknowns.push_back(unknown);
+        _values.push_back(value);
+    }
+    _first.push_back(_unknowns.size());
+}
+
+void Stations::add(double z, const assembly::Combination &row, double mass,
+                   std::vector<double> &masses) {
+    add(z, row);
     masses.push_back(mass);
 }
 
@@ -104,12 +111,29 @@ Stations Stations::for_orbits(const assembly::Discretization &d) {
 }
 
 Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
-    Eigen::VectorXcd out(static_cast<Eigen::Index>(_rows.size()));
-    for (std::size_t i = 0; i < _rows.size(); ++i) {
-        std::complex<double> sum = 0;
-        for (const auto &[unknown, value] : _rows[i])
-            sum += value * planar(unknown);
+    Eigen::VectorXcd out(static_cast<Eigen::Index>(_z.size()));
+    for (std::size_t i = 0; i < _z.size(); ++i) {
+        Complex sum = 0;
+        for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
+            sum += _values[p] * planar(_unknowns[p]);
         out(static_cast<Eigen::Index>(i)) = sum;
+    }
+    return out;
+}
+
+std::pair<Eigen::VectorXcd, Eigen::VectorXcd>
+Stations::deflections_of_both(const Eigen::VectorXcd &planes) const {
+    std::pair<Eigen::VectorXcd, Eigen::VectorXcd> out(_z.size(), _z.size());
+    const auto *in = reinterpret_cast<const double *>(planes.data());
+    const int *unknowns = _unknowns.data();
+    const double *values = _values.data();
+    for (std::size_t i = 0; i < _z.size(); ++i) {
+        Eigen::Array4d sum = Eigen::Array4d::Zero(); // real and imaginary parts of x and y at once
+        const std::size_t last = _first[i + 1];
+        for (std::size_t p = _first[i]; p < last; ++p)
+            sum += values[p] * Eigen::Map<const Eigen::Array4d>(in + 4 * unknowns[p]);
+        out.first(static_cast<Eigen::Index>(i)) = {sum(0), sum(1)};
+        out.second(static_cast<Eigen::Index>(i)) = {sum(2), sum(3)};
     }
     return out;
 }
@@ -117,9 +141,9 @@ Eigen::VectorXcd Stations::deflections(const Eigen::VectorXcd &planar) const {
 Stations Stations::over(const Eigen::MatrixXd &shapes) const {
     Stations out;
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(_masses.size(), shapes.cols());
-    for (std::size_t i = 0; i < _rows.size(); ++i)
-        for (const auto &[unknown, value] : _rows[i])
-            rows.row(static_cast<Eigen::Index>(i)) += value * shapes.row(unknown);
+    for (std::size_t i = 0; i < _z.size(); ++i)
+        for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
+            rows.row(static_cast<Eigen::Index>(i)) += _values[p] * shapes.row(_unknowns[p]);
     out._weights = rows.transpose() * _masses.asDiagonal() * rows;
     return out;
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <utility>
 #include <vector>
 
 namespace whirl::modes {
@@ -30,6 +31,10 @@ class Stations {
     /// Deflections at the stations from planar unknowns.
     [[nodiscard]] Eigen::VectorXcd deflections(const Eigen::VectorXcd &planar) const;
 
+    /// Of unknowns of both planes in turn, x and y of each.
+    [[nodiscard]] std::pair<Eigen::VectorXcd, Eigen::VectorXcd>
+    deflections_of_both(const Eigen::VectorXcd &planes) const;
+
     /// The same for amplitudes of shapes in the place of planar unknowns, to weigh motions only.
     [[nodiscard]] Stations over(const Eigen::MatrixXd &shapes) const;
 
@@ -38,12 +43,15 @@ class Stations {
 
   private:
     std::vector<double> _z;
-    std::vector<assembly::Combination> _rows;
+    std::vector<std::size_t> _first{0}; ///< of each station in the next two
+    std::vector<int> _unknowns;
+    std::vector<double> _values;
     Eigen::VectorXd _masses;
     Eigen::MatrixXd _weights; ///< of products of two amplitudes of shapes; empty without shapes
 
     Stations() = default;
-    void add(double z, assembly::Combination row, double mass, std::vector<double> &masses);
+    void add(double z, const assembly::Combination &row);
+    void add(double z, const assembly::Combination &row, double mass, std::vector<double> &masses);
     void add_shaft(const assembly::Discretization &d, std::vector<double> &masses);
 };
 

@@ -204,9 +204,10 @@ void SpectrumSolver::classify(Spectrum &spectrum) const {
         return;
     separate_degenerate(*this, _data->stations, spectrum.modes);
     for (WhirlMode &mode : spectrum.modes) {
-        const OrbitSense sense =
-            orbit_sense(x_at(mode, _data->stations), y_at(mode, _data->stations), _data->stations,
-                        spectrum.speed);
+        auto [x, y] = _data->stations.deflections_of_both(mode.shape);
+        if (_data->form == results::Form::hyperbolic)
+            y *= std::complex<double>(0, 1);
+        const OrbitSense sense = orbit_sense(x, y, _data->stations, spectrum.speed);
         mode.whirl = sense.whirl;
         mode.forward_fraction = sense.forward_fraction;
     }

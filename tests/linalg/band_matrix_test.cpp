@@ -1,7 +1,7 @@
 #include "linalg/complex_factors.h"
 
 #include "linalg/check.h"
-#include "linalg/dense_symmetric_factor.h"
+#include "linalg/lanes/symmetric_factors.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -49,27 +49,55 @@ TEST(BandMatrix, singular_matrix_is_refused) {
     EXPECT_THROW((void)band.solve(Eigen::VectorXcd::Ones(3)), SolverError);
 }
 
-TEST(DenseSymmetricFactor, agrees_with_a_dense_solution) {
-    DenseSymmetricFactor factor;
-    for (const int size : {1, 2, 7, 30}) {
-        Eigen::MatrixXcd A(size, size);
-        Eigen::VectorXcd b(size);
+TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
+    constexpr int size = 23;
+    std::vector<Eigen::MatrixXcd> A(lanes, Eigen::MatrixXcd::Zero(size, size));
+    std::vector<Eigen::VectorXcd> b(lanes, Eigen::VectorXcd(size));
+    for (int lane = 0; lane < lanes; ++lane)
         for (int i = 0; i < size; ++i) {
-            b(i) = number(i, 3 * i + 1);
-            for (int j = 0; j <= i; ++j)
-                A(i, j) = A(j, i) = i == j ? 2.0 + 3.0 * number(i, j + 1) : number(i, j);
+            b[static_cast<std::size_t>(lane)](i) = number(i, 3 * i + 1 + lane);
+            for (int j = std::max(0, i - 3); j <= i; ++j) // a band with a hole
+                if (i - j != 2)
+                    A[static_cast<std::size_t>(lane)](i, j) =
+                        A[static_cast<std::size_t>(lane)](j, i) =
+                            i == j ? 3.0 + 2.0 * number(i + lane, j + 1) : number(i, j + lane);
         }
-        factor.factorize(A.real(), A.imag());
-        const Eigen::VectorXcd expected = A.fullPivLu().solve(b);
-        // Rounding times the condition, and the growth that pivots of any size leave.
-        EXPECT_LT((factor.solve(b) - expected).norm(), 1e-10 * expected.norm()) << size;
+    SymmetricFactor::Sparse pattern = A[0].sparseView();
+    pattern.makeCompressed();
+    SymmetricFactor one(pattern);
+    SymmetricFactors factors(one);
+    Vector4 values(factors.entries());
+    const std::vector<int> places = factors.places(static_cast<std::size_t>(pattern.nonZeros()));
+    for (Eigen::Index j = 0; j < size; ++j)
+        for (Eigen::Index p = pattern.outerIndexPtr()[j]; p < pattern.outerIndexPtr()[j + 1]; ++p)
+            for (int lane = 0; lane < lanes; ++lane)
+                if (const int place = places[static_cast<std::size_t>(p)]; place >= 0)
+                    values[static_cast<std::size_t>(place)].set(
+                        lane, A[static_cast<std::size_t>(lane)](pattern.innerIndexPtr()[p], j));
+    for (const bool sound : factors.factorize(values))
+        EXPECT_TRUE(sound);
+    Vector4 x;
+    set(x, {b.data(), &b[1], &b[2], &b[3]});
+    factors.solve(x);
+    for (int lane = 0; lane < lanes; ++lane) {
+        const auto i = static_cast<std::size_t>(lane);
+        const Eigen::VectorXcd expected = A[i].fullPivLu().solve(b[i]);
+        EXPECT_LT((vector_of(x, lane) - expected).norm(), 1e-12 * expected.norm()) << lane;
+        const double phase = std::arg(A[i].determinant());
+        const double apart = factors.determinant_phases()[i] - phase;
+        EXPECT_LT(std::abs(std::remainder(apart, 2 * std::numbers::pi)), 1e-10) << lane;
     }
 }
 
-TEST(DenseSymmetricFactor, refuses_a_pivot_of_zero) {
-    DenseSymmetricFactor factor;
-    EXPECT_THROW(factor.factorize(Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)),
-                 SolverError);
+TEST(SymmetricFactors, AZeroPivotIsToldInItsLane) {
+    SymmetricFactor::Sparse pattern(1, 1);
+    pattern.insert(0, 0) = 1;
+    pattern.makeCompressed();
+    SymmetricFactors factors{SymmetricFactor(pattern)};
+    Vector4 values(1);
+    for (int lane = 0; lane < lanes; ++lane)
+        values[0].set(lane, lane == 2 ? 0 : 1);
+    EXPECT_EQ(factors.factorize(values), (std::array<bool, lanes>{true, true, false, true}));
 }
 
 } // namespace

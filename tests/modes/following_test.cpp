@@ -208,7 +208,7 @@ TEST(FollowedModes, ErrorOfARayleighQuotientIsStated) {
             SymmetricPair pair;
             pair.value = isotropic ? mode.rotating_value : mode.eigenvalue;
             pair.vector = problem->from_form(mode.shape);
-            ASSERT_TRUE(refinement.refine(pair, 1, enough_error));
+            ASSERT_TRUE(refinement.refine({{&pair, 1, enough_error}}));
             pairs.push_back(pair);
         }
         for (std::size_t i = 0; i < pairs.size(); ++i)

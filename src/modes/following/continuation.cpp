@@ -82,111 +82,28 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     return std::nullopt; // that speed is solved alone
 }
 
-/// The reduced model of shapes at the speed where a run begins.
-void Continuation::begin_model(const FollowedSpeed &start) try {
-    if (!_reduces)
-        return;
-    if (!_model)
-        _model = std::make_unique<ReducedModel>(_problem);
-    if (roomy(start.pairs.size()))
-        _model->add_with_changes(start.speed, start.pairs);
-    if (_model->size() > 0)
-        return;
-    _model.reset();
-    _reduces = false;
-} catch (const linalg::SolverError &) {
-    // A pivot that happens to be zero: the model stays what it was.
-    if (_model->size() == 0)
-        _model.reset();
-}
-
-/// Where shapes take most of the unknowns the full problem is as small.
-bool Continuation::roomy(std::size_t shapes) const {
-    return 2 * (_model->size() + 2 * static_cast<Eigen::Index>(shapes)) < _problem.size();
-}
-
-/// Coordinates of pairs known since before the model was widened.
-void Continuation::refresh(FollowedSpeed &at) const {
-    for (SymmetricPair &pair : at.pairs) {
-        const Eigen::Index known = pair.reduced.size();
-        const Eigen::Index size = _model ? _model->size() : 0;
-        if (known == 0 && size > 0)
-            pair.reduced = _model->coordinates(pair.vector);
-        else if (known != size)
-            pair.reduced.conservativeResizeLike(Eigen::VectorXcd::Zero(size));
-    }
-}
-
-/// Pairs known before, and guesses of the others.
-bool Continuation::set_guesses(Run &run, FollowedSpeed &at) {
-    for (auto &[speed, node] : run.at)
-        refresh(node);
-    const auto before = run.before.find(at.speed);
-    if (before != run.before.end())
-        refresh(before->second);
-    for (std::size_t i = 0; i < run.places.size(); ++i)
-        at.pairs.push_back(before != run.before.end() && run.places[i]
-                               ? before->second.pairs[*run.places[i]]
-                               : guess(run.at, at.speed, i));
-    if (!_model)
-        return true;
-    std::vector<SymmetricPair> reduced(at.pairs.size());
-    std::vector<const SymmetricPair *> neighbours;
-    for (std::size_t i = 0; i < reduced.size(); ++i) {
-        reduced[i].value = at.pairs[i].value;
-        reduced[i].reduced = at.pairs[i].reduced;
-        neighbours.push_back(&nearest(run.at, at.speed, i));
-    }
-    if (!solve_reduced(*_model, at.speed, reduced, neighbours, _wanted, run.nearby))
-        return false;
-    std::vector<SymmetricPair *> asked_for;
-    std::vector<SymmetricPair *> counted;
-    const std::vector<double> enough = enough_errors(reduced, _wanted);
-    for (std::size_t i = 0; i < reduced.size(); ++i)
-        if (enough[i] < counted_error)
-            asked_for.push_back(&reduced[i]);
-        else
-            counted.push_back(&reduced[i]);
-    _model->set_rates(at.speed, counted);
-    _model->set_vectors(asked_for);
-    for (std::size_t i = 0; i < reduced.size(); ++i)
-        if (at.pairs[i].Mx.size() == 0)
-            at.pairs[i] = std::move(reduced[i]);
-    return true;
-}
-
 std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
     FollowedSpeed out;
     out.speed = speed;
-    if (!set_guesses(run, out))
-        return std::nullopt;
+    const auto before = run.before.find(speed);
+    std::vector<const SymmetricPair *> neighbours;
     std::vector<bool> solved;
-    for (SymmetricPair &pair : out.pairs)
-        solved.push_back(std::exchange(pair.solved, false));
+    for (std::size_t i = 0; i < run.places.size(); ++i) {
+        Guess guessed = guess(run.at, speed, i);
+        out.pairs.push_back(before != run.before.end() && run.places[i]
+                                ? before->second.pairs[*run.places[i]]
+                                : std::move(guessed.pair));
+        neighbours.push_back(guessed.nearest);
+        solved.push_back(out.pairs.back().solved);
+    }
     std::optional<std::vector<SymmetricPair>> pairs =
-        pairs_near(_problem, speed, std::move(out.pairs), _wanted);
+        pairs_of_guesses(_problem, speed, std::move(out.pairs), neighbours, _wanted);
     if (!pairs)
         return std::nullopt;
     out.pairs = std::move(*pairs);
-    learn(out);
     for (std::size_t i = 0; i < solved.size(); ++i)
         out.pairs[i].solved = out.pairs[i].solved || solved[i];
     return out;
-}
-
-/// Widens the model by shapes that were not in it.
-void Continuation::learn(FollowedSpeed &at) {
-    if (!_model)
-        return;
-    std::vector<Eigen::VectorXcd> shapes;
-    for (SymmetricPair &pair : at.pairs)
-        if (pair.solved) {
-            shapes.push_back(pair.vector);
-            pair.reduced.resize(0);
-        }
-    if (!shapes.empty() && roomy(shapes.size()))
-        _model->add(shapes);
-    refresh(at);
 }
 
 bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
@@ -291,7 +208,6 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
     std::optional<FollowedSpeed> start = begin(speeds[first], wanted);
     if (!start)
         return first + 1;
-    begin_model(*start);
     Run run = joining(*start);
     run.at.emplace(speeds[first], std::move(*start));
     std::vector<std::size_t> solved{first};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "modes/following/pair_guess.h"
-#include "modes/following/reduced_pairs.h"
 #include "modes/following/symmetric_problem.h"
 
 #include <complex>
@@ -58,7 +57,6 @@ class Continuation {
         /// The same with fewer pairs, followed before, and the places of pairs there.
         std::map<double, FollowedSpeed> before;
         std::vector<std::optional<std::size_t>> places;
-        std::vector<NearbyFactors> nearby;
     };
     const SymmetricProblem &_problem;
     Start _start;
@@ -66,16 +64,9 @@ class Continuation {
     double _creep;   ///< s, of internal damping: the same for each 1/s of the eigenvalue
     std::vector<Run> _runs, _before;
     int _wanted = 0;
-    std::unique_ptr<ReducedModel> _model; ///< none before the first run, or where it is no smaller
-    bool _reduces = true;
 
     [[nodiscard]] std::optional<FollowedSpeed> begin(double speed, int wanted) const;
     [[nodiscard]] std::optional<FollowedSpeed> step(Run &run, double speed);
-    void begin_model(const FollowedSpeed &start);
-    void refresh(FollowedSpeed &at) const;
-    [[nodiscard]] bool set_guesses(Run &run, FollowedSpeed &at);
-    [[nodiscard]] bool roomy(std::size_t shapes) const;
-    void learn(FollowedSpeed &at);
     [[nodiscard]] Run joining(const FollowedSpeed &start);
     std::size_t run_from(const std::vector<double> &speeds, std::size_t first, int wanted);
     [[nodiscard]] bool bridged(Run &run, double from, double to, int depth);

@@ -1,22 +1,13 @@
 #include "modes/following/eigenpair_refinement.h"
 
-#include "linalg/check.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::modes {
-
-namespace {
-
-/// a^T b without the tests for infinities of the standard's product.
-std::complex<double> plain_product(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
-    return a.cwiseProduct(b).sum();
-}
-
-} // namespace
 
 std::complex<double> nearest_root(std::complex<double> xMx, std::complex<double> xDx,
                                   std::complex<double> xKx, std::complex<double> near) {
@@ -29,96 +20,189 @@ std::complex<double> nearest_root(std::complex<double> xMx, std::complex<double>
     return std::norm(first - near) <= std::norm(second - near) ? first : second;
 }
 
-void EigenpairRefinement::multiply(const Eigen::VectorXcd &x) {
-    _problem.multiply(x, _speed, _of);
-    _xMx = plain_product(x, _of.M);
-    _xDx = plain_product(x, _of.D);
-    _xKx = plain_product(x, _of.K);
+void EigenpairRefinement::load(const std::vector<Task> &tasks, std::size_t first) {
+    std::array<const Eigen::VectorXcd *, linalg::lanes> vectors{};
+    for (std::size_t lane = 0; lane < linalg::lanes; ++lane) {
+        const SymmetricPair &pair = *tasks[std::min(first + lane, tasks.size() - 1)].pair;
+        vectors[lane] = &pair.vector;
+        _value.set(static_cast<int>(lane), pair.value);
+    }
+    linalg::set(_x, vectors);
+    multiply();
 }
 
-double EigenpairRefinement::error(Complex l, double distance) {
-    const double derivative = std::abs(l * (2.0 * l * _xMx + _xDx));
-    if (!(derivative > 0) || !std::isfinite(derivative))
-        return std::numeric_limits<double>::infinity();
-    _residual = (l * l) * _of.M + l * _of.D + _of.K;
-    return _problem.energy(_residual, std::abs(l)) / (derivative * std::min(1.0, distance));
+/// Products and forms x^T A x of the vectors; the values become Rayleigh quotients.
+void EigenpairRefinement::multiply() {
+    _problem.multiply(_x, _speed, _of);
+    for (linalg::Complex4 *form : {&_xMx, &_xDx, &_xKx, &_xD1x, &_xK1x})
+        *form = linalg::Complex4{};
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (std::size_t k = 0; k < _x.size(); ++k) {
+            linalg::add_product(_xMx, _x[k], _of.M[k]);
+            linalg::add_product(_xDx, _x[k], _of.D[k]);
+            linalg::add_product(_xKx, _x[k], _of.K[k]);
+            linalg::add_product(_xD1x, _x[k], _of.D1[k]);
+        }
+        for (std::size_t k = 0; k < _of.K1.size(); ++k)
+            linalg::add_product(_xK1x, _x[k], _of.K1[k]);
+    });
+    for (int lane = 0; lane < linalg::lanes; ++lane)
+        _value.set(lane,
+                   nearest_root(_xMx.at(lane), _xDx.at(lane), _xKx.at(lane), _value.at(lane)));
 }
 
-linalg::SymmetricFactor &EigenpairRefinement::factorize(Complex l) {
-    try {
-        return _problem.factorize(l, _speed);
-    } catch (const linalg::SolverError &) { // on the eigenvalue itself
-        return _problem.factorize(l * (1 + 1e-14), _speed);
+/// Values and errors of the pairs in the lanes.
+void EigenpairRefinement::settle(const std::vector<Task> &tasks, std::size_t first) {
+    _residual.resize(_x.size());
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        linalg::Complex4 square;
+        linalg::set_product(square, _value, _value);
+        for (std::size_t k = 0; k < _x.size(); ++k) {
+            linalg::Complex4 sum = _of.K[k];
+            linalg::add_product(sum, _value, _of.D[k]);
+            linalg::add_product(sum, square, _of.M[k]);
+            _residual[k] = sum;
+        }
+    });
+    std::array<double, linalg::lanes> sizes{};
+    for (int lane = 0; lane < linalg::lanes; ++lane)
+        sizes[static_cast<std::size_t>(lane)] = std::abs(_value.at(lane));
+    const std::array<double, linalg::lanes> energies = _problem.energies(_residual, sizes);
+    for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
+        const auto lane = static_cast<int>(i - first);
+        const Complex l = _value.at(lane);
+        const double derivative = std::abs(l * (2.0 * l * _xMx.at(lane) + _xDx.at(lane)));
+        SymmetricPair &pair = *tasks[i].pair;
+        pair.value = l;
+        pair.error = derivative > 0 && std::isfinite(derivative)
+                         ? energies[i - first] / (derivative * std::min(1.0, tasks[i].distance))
+                         : std::numeric_limits<double>::infinity();
     }
 }
 
-void EigenpairRefinement::inverse_step(SymmetricPair &pair) {
-    const Eigen::VectorXcd slope = (2.0 * pair.value) * _of.M + _of.D;
-    pair.vector = factorize(pair.value).solve(slope);
-    pair.vector /= std::sqrt(pair.vector.cwiseAbs2().maxCoeff());
-    multiply(pair.vector);
-    pair.value = nearest_root(_xMx, _xDx, _xKx, pair.value);
-    pair.solved = true;
+/// The vectors are those of Q(l)^-1 Q'(l) x.
+void EigenpairRefinement::inverse_step() {
+    const linalg::SymmetricFactors &factors =
+        _problem.factorize(_value, linalg::Real4{_speed, _speed, _speed, _speed});
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const linalg::Complex4 twice{2 * _value.re, 2 * _value.im};
+        for (std::size_t k = 0; k < _x.size(); ++k) {
+            _x[k] = _of.D[k];
+            linalg::add_product(_x[k], twice, _of.M[k]);
+        }
+    });
+    factors.solve(_x);
+    linalg::Real4 scales{};
+    for (const linalg::Complex4 &entry : _x) {
+        const linalg::Real4 square = entry.re * entry.re + entry.im * entry.im;
+        for (int lane = 0; lane < linalg::lanes; ++lane)
+            scales[lane] = std::max(scales[lane], square[lane]);
+    }
+    for (int lane = 0; lane < linalg::lanes; ++lane)
+        scales[lane] = 1 / std::sqrt(scales[lane]);
+    for (linalg::Complex4 &entry : _x) {
+        entry.re *= scales;
+        entry.im *= scales;
+    }
+    multiply();
 }
 
-void EigenpairRefinement::fill(SymmetricPair &pair) const {
+void EigenpairRefinement::fill(SymmetricPair &pair, int lane) const {
     const Complex l = pair.value;
-    pair.derivative = 2.0 * l * _xMx + _xDx;
-    pair.rate = -(l * plain_product(pair.vector, _of.D1) + plain_product(pair.vector, _of.K1)) /
-                pair.derivative;
+    pair.derivative = 2.0 * l * _xMx.at(lane) + _xDx.at(lane);
+    pair.rate = -(l * _xD1x.at(lane) + _xK1x.at(lane)) / pair.derivative;
     pair.rounding = std::numeric_limits<double>::epsilon() *
                     _problem.absolute_form(std::abs(l), _speed, pair.vector) /
                     std::abs(l * pair.derivative);
-    pair.Mx = _of.M;
-    pair.Kx = _of.K;
+    pair.Mx = linalg::vector_of(_of.M, lane);
+    pair.Kx = linalg::vector_of(_of.K, lane);
 }
 
 void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
-    multiply(pair.vector);
-    pair.value = nearest_root(_xMx, _xDx, _xKx, pair.value);
+    const std::vector<Task> one{{&pair, distance, 0}};
+    load(one, 0);
+    settle(one, 0);
     pair.solved = false;
-    pair.error = error(pair.value, distance);
 }
 
-bool EigenpairRefinement::refine(SymmetricPair &pair, double distance, double enough) {
+/// Of the pairs in the lanes those that are not good enough yet.
+bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t first) {
     constexpr int most_steps = 8;
-    const double settled = std::max(enough, 1e-13);
-    assess(pair, distance);
-    for (int step = 0; step < most_steps && !(pair.error <= enough); ++step) {
-        const double last = pair.error;
-        inverse_step(pair);
-        pair.error = error(pair.value, distance);
-        if (pair.error <= settled && pair.error > 0.1 * last)
-            break; // rounding
+    const std::size_t count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
+    std::vector<SymmetricPair> now(count);
+    std::vector<Task> open;
+    std::vector<bool> done;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Task &task = tasks[first + i];
+        open.push_back({&now[i], task.distance, task.enough});
+        done.push_back(task.pair->error <= task.enough);
     }
-    if (!(pair.error <= settled))
-        return false;
-    fill(pair);
+    for (int step = 1; step <= most_steps; ++step) {
+        inverse_step();
+        settle(open, 0);
+        for (std::size_t i = 0; i < count; ++i) {
+            if (done[i])
+                continue;
+            SymmetricPair &pair = *tasks[first + i].pair;
+            const double last = std::exchange(pair.error, now[i].error);
+            const double settled = std::max(open[i].enough, 1e-13);
+            const bool rounding =
+                pair.error <= settled && (pair.error > 0.1 * last || step == most_steps);
+            if (!(pair.error <= open[i].enough) && !rounding)
+                continue;
+            pair.value = now[i].value;
+            pair.vector = linalg::vector_of(_x, static_cast<int>(i));
+            pair.solved = true;
+            fill(pair, static_cast<int>(i));
+            done[i] = true;
+        }
+        if (std::count(done.begin(), done.end(), false) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
+    std::vector<Task> rest; // taken together with others
+    for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
+        load(tasks, first);
+        settle(tasks, first);
+        std::vector<Task> open;
+        for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
+            tasks[i].pair->solved = false;
+            if (tasks[i].pair->error <= tasks[i].enough)
+                fill(*tasks[i].pair, static_cast<int>(i - first));
+            else
+                open.push_back(tasks[i]);
+        }
+        if (open.size() <= linalg::lanes / 2)
+            rest.insert(rest.end(), open.begin(), open.end());
+        else if (!iterate(tasks, first))
+            return false;
+    }
+    for (std::size_t first = 0; first < rest.size(); first += linalg::lanes) {
+        load(rest, first);
+        if (!iterate(rest, first))
+            return false;
+    }
     return true;
 }
 
 SymmetricPair EigenpairRefinement::nearest(Complex value) {
     SymmetricPair pair;
-    pair.value = value;
-    const linalg::SymmetricFactor &factor = factorize(value * (1 + 1e-6));
+    pair.value = value * (1 + 1e-6);
     pair.vector = Eigen::VectorXcd::Ones(_problem.size());
+    const std::vector<Task> one{{&pair, 1, enough_error}};
+    load(one, 0);
     for (int step = 0; step < 3; ++step) {
-        multiply(pair.vector);
-        pair.vector = factor.solve((2.0 * value) * _of.M + _of.D);
-        pair.vector /= std::sqrt(pair.vector.cwiseAbs2().maxCoeff());
+        for (int lane = 0; lane < linalg::lanes; ++lane)
+            _value.set(lane, pair.value); // not that of a vector that is no mode yet
+        inverse_step();
     }
-    (void)refine(pair, 1, enough_error); // whether it has settled is seen by who asked
+    pair.value = value;
+    pair.vector = linalg::vector_of(_x, 0);
+    (void)refine(one); // whether it has settled is seen by who asked
     return pair;
-}
-
-double EigenpairRefinement::phase(Complex z, const std::vector<SymmetricPair> &without) {
-    double phase = factorize(z).determinant_phase();
-    for (const SymmetricPair &pair : without) {
-        phase -= std::arg(z - pair.value);
-        if (_problem.conjugates() && pair.value.imag() != 0)
-            phase -= std::arg(z - std::conj(pair.value));
-    }
-    return phase;
 }
 
 double distance_from_others(const std::vector<SymmetricPair> &pairs, std::size_t i) {

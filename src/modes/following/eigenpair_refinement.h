@@ -12,16 +12,16 @@ namespace whirl::modes {
 /// An eigenpair of a symmetric problem at one speed, with what the vector makes of the matrices.
 struct SymmetricPair {
     std::complex<double> value;      ///< l, 1/s
-    Eigen::VectorXcd vector;         ///< x; empty: a pair that is only counted
+    Eigen::VectorXcd vector;         ///< x
     std::complex<double> rate;       ///< dl/dspeed
     std::complex<double> derivative; ///< x^T Q'(l) x
     double error = 0;                ///< of l, relative: what the residual leaves
     double rounding = 0;             ///< of l, relative: what rounding of the entries can cause
     bool solved = false;             ///< by inverse iteration, not by a good guess alone
+    bool counted_only = false;       ///< its error is that of a count
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
-    Eigen::VectorXcd Mx, Kx;
-    Eigen::VectorXcd reduced; ///< coordinates in a reduced model; empty: not known
+    Eigen::VectorXcd Mx, Kx; ///< empty: not refined yet
 };
 
 /// x^T Q(l) x = 0 at the l nearest the one given.
@@ -46,31 +46,35 @@ class EigenpairRefinement {
     /// @param distance  to the next eigenvalues, relative (distance_from_others)
     void assess(SymmetricPair &pair, double distance);
 
-    /// Rayleigh quotient iteration until the error is small, cubic with a symmetric matrix: none
-    /// where the guess is good enough.
-    /// @param enough  the error to come down to
-    /// @returns false where it does not settle
-    [[nodiscard]] bool refine(SymmetricPair &pair, double distance, double enough);
+    /// A guess, its distance from the others, and the error to come down to.
+    struct Task {
+        SymmetricPair *pair;
+        double distance, enough;
+    };
+    /// Rayleigh quotient iteration until the errors are small, cubic with a symmetric matrix: none
+    /// where the guess is good enough. Four pairs at a time.
+    /// @returns false where one does not settle
+    [[nodiscard]] bool refine(const std::vector<Task> &tasks);
 
     /// The eigenpair nearest a value, from no vector.
     [[nodiscard]] SymmetricPair nearest(std::complex<double> value);
-
-    /// Argument of det Q(z), the eigenvalues given divided out.
-    [[nodiscard]] double phase(std::complex<double> z, const std::vector<SymmetricPair> &without);
 
   private:
     using Complex = std::complex<double>;
     const SymmetricProblem &_problem;
     double _speed;
+    /// Four pairs; where there are fewer the last one stands in the other lanes too.
+    linalg::Vector4 _x, _residual;
+    linalg::Complex4 _value;
     SymmetricProblem::Products _of;
-    Complex _xMx, _xDx, _xKx;
-    Eigen::VectorXcd _residual;
+    linalg::Complex4 _xMx, _xDx, _xKx, _xD1x, _xK1x;
 
-    void multiply(const Eigen::VectorXcd &x);
-    [[nodiscard]] double error(Complex l, double distance);
-    [[nodiscard]] linalg::SymmetricFactor &factorize(Complex l);
-    void inverse_step(SymmetricPair &pair);
-    void fill(SymmetricPair &pair) const;
+    void load(const std::vector<Task> &tasks, std::size_t first);
+    void multiply();
+    void settle(const std::vector<Task> &tasks, std::size_t first);
+    void inverse_step();
+    [[nodiscard]] bool iterate(const std::vector<Task> &tasks, std::size_t first);
+    void fill(SymmetricPair &pair, int lane) const;
 };
 
 /// From an eigenvalue to the two next ones among these: product of the distances relative to it,

@@ -11,17 +11,37 @@
 
 namespace whirl::modes {
 
+namespace {
+
+/// Argument of det Q(z) without the eigenvalues given.
+double without(const SymmetricProblem &problem, double phase, std::complex<double> z,
+               const std::vector<SymmetricPair> &pairs) {
+    for (const SymmetricPair &pair : pairs) {
+        phase -= std::arg(z - pair.value);
+        if (problem.conjugates() && pair.value.imag() != 0)
+            phase -= std::arg(z - std::conj(pair.value));
+    }
+    return phase;
+}
+
+} // namespace
+
 bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
                  const FollowedSpeed &b, double radius_b) try {
     constexpr double turn = 2 * std::numbers::pi;
     // Eigenvalues in conjugate pairs: one half of the circle is the image of the other.
     const CircleWay way =
         problem.conjugates() ? CircleWay{0, turn / 2, 6, false} : CircleWay{0.1, turn, 12, true};
-    EigenpairRefinement at_a(problem, a.speed);
-    EigenpairRefinement at_b(problem, b.speed);
+    const linalg::Real4 speeds{a.speed, b.speed, a.speed, b.speed};
     const auto phase = [&](double angle) {
-        return at_b.phase(std::polar(radius_b, angle), b.pairs) -
-               at_a.phase(std::polar(radius_a, angle), a.pairs);
+        const std::complex<double> at_a = std::polar(radius_a, angle);
+        const std::complex<double> at_b = std::polar(radius_b, angle);
+        linalg::Complex4 z{};
+        for (int lane = 0; lane < linalg::lanes; ++lane)
+            z.set(lane, lane % 2 == 0 ? at_a : at_b);
+        const auto phases = problem.factorize(z, speeds).determinant_phases();
+        return without(problem, phases[1], at_b, b.pairs) -
+               without(problem, phases[0], at_a, a.pairs);
     };
     const std::optional<double> turned = winding(phase, way);
     return turned && std::abs(*turned) < way.length / 4;

@@ -27,8 +27,7 @@ GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem, const FollowedS
     GeneralSpectrum::Modes out;
     out.complete_radius = followed.radius;
     for (std::size_t i = 0; i < followed.pairs.size(); ++i)
-        if (followed.pairs[i].vector.size() > 0 && // else only counted
-            std::abs(followed.pairs[i].value) < followed.radius)
+        if (!followed.pairs[i].counted_only && std::abs(followed.pairs[i].value) < followed.radius)
             sort_in(followed.pairs[i].value, mode_of(problem, followed, i), out);
     return out;
 }

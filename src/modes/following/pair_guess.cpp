@@ -1,10 +1,13 @@
 #include "modes/following/pair_guess.h"
 
 #include "linalg/check.h"
+#include "linalg/lanes/complex4.h"
+#include "modes/following/unmixed.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace whirl::modes {
@@ -13,17 +16,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Points of a polynomial between known speeds, and beyond them.
+/// Points of a polynomial between known speeds, and beyond them; the most where more of them help.
 constexpr std::size_t points_between = 6;
 constexpr std::size_t points_beyond = 4;
+constexpr std::size_t most_points = 12;
 /// Cosine between a guess and what became of it, where all unknowns count alike.
 constexpr double same_motion = 0.8;
 
-/// Known pairs at the speeds nearest to one, with the factors of a polynomial's values.
-struct Points {
-    std::vector<const FollowedSpeed *> at;
-    std::vector<double> factors;
-};
+/// Known pairs at the speeds nearest to one, from the nearest on.
+using Points = std::vector<const FollowedSpeed *>;
 
 /// A point of a polynomial.
 bool tells(const SymmetricPair &pair) { return pair.solved && !pair.mixed; }
@@ -32,33 +33,117 @@ Points points_near(const std::map<double, FollowedSpeed> &known, double speed, s
     std::vector<const FollowedSpeed *> low;
     std::vector<const FollowedSpeed *> high;
     const auto above = known.lower_bound(speed);
-    for (auto it = above; it != known.begin() && low.size() < points_between;)
+    for (auto it = above; it != known.begin() && low.size() < most_points;)
         if (tells((--it)->second.pairs[pair]))
             low.push_back(&it->second);
-    for (auto it = above; it != known.end() && high.size() < points_between; ++it)
+    for (auto it = above; it != known.end() && high.size() < most_points; ++it)
         if (tells(it->second.pairs[pair]) && it->first != speed)
             high.push_back(&it->second);
     Points out;
     // From one side alone polynomials of high degree run away.
-    const std::size_t most = std::min(low.empty() || high.empty() ? points_beyond : points_between,
+    const std::size_t most = std::min(low.empty() || high.empty() ? points_beyond : most_points,
                                       2 * std::min(low.size(), high.size()) + points_beyond);
-    for (std::size_t l = 0, h = 0; out.at.size() < most && (l < low.size() || h < high.size());) {
+    for (std::size_t l = 0, h = 0; out.size() < most && (l < low.size() || h < high.size());) {
         const bool below =
             h == high.size() || (l < low.size() && speed - low[l]->speed <= high[h]->speed - speed);
-        out.at.push_back(below ? low[l++] : high[h++]);
-    }
-    for (const FollowedSpeed *a : out.at) {
-        double factor = 1;
-        for (const FollowedSpeed *b : out.at)
-            if (b != a)
-                factor *= (speed - b->speed) / (a->speed - b->speed);
-        out.factors.push_back(factor);
+        out.push_back(below ? low[l++] : high[h++]);
     }
     return out;
 }
 
+/// What the first of the points count for in the value of their polynomial at the speed.
+std::vector<double> factors_of(const Points &points, std::size_t count, double speed) {
+    std::vector<double> out;
+    for (std::size_t a = 0; a < count; ++a) {
+        double factor = 1;
+        for (std::size_t b = 0; b < count; ++b)
+            if (b != a)
+                factor *= (speed - points[b]->speed) / (points[a]->speed - points[b]->speed);
+        out.push_back(factor);
+    }
+    return out;
+}
+
+/// The polynomial through the nearest of the points: through as many as bring the eigenvalue nearer
+/// to where the next ones see it. Near a speed at which eigenvalues meet, real or complex, few do.
+std::vector<double> best_factors(const Points &points, double speed, std::size_t pair) {
+    const auto value = [&](const std::vector<double> &factors) {
+        Complex sum = 0;
+        for (std::size_t k = 0; k < factors.size(); ++k)
+            sum += factors[k] * points[k]->pairs[pair].value;
+        return sum;
+    };
+    constexpr std::size_t further = 2;
+    constexpr double nearer = 0.3;
+    std::vector<double> best = factors_of(points, std::min(points.size(), points_between), speed);
+    if (best.size() + further > points.size())
+        return best;
+    Complex there = value(best);
+    double change = std::abs(there - value(factors_of(points, best.size() - further, speed)));
+    while (best.size() + further <= points.size()) {
+        std::vector<double> more = factors_of(points, best.size() + further, speed);
+        const Complex next = value(more);
+        if (!(std::abs(next - there) < nearer * change))
+            break;
+        change = std::abs(next - there);
+        there = next;
+        best = std::move(more);
+    }
+    return best;
+}
+
+/// a^H b
+Complex dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+    linalg::Real4 along{};
+    linalg::Real4 across{}; // real times imaginary parts and the other way round, in turn
+    const auto *x = reinterpret_cast<const double *>(a.data());
+    const auto *y = reinterpret_cast<const double *>(b.data());
+    const Eigen::Index whole = 2 * a.size() / linalg::lanes * linalg::lanes;
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        linalg::Real4 one{};
+        linalg::Real4 other{};
+        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
+            linalg::Real4 p;
+            linalg::Real4 q;
+            std::memcpy(&p, x + k, sizeof p);
+            std::memcpy(&q, y + k, sizeof q);
+            one += p * q;
+            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
+        }
+        along = one;
+        across = other;
+    });
+    for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
+        along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
+        across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
+    }
+    return {along[0] + along[1] + along[2] + along[3],
+            across[0] - across[1] + across[2] - across[3]};
+}
+
+/// y += f x
+void add_multiple(Complex f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
+    const auto *in = reinterpret_cast<const double *>(x.data());
+    auto *out = reinterpret_cast<double *>(y.data());
+    const Eigen::Index whole = 2 * x.size() / linalg::lanes * linalg::lanes;
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const linalg::Real4 re{f.real(), f.real(), f.real(), f.real()};
+        const linalg::Real4 im{-f.imag(), f.imag(), -f.imag(), f.imag()};
+        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
+            linalg::Real4 p;
+            linalg::Real4 to;
+            std::memcpy(&p, in + k, sizeof p);
+            std::memcpy(&to, out + k, sizeof to);
+            to += re * p + im * __builtin_shufflevector(p, p, 1, 0, 3, 2);
+            std::memcpy(out + k, &to, sizeof to);
+        }
+    });
+    for (Eigen::Index k = whole / 2; k < x.size(); ++k)
+        y(k) += f * x(k);
+}
+
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
-    return std::norm(a.dot(b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
+    return std::norm(dot(a, b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
 }
 
 /// Two pairs have become one.
@@ -66,7 +151,6 @@ bool coincide(const std::vector<SymmetricPair> &pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (std::size_t j = i + 1; j < pairs.size(); ++j)
             if (std::norm(pairs[i].value - pairs[j].value) < 1e-14 * std::norm(pairs[i].value) &&
-                pairs[i].vector.size() > 0 && pairs[j].vector.size() > 0 &&
                 parallel(pairs[i].vector, pairs[j].vector, 0.999))
                 return true;
     return false;
@@ -85,21 +169,30 @@ bool upper(const SymmetricProblem &problem, SymmetricPair &pair, bool real) {
 }
 
 /// Refines guesses; false where one does not settle, or becomes another one's.
+/// @param grouped  of each pair whether it may turn away from its guess
 bool refined(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> &pairs,
-             int slowest) try {
-    EigenpairRefinement refinement(problem, speed);
-    std::vector<double> distances;
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        distances.push_back(distance_from_others(pairs, i));
+             int slowest, const std::vector<bool> &grouped) try {
     const std::vector<double> enough = enough_errors(pairs, slowest);
+    std::vector<EigenpairRefinement::Task> tasks;
+    std::vector<std::size_t> places;
+    std::vector<bool> real;
+    std::vector<Eigen::VectorXcd> before;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         SymmetricPair &pair = pairs[i];
-        if (pair.vector.size() == 0 || (pair.Mx.size() > 0 && pair.error <= enough[i]))
-            continue; // only counted, or known
-        const bool real = problem.conjugates() && pair.value.imag() == 0;
-        const Eigen::VectorXcd before = pair.vector;
-        if (!refinement.refine(pair, distances[i], enough[i]) || !upper(problem, pair, real) ||
-            (pair.solved && !parallel(before, pair.vector, same_motion)))
+        pair.counted_only = enough[i] == counted_error;
+        real.push_back(problem.conjugates() && pair.value.imag() == 0);
+        if (pair.Mx.size() > 0 && pair.error <= enough[i])
+            continue; // known
+        tasks.push_back({&pair, distance_from_others(pairs, i), enough[i]});
+        places.push_back(i);
+        before.push_back(pair.vector);
+    }
+    if (!EigenpairRefinement(problem, speed).refine(tasks))
+        return false;
+    for (std::size_t k = 0; k < tasks.size(); ++k) {
+        SymmetricPair &pair = *tasks[k].pair;
+        if (!upper(problem, pair, real[places[k]]) ||
+            (pair.solved && !grouped[places[k]] && !parallel(before[k], pair.vector, same_motion)))
             return false;
     }
     return !coincide(pairs);
@@ -119,34 +212,28 @@ int FollowedSpeed::within(double size) const {
     }));
 }
 
-SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
+Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
     const Points points = points_near(known, speed, i);
-    const SymmetricPair &nearest = points.at.front()->pairs[i];
-    const auto member =
-        nearest.reduced.size() > 0 ? &SymmetricPair::reduced : &SymmetricPair::vector;
-    SymmetricPair out;
-    if (points.at.size() == 1) {
-        out.value = nearest.value + nearest.rate * (speed - points.at.front()->speed);
-        out.*member = nearest.*member;
-        return out;
+    const SymmetricPair &nearest = points.front()->pairs[i];
+    Guess found{{}, &nearest};
+    SymmetricPair &out = found.pair;
+    if (points.size() == 1) {
+        out.value = nearest.value + nearest.rate * (speed - points.front()->speed);
+        out.vector = nearest.vector;
+        return found;
     }
-    const double length = (nearest.*member).squaredNorm();
-    Eigen::VectorXcd &sum = out.*member;
-    sum = points.factors[0] * nearest.*member;
-    for (std::size_t k = 0; k < points.at.size(); ++k) {
-        const SymmetricPair &pair = points.at[k]->pairs[i];
-        out.value += points.factors[k] * pair.value;
+    const std::vector<double> factors = best_factors(points, speed, i);
+    const double length = nearest.vector.squaredNorm();
+    out.vector = factors[0] * nearest.vector;
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+        const SymmetricPair &pair = points[k]->pairs[i];
+        out.value += factors[k] * pair.value;
         // Vectors are known but for a factor: all have the same part along the nearest.
         if (k > 0)
-            sum +=
-                (points.factors[k] * length / (nearest.*member).dot(pair.*member)) * (pair.*member);
+            add_multiple(factors[k] * length / dot(nearest.vector, pair.vector), pair.vector,
+                         out.vector);
     }
-    return out;
-}
-
-const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known, double speed,
-                             std::size_t i) {
-    return points_near(known, speed, i).at.front()->pairs[i];
+    return found;
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {
@@ -164,8 +251,20 @@ SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, doubl
 std::optional<std::vector<SymmetricPair>> pairs_near(const SymmetricProblem &problem, double speed,
                                                      std::vector<SymmetricPair> guesses,
                                                      int slowest) {
-    return refined(problem, speed, guesses, slowest) ? std::optional(std::move(guesses))
-                                                     : std::nullopt;
+    const std::vector<bool> none(guesses.size(), false);
+    return refined(problem, speed, guesses, slowest, none) ? std::optional(std::move(guesses))
+                                                           : std::nullopt;
+}
+
+std::optional<std::vector<SymmetricPair>>
+pairs_of_guesses(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
+                 const std::vector<const SymmetricPair *> &nearest, int slowest) {
+    const std::vector<bool> grouped = unmix(problem, speed, guesses);
+    if (!refined(problem, speed, guesses, slowest, grouped))
+        return std::nullopt;
+    for (std::size_t i = 0; i < guesses.size(); ++i)
+        guesses[i].mixed = !parallel(nearest[i]->vector, guesses[i].vector, same_motion);
+    return guesses;
 }
 
 } // namespace whirl::modes

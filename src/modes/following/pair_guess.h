@@ -19,15 +19,15 @@ struct FollowedSpeed {
     [[nodiscard]] int within(double radius) const;
 };
 
-/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it: its
-/// coordinates where these are known, else its vector.
-/// @param known  by speed, at least one
-[[nodiscard]] SymmetricPair guess(const std::map<double, FollowedSpeed> &known, double speed,
-                                  std::size_t i);
+struct Guess {
+    SymmetricPair pair;           ///< value and vector
+    const SymmetricPair *nearest; ///< the pair at the speed nearest to it among those it is made of
+};
 
-/// One of the pairs at the speed nearest to one among those that make guesses.
-[[nodiscard]] const SymmetricPair &nearest(const std::map<double, FollowedSpeed> &known,
-                                           double speed, std::size_t i);
+/// One of the pairs at a speed by a polynomial through those of the speeds nearest to it.
+/// @param known  by speed, at least one
+[[nodiscard]] Guess guess(const std::map<double, FollowedSpeed> &known, double speed,
+                          std::size_t i);
 
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
@@ -36,6 +36,13 @@ struct FollowedSpeed {
 [[nodiscard]] std::optional<std::vector<SymmetricPair>>
 pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
            int slowest);
+
+/// The same of guesses that may be mixed where eigenvalues nearly meet.
+/// @param nearest  each pair at the nearest speed known; `mixed` are those that have turned far
+///                 from it
+[[nodiscard]] std::optional<std::vector<SymmetricPair>>
+pairs_of_guesses(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
+                 const std::vector<const SymmetricPair *> &nearest, int slowest);
 
 /// The eigenpair nearest a real number, of two conjugates the upper one.
 [[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,

@@ -69,6 +69,49 @@ std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
             planes[3].within, planes[3].across, planes[4].across};
 }
 
+/// A row of a real matrix times a vector.
+template <class Rows>
+WHIRL_INLINED void row_times(const Rows &A, std::size_t r, const linalg::Vector4 &x,
+                             linalg::Complex4 &sum) {
+    const linalg::Complex4 *in = x.data();
+    const int *columns = A.column.data();
+    const double *values = A.value.data();
+    const int last = A.start[r + 1];
+    for (int p = A.start[r]; p < last; ++p) {
+        sum.re += values[p] * in[columns[p]].re;
+        sum.im += values[p] * in[columns[p]].im;
+    }
+}
+
+template <class Rows>
+WHIRL_INLINED void set_rows(const Rows &A, const linalg::Vector4 &x, linalg::Vector4 &out) {
+    if (A.row.size() < out.size())
+        std::fill(out.begin(), out.end(), linalg::Complex4{});
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        linalg::Complex4 sum{};
+        row_times(A, r, x, sum);
+        out[static_cast<std::size_t>(A.row[r])] = sum;
+    }
+}
+
+/// @param turned  times i
+template <class Rows>
+WHIRL_INLINED void add_rows(const Rows &A, const linalg::Vector4 &x, bool turned,
+                            linalg::Vector4 &out) {
+    for (std::size_t r = 0; r < A.row.size(); ++r) {
+        linalg::Complex4 sum{};
+        row_times(A, r, x, sum);
+        linalg::Complex4 &to = out[static_cast<std::size_t>(A.row[r])];
+        to.re += turned ? -sum.im : sum.re;
+        to.im += turned ? sum.re : sum.im;
+    }
+}
+
+struct Factor {
+    SymmetricProblem::Part part;
+    linalg::Complex4 factor;
+};
+
 bool positive_definite(const RealSparse &A) {
     return Eigen::SimplicialLLT<RealSparse>(A).info() == Eigen::Success;
 }
@@ -103,6 +146,19 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
     for (int part = 0; part < parts; ++part)
         add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
     _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
+    _factors = std::make_unique<linalg::SymmetricFactors>(*_factor);
+    _entries.resize(_factors->entries());
+    const std::vector<int> entries = _factors->places(static_cast<std::size_t>(_Q.nonZeros()));
+    for (Rows &rows : _parts)
+        for (std::size_t p = 0; p < rows.place.size(); ++p)
+            if (const int entry = entries[static_cast<std::size_t>(rows.place[p])]; entry >= 0)
+                rows.triangle.emplace_back(entry, rows.value[p]);
+    _everywhere.resize(_entries.size());
+    for (const auto &[part, of] :
+         {std::pair(mass, &Everywhere::M), std::pair(gyroscopic, &Everywhere::G),
+          std::pair(stiffness, &Everywhere::K)})
+        for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle)
+            _everywhere[static_cast<std::size_t>(entry)].*of = value;
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
@@ -126,16 +182,31 @@ void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
     }
 }
 
-double SymmetricProblem::energy(const Eigen::VectorXcd &b, double size) const {
-    const int exponent = std::ilogb(size);
-    auto known = _energies.find(exponent);
-    if (known == _energies.end()) {
+const linalg::RealEnergy &SymmetricProblem::energy_of(int exponent) const {
+    auto known = _energy.find(exponent);
+    if (known == _energy.end()) {
         const double s = std::ldexp(1.0, exponent);
         _Q.coeffs().setZero();
         add(stiffness, 1);
         add(mass, s * s);
         _factor->factorize(_Q);
-        known = _energies.emplace(exponent, linalg::RealEnergy(*_factor)).first;
+        known = _energy.emplace(exponent, linalg::RealEnergy(*_factor)).first;
+    }
+    return known->second;
+}
+
+std::array<double, linalg::lanes>
+SymmetricProblem::energies(const linalg::Vector4 &b,
+                           const std::array<double, linalg::lanes> &sizes) const {
+    Exponents exponents{};
+    for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
+        exponents[lane] = std::ilogb(sizes[lane]);
+    auto known = _energies.find(exponents);
+    if (known == _energies.end()) {
+        std::array<const linalg::RealEnergy *, linalg::lanes> each{};
+        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
+            each[lane] = &energy_of(exponents[lane]);
+        known = _energies.emplace(exponents, linalg::RealEnergies(each)).first;
     }
     return known->second(b);
 }
@@ -162,45 +233,33 @@ Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vect
     return from_form(vector); // the inverse of diagonal matrices
 }
 
-void SymmetricProblem::multiply(const Eigen::VectorXcd &x, double speed, Products &out) const {
-    const Complex *in = x.data();
-    const auto times = [&](Part part, Eigen::VectorXcd &y, bool turned) {
-        const Rows &A = _parts[static_cast<std::size_t>(part)];
-        const int *columns = A.column.data();
-        const double *values = A.value.data();
-        for (std::size_t r = 0; r < A.row.size(); ++r) {
-            Eigen::Array2d sum = Eigen::Array2d::Zero(); // real and imaginary part at once
-            const int last = A.start[r + 1];
-            for (int p = A.start[r]; p < last; ++p)
-                sum += values[p] * Eigen::Map<const Eigen::Array2d, Eigen::Aligned16>(
-                                       reinterpret_cast<const double *>(in + columns[p]));
-            y(A.row[r]) += turned ? Complex(-sum(1), sum(0)) : Complex(sum(0), sum(1));
-        }
+void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products &out) const {
+    const auto rows = [this](Part part) -> const Rows & {
+        return _parts[static_cast<std::size_t>(part)];
     };
-    for (Eigen::VectorXcd *y : {&out.M, &out.D, &out.K, &out.D1, &out.K1})
-        y->setZero(_size);
-    times(mass, out.M, false);
-    times(damping, out.D, false);
-    times(damping_turned, out.D, true);
-    times(gyroscopic, out.D1, true);
-    times(stiffness, out.K, false);
-    times(stiffness_turned, out.K, true);
-    times(circulatory, out.K1, true);
-    out.D += speed * out.D1;
-    if (!_parts[circulatory].value.empty())
-        out.K += speed * out.K1;
-}
-
-Eigen::VectorXcd SymmetricProblem::times(Part part, const Eigen::VectorXcd &x) const {
-    const Rows &A = _parts[static_cast<std::size_t>(part)];
-    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
-    for (std::size_t r = 0; r < A.row.size(); ++r) {
-        Complex sum = 0;
-        for (int p = A.start[r]; p < A.start[r + 1]; ++p)
-            sum += A.value[static_cast<std::size_t>(p)] * x(A.column[static_cast<std::size_t>(p)]);
-        out(A.row[r]) = sum;
-    }
-    return out;
+    for (linalg::Vector4 *y : {&out.M, &out.D, &out.K, &out.D1})
+        y->resize(x.size());
+    out.K1.resize(rows(circulatory).row.empty() ? 0 : x.size());
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        set_rows(rows(mass), x, out.M);
+        set_rows(rows(stiffness), x, out.K);
+        add_rows(rows(stiffness_turned), x, true, out.K);
+        set_rows(rows(gyroscopic), x, out.D1);
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            out.D1[k] = {-out.D1[k].im, out.D1[k].re};
+            out.D[k] = {speed * out.D1[k].re, speed * out.D1[k].im};
+        }
+        add_rows(rows(damping), x, false, out.D);
+        add_rows(rows(damping_turned), x, true, out.D);
+        if (!out.K1.empty()) {
+            set_rows(rows(circulatory), x, out.K1);
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                out.K1[k] = {-out.K1[k].im, out.K1[k].re};
+                out.K[k].re += speed * out.K1[k].re;
+                out.K[k].im += speed * out.K1[k].im;
+            }
+        }
+    });
 }
 
 double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
@@ -211,24 +270,49 @@ double SymmetricProblem::absolute_form(double l, double speed, const Eigen::Vect
            l * (form(damping) + form(damping_turned) + turn * form(gyroscopic) + l * form(mass));
 }
 
-void SymmetricProblem::add(Part part, Complex factor) const {
+void SymmetricProblem::add(Part part, double factor) const {
     const Rows &A = _parts[static_cast<std::size_t>(part)];
     Complex *Q = _Q.valuePtr();
     for (std::size_t p = 0; p < A.value.size(); ++p)
-        Q[A.place[p]] += Complex(factor.real() * A.value[p], factor.imag() * A.value[p]);
+        Q[A.place[p]] += factor * A.value[p];
 }
 
-linalg::SymmetricFactor &SymmetricProblem::factorize(Complex l, double speed) const {
-    _Q.coeffs().setZero();
-    add(mass, l * l);
-    add(damping, l);
-    add(damping_turned, i_times * l);
-    add(gyroscopic, i_times * speed * l);
-    add(stiffness, 1);
-    add(stiffness_turned, i_times);
-    add(circulatory, i_times * speed);
-    _factor->factorize(_Q);
-    return *_factor;
+bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const {
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        linalg::Complex4 square;
+        linalg::set_product(square, l, l);
+        const linalg::Complex4 l_turned{-l.im, l.re};
+        const linalg::Complex4 turning{l_turned.re * speed, l_turned.im * speed};
+        for (std::size_t entry = 0; entry < _entries.size(); ++entry) {
+            const Everywhere &of = _everywhere[entry];
+            linalg::Complex4 &Q = _entries[entry];
+            Q.re = of.M * square.re + of.G * turning.re + of.K;
+            Q.im = of.M * square.im + of.G * turning.im;
+        }
+        const linalg::Real4 none{};
+        for (const auto &[part, factor] :
+             {Factor{damping, l}, Factor{damping_turned, l_turned},
+              Factor{stiffness_turned, {none, none + 1}}, Factor{circulatory, {none, speed}}})
+            for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle) {
+                linalg::Complex4 &to = _entries[static_cast<std::size_t>(entry)];
+                to.re += value * factor.re;
+                to.im += value * factor.im;
+            }
+    });
+    const std::array<bool, linalg::lanes> sound = _factors->factorize(_entries);
+    return std::count(sound.begin(), sound.end(), true) == linalg::lanes;
+}
+
+linalg::SymmetricFactors &SymmetricProblem::factorize(linalg::Complex4 l,
+                                                      const linalg::Real4 &speed) const {
+    if (factorized(l, speed))
+        return *_factors;
+    constexpr double beside = 1 + 1e-14;
+    l.re *= beside;
+    l.im *= beside;
+    if (!factorized(l, speed))
+        throw linalg::SolverError("a pivot of the symmetric factorisation is zero");
+    return *_factors;
 }
 
 } // namespace whirl::modes

@@ -2,11 +2,13 @@
 
 #include "assembly/discretization.h"
 #include "linalg/complex_factors.h"
+#include "linalg/lanes/symmetric_factors.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <complex>
 #include <map>
 #include <memory>
@@ -52,24 +54,22 @@ class SymmetricProblem {
     /// A covector: its product with a vector stays what it is.
     [[nodiscard]] Eigen::VectorXcd covector_to_form(const Eigen::VectorXcd &vector) const;
 
-    /// A vector times the matrices; D1 and K1 are what a unit of speed changes.
+    /// Vectors of four eigenpairs times the matrices; D1 and K1 are what a unit of speed changes.
     struct Products {
-        Eigen::VectorXcd M, D, K, D1, K1;
+        linalg::Vector4 M, D, K, D1, K1;
     };
-    void multiply(const Eigen::VectorXcd &x, double speed, Products &out) const;
-
-    /// One of the real matrices times a vector.
-    [[nodiscard]] Eigen::VectorXcd times(Part part, const Eigen::VectorXcd &x) const;
+    void multiply(const linalg::Vector4 &x, double speed, Products &out) const;
 
     /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|, what the entries add up to in x^T Q(l) x:
     /// with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly alike.
     [[nodiscard]] double absolute_form(double l, double speed, const Eigen::VectorXcd &x) const;
 
-    /// L D L^T of Q(l) at a speed; the same object each time.
-    /// @throws linalg::SolverError where a pivot is zero
-    linalg::SymmetricFactor &factorize(Complex l, double speed) const;
-    /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below `size` (1/s).
-    [[nodiscard]] double energy(const Eigen::VectorXcd &b, double size) const;
+    /// L D L^T of four Q(l), each at a speed; the same object each time.
+    /// @throws linalg::SolverError where a pivot is zero, on an eigenvalue beside it too
+    linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed) const;
+    /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below a size (1/s).
+    [[nodiscard]] std::array<double, linalg::lanes>
+    energies(const linalg::Vector4 &b, const std::array<double, linalg::lanes> &sizes) const;
 
   private:
     /// Real symmetric matrix by its rows that are not empty.
@@ -77,6 +77,12 @@ class SymmetricProblem {
         std::vector<int> row, start{0}, column;
         std::vector<double> value;
         std::vector<int> place; ///< of each entry on the common pattern
+        /// One triangle for the factors: places among their entries, and values.
+        std::vector<std::pair<int, double>> triangle;
+    };
+    /// What every element has, at an entry of the factors.
+    struct Everywhere {
+        double M = 0, G = 0, K = 0;
     };
     int _size = 0;
     results::Form _form = results::Form::general;
@@ -85,12 +91,19 @@ class SymmetricProblem {
     Eigen::VectorXd _scales;        ///< unknowns of the form over those of this problem
     Eigen::VectorXd _inverse_scales;
     mutable linalg::SymmetricFactor::Sparse _Q;
-    mutable std::unique_ptr<linalg::SymmetricFactor> _factor;
-    mutable std::map<int, linalg::RealEnergy> _energies; ///< by the exponent of two
+    mutable std::unique_ptr<linalg::SymmetricFactor> _factor; ///< of real matrices
+    mutable std::unique_ptr<linalg::SymmetricFactors> _factors;
+    std::vector<Everywhere> _everywhere;
+    mutable linalg::Vector4 _entries; ///< of four Q
+    using Exponents = std::array<int, linalg::lanes>;
+    mutable std::map<int, linalg::RealEnergy> _energy; ///< by the exponent of two
+    mutable std::map<Exponents, linalg::RealEnergies> _energies;
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
     void add_part(Part part, const Sparse &A);
-    void add(Part part, Complex factor) const;
+    void add(Part part, double factor) const;
+    [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;
+    [[nodiscard]] const linalg::RealEnergy &energy_of(int exponent) const;
 };
 
 } // namespace whirl::modes

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "linalg/complex_factors.h"
+#include "linalg/lanes/complex4.h"
+
+#include <vector>
+
+namespace whirl::linalg {
+
+/// L D L^T of four complex symmetric matrices at once, all with one pattern. Rows are not
+/// exchanged: whoever solves with it looks at the residual.
+class SymmetricFactors {
+  public:
+    /// @param one  its pattern and order of elimination
+    explicit SymmetricFactors(const SymmetricFactor &one);
+
+    /// Of each nonzero of the pattern the place of its entry; none (-1) of those in the triangle
+    /// that is the mirror image of the other.
+    [[nodiscard]] std::vector<int> places(std::size_t nonzeros) const;
+    [[nodiscard]] std::size_t entries() const { return _entries.size(); }
+
+    /// @param values  entries at their places
+    /// @returns in each lane whether no pivot is zero or not a number
+    std::array<bool, lanes> factorize(const Vector4 &values);
+
+    /// Each with its own matrix, in place.
+    void solve(Vector4 &b) const;
+
+    /// Argument of each determinant, rad, with some multiple of 2 pi.
+    [[nodiscard]] std::array<double, lanes> determinant_phases() const;
+
+  private:
+    friend class RealEnergies;
+    std::vector<int> _order; ///< unknown eliminated at each step
+    std::vector<int> _first; ///< of each column in `_entries`
+    std::vector<SymmetricFactor::Entry> _entries;
+    std::vector<int> _reach_first; ///< of each row in `_reach`
+    /// A column of L in which a row has an entry, and the place of that in L.
+    struct Reach {
+        int column, place;
+    };
+    std::vector<Reach> _reach;
+    std::vector<int> _start; ///< of each column in `_rows`, `_L`
+    std::vector<int> _rows;  ///< of L below the diagonal
+    Vector4 _L, _D, _inverse;
+    Vector4 _work; ///< zero between calls
+    mutable Vector4 _x;
+};
+
+/// b^H A^-1 b in four lanes, each with a real symmetric positive definite A of its own; all have
+/// one pattern.
+class RealEnergies {
+  public:
+    explicit RealEnergies(const std::array<const RealEnergy *, lanes> &factors);
+
+    [[nodiscard]] std::array<double, lanes> operator()(const Vector4 &b) const;
+
+  private:
+    std::vector<int> _order, _start, _rows;
+    std::vector<Real4> _L, _inverse;
+    mutable Vector4 _work;
+};
+
+} // namespace whirl::linalg

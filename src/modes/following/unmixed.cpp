@@ -1,0 +1,128 @@
+#include "modes/following/unmixed.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Group = std::vector<std::size_t>;
+
+/// Indices of values that lie close together, by groups of two and more.
+std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
+    constexpr double close = 0.03;
+    std::vector<bool> taken(pairs.size(), false);
+    std::vector<Group> out;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (taken[i])
+            continue;
+        Group group{i};
+        for (std::size_t k = 0; k < group.size(); ++k) {
+            const Complex value = pairs[group[k]].value;
+            for (std::size_t j = i + 1; j < pairs.size(); ++j)
+                if (!taken[j] &&
+                    std::norm(pairs[j].value - value) < close * close * std::norm(value)) {
+                    taken[j] = true;
+                    group.push_back(j);
+                }
+        }
+        if (group.size() > 1)
+            out.push_back(std::move(group));
+    }
+    return out;
+}
+
+/// For each row the column it has its largest entry in, each column once.
+std::vector<Eigen::Index> columns_by_rows(Eigen::MatrixXd sizes) {
+    std::vector<Eigen::Index> out(static_cast<std::size_t>(sizes.rows()));
+    for (Eigen::Index k = 0; k < sizes.rows(); ++k) {
+        Eigen::Index row = 0;
+        Eigen::Index column = 0;
+        sizes.maxCoeff(&row, &column);
+        out[static_cast<std::size_t>(row)] = column;
+        sizes.row(row).setConstant(-1);
+        sizes.col(column).setConstant(-1);
+    }
+    return out;
+}
+
+/// Q(l) on the span of vectors.
+struct Span {
+    Eigen::MatrixXcd Y, M, D, K;
+};
+
+Span span_of(const SymmetricProblem &problem, double speed, const std::vector<SymmetricPair> &pairs,
+             const Group &group) {
+    const auto count = std::ssize(group);
+    const Eigen::Index n = problem.size();
+    Span out{Eigen::MatrixXcd(n, count), {}, {}, {}};
+    Eigen::MatrixXcd MY(n, count);
+    Eigen::MatrixXcd DY(n, count);
+    Eigen::MatrixXcd KY(n, count);
+    linalg::Vector4 x;
+    SymmetricProblem::Products of;
+    for (std::size_t first = 0; first < group.size(); first += linalg::lanes) {
+        std::array<const Eigen::VectorXcd *, linalg::lanes> vectors{};
+        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
+            vectors[lane] = &pairs[group[std::min(first + lane, group.size() - 1)]].vector;
+        linalg::set(x, vectors);
+        problem.multiply(x, speed, of);
+        for (std::size_t i = first; i < std::min(first + linalg::lanes, group.size()); ++i) {
+            const auto lane = static_cast<int>(i - first);
+            const auto column = static_cast<Eigen::Index>(i);
+            out.Y.col(column) = *vectors[i - first];
+            MY.col(column) = linalg::vector_of(of.M, lane);
+            DY.col(column) = linalg::vector_of(of.D, lane);
+            KY.col(column) = linalg::vector_of(of.K, lane);
+        }
+    }
+    const Eigen::VectorXd scales = out.Y.colwise().norm().cwiseInverse();
+    out.Y *= scales.asDiagonal();
+    out.M = out.Y.transpose() * MY * scales.asDiagonal();
+    out.D = out.Y.transpose() * DY * scales.asDiagonal();
+    out.K = out.Y.transpose() * KY * scales.asDiagonal();
+    return out;
+}
+
+/// The problem on the span of a group, linear in the distance from the mean of the values.
+/// @returns false where it cannot be solved
+bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pairs) {
+    Complex mean = 0;
+    for (const std::size_t i : group)
+        mean += pairs[i].value / static_cast<double>(group.size());
+    const Eigen::MatrixXcd there = mean * mean * span.M + mean * span.D + span.K;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> slope(2.0 * mean * span.M + span.D);
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(-slope.solve(there));
+    if (solver.info() != Eigen::Success || !solver.eigenvectors().allFinite())
+        return false;
+    const std::vector<Eigen::Index> mine = columns_by_rows(solver.eigenvectors().cwiseAbs());
+    for (std::size_t k = 0; k < group.size(); ++k) {
+        SymmetricPair &pair = pairs[group[k]];
+        if (pair.Mx.size() > 0) // known
+            continue;
+        pair.vector = span.Y * solver.eigenvectors().col(mine[k]);
+        pair.value = mean + solver.eigenvalues()(mine[k]);
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<bool> unmix(const SymmetricProblem &problem, double speed,
+                        std::vector<SymmetricPair> &pairs) {
+    std::vector<bool> grouped(pairs.size(), false);
+    for (const Group &group : close_groups(pairs)) {
+        const bool known = std::all_of(group.begin(), group.end(),
+                                       [&](std::size_t i) { return pairs[i].Mx.size() > 0; });
+        if (!known && unmix(span_of(problem, speed, pairs, group), group, pairs))
+            for (const std::size_t i : group)
+                grouped[i] = true;
+    }
+    return grouped;
+}
+
+} // namespace whirl::modes

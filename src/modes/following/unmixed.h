@@ -1,0 +1,16 @@
+#pragma once
+
+#include "modes/following/eigenpair_refinement.h"
+#include "modes/following/symmetric_problem.h"
+
+#include <vector>
+
+namespace whirl::modes {
+
+/// Where eigenvalues nearly meet the vectors mix: guesses whose values lie close together are
+/// replaced by the mixtures that the problem has in their span. Pairs with products stay.
+/// @returns of each pair whether it was among such a group
+[[nodiscard]] std::vector<bool> unmix(const SymmetricProblem &problem, double speed,
+                                      std::vector<SymmetricPair> &pairs);
+
+} // namespace whirl::modes
