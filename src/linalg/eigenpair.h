@@ -21,6 +21,7 @@ struct ComplexPair {
     Eigen::VectorXcd vector;    ///< largest modulus 1
     double residual = 0;        ///< relative change of l that would explain the remaining residual
     double rounding = 0;        ///< relative error that rounding of the matrix entries can cause
+    Eigen::VectorXcd left = {}; ///< y with y^T Q(l) = 0, of any length; empty: not asked for
 };
 
 } // namespace whirl::linalg

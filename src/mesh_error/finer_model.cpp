@@ -97,8 +97,11 @@ std::vector<double> FinerModel::errors_by_place(const modes::Spectrum &coarse) c
 /// The modes of the finer model that those of the coarse one become; empty where that is not sure.
 std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coarse) const {
     std::vector<modes::WhirlMode> guesses = coarse.modes;
-    for (modes::WhirlMode &mode : guesses)
+    for (modes::WhirlMode &mode : guesses) {
         mode.shape = embedded(mode.shape);
+        if (mode.rotating_vector.size() > 0)
+            mode.rotating_vector = embedded(mode.rotating_vector);
+    }
     const std::vector<modes::WhirlMode> fine = _fine->near(coarse.speed, guesses);
     std::vector<double> errors;
     for (std::size_t i = 0; i < fine.size(); ++i)
@@ -108,7 +111,7 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coar
 
 /// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
-    if (_coarse.follows())
+    if (_coarse.follows() || _coarse.form() == results::Form::rotating)
         if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
             return errors;
     constexpr double nearly = 0.5;
@@ -148,7 +151,9 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
 
 Eigen::VectorXcd FinerModel::embedded(const Eigen::VectorXcd &shape) const {
     const int planes = results::is_planar(_coarse.form()) ? 1 : 2;
-    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(planes * _mass.rows());
+    const auto attached = shape.size() - planes * std::ssize(_places); // balls
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(planes * _mass.rows() + attached);
+    out.tail(attached) = shape.tail(attached);
     for (std::size_t i = 0; i < _places.size(); ++i)
         for (int which = 0; which < planes; ++which)
             out(planes * _places[i] + which) = shape(planes * static_cast<Eigen::Index>(i) + which);

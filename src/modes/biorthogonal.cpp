@@ -163,16 +163,20 @@ ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &va
 }
 
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
-                   const Eigen::MatrixXcd &vectors, bool mirrored) {
+                   const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left) {
     ModeBasis out;
-    Eigen::MatrixXcd Y = vectors;
-    if (mirrored)
-        Y(Eigen::seqN(1, Y.rows() / 2, 2), Eigen::all) *= -1;
-    else
-        Y = left_vectors(problem, values, vectors);
-    fill<Complex>(problem, values, vectors, Y, out.complex_left, out.complex_right, out);
+    fill<Complex>(problem, values, vectors, left, out.complex_left, out.complex_right, out);
     separate(out);
     return out;
+}
+
+ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
+                   const Eigen::MatrixXcd &vectors, bool mirrored) {
+    if (!mirrored)
+        return basis_of(problem, values, vectors, left_vectors(problem, values, vectors));
+    Eigen::MatrixXcd Y = vectors;
+    Y(Eigen::seqN(1, Y.rows() / 2, 2), Eigen::all) *= -1;
+    return basis_of(problem, values, vectors, Y);
 }
 
 } // namespace whirl::modes

@@ -66,6 +66,10 @@ struct ModeBasis {
 [[nodiscard]] ModeBasis basis_of(const ComplexQuadraticAt &problem, const Eigen::VectorXcd &values,
                                  const Eigen::MatrixXcd &vectors);
 
+/// @param left  left vectors of the problem, of any length
+[[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,
+                                 const Eigen::MatrixXcd &vectors, const Eigen::MatrixXcd &left);
+
 /// @param mirrored  the problem is its transpose seen in a mirror (y -> -y): the left vectors are
 ///                  the right ones mirrored, else they are found by inverse iteration
 [[nodiscard]] ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXcd &values,

@@ -77,15 +77,7 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
                            const std::vector<balancers::BalancerElement> &balancers)
     : _discretization(d), _form(form) {
     if (results::in_rotating_axes(form)) {
-        const assembly::RotatingSystem system = assembly::assemble_rotating(d, 0, balancers);
-        _M = system.M.view();
-        _D = system.C.view();
-        _Ds = system.Cs.view();
-        _K = system.K.view();
-        _Ks = system.Ks.view();
-        _Kss = system.Kss.view();
-        for (const Sparse *A : {&_M, &_D, &_Ds, &_K, &_Ks, &_Kss})
-            _mirrored = _mirrored && mirror_is_transpose(*A);
+        set_rotating(assembly::assemble_rotating(d, 0, balancers));
         return;
     }
     if (form == results::Form::general) {
@@ -114,6 +106,23 @@ FormMatrices::FormMatrices(const assembly::Discretization &d, results::Form form
 FormMatrices::FormMatrices(const assembly::Discretization &d, const assembly::FixedSystem &system)
     : _discretization(d), _form(results::Form::general) {
     set_general(system);
+}
+
+FormMatrices::FormMatrices(const assembly::Discretization &d,
+                           const assembly::RotatingSystem &system)
+    : _discretization(d), _form(results::Form::rotating) {
+    set_rotating(system);
+}
+
+void FormMatrices::set_rotating(const assembly::RotatingSystem &system) {
+    _M = system.M.view();
+    _D = system.C.view();
+    _Ds = system.Cs.view();
+    _K = system.K.view();
+    _Ks = system.Ks.view();
+    _Kss = system.Kss.view();
+    for (const Sparse *A : {&_M, &_D, &_Ds, &_K, &_Ks, &_Kss})
+        _mirrored = _mirrored && mirror_is_transpose(*A);
 }
 
 void FormMatrices::set_general(const assembly::FixedSystem &system) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "balancers/linear_element.h"
 #include "modes/biorthogonal.h"
@@ -24,6 +25,9 @@ class FormMatrices {
     /// speed.
     FormMatrices(const assembly::Discretization &discretization,
                  const assembly::FixedSystem &system);
+    /// The same, form rotating.
+    FormMatrices(const assembly::Discretization &discretization,
+                 const assembly::RotatingSystem &system);
 
     /// Form hill: without the part of the bearings that turns.
     [[nodiscard]] QuadraticAt at(double speed) const;
@@ -54,6 +58,7 @@ class FormMatrices {
     /// Entries of a block on (x, y) as the matrix has them.
     enum class Part { real, imaginary };
     void set_general(const assembly::FixedSystem &system);
+    void set_rotating(const assembly::RotatingSystem &system);
     void set_damped_planar();
     void add_tables(QuadraticAt &problem, double speed, Part part) const;
     [[nodiscard]] Supports support_change(double from, double to, Part part) const;

@@ -3,6 +3,7 @@
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
+#include "linalg/quadratic/quadratic_problem.h"
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"
@@ -59,6 +60,17 @@ RotatingSpectrum::RotatingSpectrum(const assembly::Discretization &discretizatio
                                                        2 * (discretization.planar_size() +
                                                             balancers::unknowns_of(balancers))),
                             shapes);
+}
+
+RotatingSpectrum RotatingSpectrum::rough(const assembly::Discretization &d,
+                                         const std::vector<balancers::BalancerElement> &balancers,
+                                         const Eigen::MatrixXd &shapes) {
+    RotatingSpectrum out(d, 0, balancers, 0, &shapes);
+    out._rough = true;
+    std::size_t next = 0;
+    for (const auto *A : {&out._M, &out._C, &out._Cs, &out._K, &out._Ks, &out._Kss})
+        out._full[next++] = *A;
+    return out;
 }
 
 assembly::SystemAtSpeed RotatingSpectrum::hill_system(double speed) const {
@@ -139,7 +151,12 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     options.shift = shift;
     options.fewest = 1;
     linalg::QuadraticResult found;
-    if (_harmonics == 0) {
+    if (_rough) {
+        const auto &[M, C, Cs, K, Ks, Kss] = _full;
+        found.pairs = linalg::all_pairs(M, C + speed * Cs, K + speed * (Ks + speed * Kss), shift);
+        found.method = linalg::QuadraticMethod::dense;
+        found.complete_radius = std::numeric_limits<double>::infinity();
+    } else if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.method = _method;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
@@ -245,6 +262,7 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
     mode.frequency_rotating = nu;
     mode.rotating_value = pair.value;
     mode.rotating_vector = pair.vector;
+    mode.rotating_left = pair.left;
     mode.shape.resize(2 * n);
     double turn = 0; // rad/s, of the dominant whirl, positive with the spin
     if (speed == 0) {
@@ -304,14 +322,17 @@ RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, dou
     return out;
 }
 
+bool RotatingSpectrum::asked_for(const linalg::ComplexPair &pair, double speed,
+                                 double highest) const {
+    return pair.value.real() > 0 || std::abs(in_fixed_frame(pair, speed).eigenvalue) <= highest;
+}
+
 void RotatingSpectrum::judge(Eigenvalues &found, double speed, double highest) const {
     if (_harmonics > 0)
         return;
     const auto rest =
-        std::stable_partition(found.pairs.begin(), found.pairs.end(), [&](const auto &pair) {
-            return pair.value.real() > 0 ||
-                   std::abs(in_fixed_frame(pair, speed).eigenvalue) <= highest;
-        });
+        std::stable_partition(found.pairs.begin(), found.pairs.end(),
+                              [&](const auto &pair) { return asked_for(pair, speed, highest); });
     std::vector<linalg::ComplexPair> asked(found.pairs.begin(), rest);
     linalg::assess_condition(_M, _C + speed * _Cs, _K + speed * _Ks + speed * speed * _Kss,
                              found.shift, asked);
@@ -320,37 +341,41 @@ void RotatingSpectrum::judge(Eigenvalues &found, double speed, double highest) c
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
 }
 
-RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors errors) const {
+RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) const {
     double radius = std::abs(speed);
-    double highest = 0; // of those wanted
-    Modes out;
-    Eigenvalues found;
+    Lowest out;
+    bool any = false;
     for (int attempt = 0; attempt <= 12; ++attempt) {
         try {
-            found = up_to(speed, radius, wanted, Keep::best);
+            out.found = up_to(speed, radius, wanted, Keep::best);
         } catch (const linalg::SolverError &) {
-            if (out.modes.empty())
+            if (!any)
                 throw;
             break; // beside those found (a rotor of few masses) no more can be resolved
         }
-        out = modes_of(found, speed);
-        std::vector<double> lowest;
-        for (const WhirlMode &mode : out.modes)
-            lowest.push_back(std::abs(mode.eigenvalue));
-        std::sort(lowest.begin(), lowest.end());
+        const Modes modes = modes_of(out.found, speed);
+        any = !modes.modes.empty();
+        std::vector<double> moduli;
+        for (const WhirlMode &mode : modes.modes)
+            moduli.push_back(std::abs(mode.eigenvalue));
+        std::sort(moduli.begin(), moduli.end());
         const auto last = static_cast<std::size_t>(wanted) - 1;
-        const bool enough = lowest.size() > last && lowest[last] <= out.complete_radius;
-        highest = lowest.size() > last ? (1 + 1e-9) * lowest[last]
-                                       : std::numeric_limits<double>::infinity();
-        if (enough || std::isinf(found.complete_radius))
+        const bool as_many = moduli.size() > last;
+        out.enough = as_many && moduli[last] <= modes.complete_radius;
+        out.highest = as_many ? (1 + 1e-9) * moduli[last] : std::numeric_limits<double>::infinity();
+        if (out.enough || std::isinf(out.found.complete_radius))
             break;
-        radius = lowest.size() > last ? 1.001 * (lowest[last] + std::abs(speed))
-                                      : 1.5 * std::max(radius, found.complete_radius);
+        radius = as_many ? 1.001 * (moduli[last] + std::abs(speed))
+                         : 1.5 * std::max(radius, out.found.complete_radius);
     }
-    if (errors == Errors::of_right_vectors)
-        return out;
-    judge(found, speed, highest);
-    return modes_of(found, speed);
+    return out;
+}
+
+RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors errors) const {
+    Lowest all = lowest(speed, wanted);
+    if (errors == Errors::with_left_vectors)
+        judge(all.found, speed, all.highest);
+    return modes_of(all.found, speed);
 }
 
 } // namespace whirl::modes

@@ -7,6 +7,7 @@
 #include "modes/orbits.h"
 #include "modes/whirl_mode.h"
 
+#include <array>
 #include <complex>
 #include <optional>
 #include <utility>
@@ -26,6 +27,12 @@ class RotatingSpectrum {
     RotatingSpectrum(const assembly::Discretization &discretization, double bearing_speed,
                      const std::vector<balancers::BalancerElement> &balancers, int harmonics,
                      const Eigen::MatrixXd *shapes = nullptr);
+
+    /// The same on few shapes without harmonics, whose eigenvalues are to begin with: as a dense
+    /// decomposition leaves them, without a word on their errors, at half the cost.
+    static RotatingSpectrum rough(const assembly::Discretization &discretization,
+                                  const std::vector<balancers::BalancerElement> &balancers,
+                                  const Eigen::MatrixXd &shapes);
 
     /// Eigenvalues in rotating axes, Im >= 0; shape over the unknowns of the rotating system.
     struct Eigenvalues {
@@ -61,6 +68,23 @@ class RotatingSpectrum {
     [[nodiscard]] Modes modes(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
 
+    /// The eigenvalues that these modes are among.
+    struct Lowest {
+        Eigenvalues found;
+        double highest = 0;  ///< modulus of the last of them as seen from the fixed frame, 1/s
+        bool enough = false; ///< as many as wanted are complete
+    };
+    /// @throws linalg::SolverError
+    [[nodiscard]] Lowest lowest(double speed, int wanted) const;
+    /// Of eigenvalues over the unknowns of this rotor.
+    [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
+    /// Whether it is up to a modulus as seen from the fixed frame, 1/s, or grows.
+    [[nodiscard]] bool asked_for(const linalg::ComplexPair &pair, double speed,
+                                 double highest) const;
+    /// Whether it is what holds parts on their way across a diameter: no motion.
+    [[nodiscard]] bool held(const Eigen::VectorXcd &vector) const;
+    [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
+
     [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
     /// The constant terms of Hill's series at a speed.
     [[nodiscard]] assembly::SystemAtSpeed hill_system(double speed) const;
@@ -78,6 +102,8 @@ class RotatingSpectrum {
     Stations _stations;
     /// Of a reduced rotor all motions are found.
     linalg::QuadraticMethod _method = linalg::QuadraticMethod::automatic;
+    bool _rough = false;
+    std::array<Eigen::MatrixXd, 6> _full; ///< of a rough one: _M, _C, ... as full matrices
     mutable int _usual = 6; ///< pairs that were enough last time: the first try of the next
 
     /// Copies of a motion that count.
@@ -100,15 +126,11 @@ class RotatingSpectrum {
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
                                    linalg::ComplexPair &pair);
-    /// Whether it is what holds parts on their way across a diameter: no motion.
-    [[nodiscard]] bool held(const Eigen::VectorXcd &vector) const;
     /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
     [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
-    [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
     /// Residual and rounding by left vectors of the motions up to a modulus as seen from the fixed
     /// frame, 1/s, and of all that grow: a factorisation each.
     void judge(Eigenvalues &found, double speed, double highest) const;
-    [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
 };
 
 } // namespace whirl::modes

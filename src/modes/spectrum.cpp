@@ -15,6 +15,10 @@
 #include "modes/reduced/few_shapes.h"
 #include "modes/rotating_spectrum.h"
 #include "modes/symmetric_spectrum.h"
+#include "modes/turning/few_turning.h"
+#include "modes/turning/turning_basis.h"
+#include "modes/turning/turning_pencil.h"
+#include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -28,25 +32,11 @@ namespace whirl::modes {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// v of the problem: signed and real in the symmetric forms.
 double real_value(const WhirlMode &mode, results::Form form, double speed) {
     const bool negative =
         form == results::Form::planar && (mode.whirl == results::Whirl::forward) != (speed >= 0);
     return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
-}
-
-/// Change of the eigenvalue in the fixed frame from that of the value in rotating axes: the mode
-/// whirls at the spin speed plus or minus what is seen from the rotor.
-std::complex<double> seen_from_ground(const WhirlMode &mode, double speed,
-                                      std::complex<double> rate) {
-    if (speed == 0)
-        return unknown; // both whirls at once
-    const bool positive = (mode.whirl == results::Whirl::forward) == (speed > 0);
-    const double turn = positive ? mode.eigenvalue.imag() : -mode.eigenvalue.imag();
-    const double turn_rate = 1 + (turn >= speed ? rate.imag() : -rate.imag());
-    return {rate.real(), positive ? turn_rate : -turn_rate};
 }
 
 bool all_followed(const Spectrum &spectrum) {
@@ -72,17 +62,26 @@ struct SpectrumSolver::Data {
     std::unique_ptr<GeneralSpectrum> general;
     std::vector<balancers::BalancerElement> balancers;
     std::unique_ptr<RotatingSpectrum> rotating;
+    std::optional<FewTurning::Range> turning_range; ///< asked for
+    std::unique_ptr<FewTurning> turning;            ///< form rotating; none: the whole rotor
+    std::unique_ptr<TurningPencil> pencil;          ///< form rotating
+    std::unique_ptr<SpectrumSolver> on_few;         ///< the rotor on those shapes
+    std::shared_ptr<const Eigen::MatrixXd> shapes;  ///< this rotor is one on these
+    int refinement;
     std::unique_ptr<Continuation> following; ///< none before follow()
     std::unique_ptr<FewShapes> few;          ///< none: the whole rotor
 
-    Data(const model::Rotor &rotor, results::Form which, int order, int refinement, int harmonics)
-        : d(rotor, order, refinement), form(which), tables(rotor.bearings_depend_on_speed()),
-          stations(Stations::for_orbits(d)) {
+    Data(const model::Rotor &rotor, results::Form which, int order, int parts, int harmonics,
+         std::shared_ptr<const Eigen::MatrixXd> few_shapes = nullptr)
+        : d(rotor, order, parts), form(which), tables(rotor.bearings_depend_on_speed()),
+          stations(Stations::for_orbits(d)), shapes(std::move(few_shapes)), refinement(parts) {
         if (results::in_rotating_axes(form)) {
             balancers =
                 balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
             rotating = std::make_unique<RotatingSpectrum>(
-                d, 0, balancers, form == results::Form::hill ? harmonics : 0);
+                shapes ? RotatingSpectrum::rough(d, balancers, *shapes)
+                       : RotatingSpectrum(d, 0, balancers,
+                                          form == results::Form::hill ? harmonics : 0));
         }
     }
 
@@ -94,8 +93,24 @@ struct SpectrumSolver::Data {
         return *known;
     }
 
+    /// Form rotating: from now on by few shapes, where they do.
+    void take_turning(FewTurning::Range range) {
+        if (form != results::Form::rotating || tables ||
+            (turning_range && turning_range->covers(range)))
+            return;
+        if (turning_range)
+            range = {std::min(range.from, turning_range->from),
+                     std::max(range.to, turning_range->to),
+                     std::max(range.wanted, turning_range->wanted)};
+        turning_range = range;
+        on_few.reset();
+        turning = FewTurning::of(d, balancers, *rotating, range);
+    }
+
     const FormMatrices &matrices() {
-        return few ? few->matrices() : made(_matrices, d, form, balancers);
+        return few      ? few->matrices()
+               : shapes ? made(_matrices, d, rotating->system())
+                        : made(_matrices, d, form, balancers);
     }
 
     /// None where the matrices are not symmetric.
@@ -114,7 +129,22 @@ SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, results::Form form, in
                                int refinement, int harmonics)
     : _data(std::make_unique<Data>(rotor, form, order, refinement, harmonics)) {}
 
+SpectrumSolver::SpectrumSolver(std::unique_ptr<Data> data) : _data(std::move(data)) {}
+
 SpectrumSolver::~SpectrumSolver() = default;
+
+const Eigen::MatrixXd *SpectrumSolver::shapes() const { return _data->shapes.get(); }
+
+const SpectrumSolver *SpectrumSolver::on_few_shapes(double from, double to, int wanted) const {
+    if (!_data->turning)
+        return nullptr;
+    _data->take_turning({std::min(from, to), std::max(from, to), wanted});
+    if (_data->turning && !_data->on_few)
+        _data->on_few.reset(new SpectrumSolver(std::make_unique<Data>(
+            _data->d.rotor(), _data->form, _data->d.order(), _data->refinement, 0,
+            std::make_shared<const Eigen::MatrixXd>(_data->turning->shapes()))));
+    return _data->on_few.get();
+}
 
 const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
 results::Form SpectrumSolver::form() const { return _data->form; }
@@ -163,8 +193,16 @@ double SpectrumSolver::left_out(double speed, const WhirlMode &mode) const {
 }
 
 void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const {
+    constexpr std::size_t several = 8; // fewer cost less one by one
     if (_data->few)
         return;
+    if (results::in_rotating_axes(_data->form)) {
+        if (speeds.size() >= several || _data->turning_range) {
+            const auto [from, to] = std::minmax_element(speeds.begin(), speeds.end());
+            _data->take_turning({*from, *to, wanted});
+        }
+        return;
+    }
     if (!_data->following) {
         const SymmetricProblem *problem = _data->symmetric_matrices();
         if (problem == nullptr)
@@ -184,11 +222,23 @@ bool SpectrumSolver::follows() const { return _data->following != nullptr; }
 
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
                                             const std::vector<WhirlMode> &guesses) const {
+    if (_data->form == results::Form::rotating && !_data->tables) {
+        const RotatingSpectrum &rotating = *_data->rotating;
+        return turning_modes_near(
+            rotating, Data::made(_data->pencil, rotating.system(), support_scale(_data->d)), speed,
+            guesses);
+    }
     const SymmetricProblem *problem = _data->symmetric_matrices();
     return problem == nullptr ? std::vector<WhirlMode>() : modes_near(*problem, speed, guesses);
 }
 
 Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const {
+    if (_data->turning && speed != 0) {
+        _data->take_turning({speed, speed, wanted});
+        if (_data->turning)
+            if (std::optional<RotatingSpectrum::Modes> found = _data->turning->modes(speed, wanted))
+                return spectrum_of(speed, *std::move(found));
+    }
     RotatingSpectrum::Modes found =
         _data->tables
             ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
@@ -276,15 +326,15 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
         return real_basis(_data->matrices().at(spectrum.speed), spectrum, form);
     if (form == results::Form::hill)
         return series_basis(_data->matrices().mass(), 2 * _data->d.planar_size(), spectrum);
-    const bool turning = form == results::Form::rotating;
+    if (form == results::Form::rotating)
+        return turning_basis(_data->matrices().at(spectrum.speed), spectrum,
+                             _data->matrices().mirrored());
     const bool planar = form == results::Form::planar_damped;
     Eigen::VectorXcd values(count);
     Eigen::MatrixXcd X(n, count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        values(i) = turning || planar ? mode(i).rotating_value : mode(i).eigenvalue;
-        X.col(i) = turning      ? mode(i).rotating_vector
-                   : _data->few ? _data->few->amplitudes(mode(i).shape)
-                                : mode(i).shape;
+        values(i) = planar ? mode(i).rotating_value : mode(i).eigenvalue;
+        X.col(i) = _data->few ? _data->few->amplitudes(mode(i).shape) : mode(i).shape;
     }
     if (planar) {
         ModeBasis out = basis_of(_data->matrices().complex_at(spectrum.speed), values, X);
@@ -294,16 +344,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
                     (*rates)(i) = std::conj((*rates)(i));
         return out;
     }
-    ModeBasis out =
-        basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
-    if (turning) {
-        out.copies = {out.complex_right.conjugate()};
-        out.ways_back = {0};
-    }
-    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
-        for (Eigen::Index i = 0; turning && i < count; ++i)
-            (*rates)(i) = seen_from_ground(mode(i), spectrum.speed, (*rates)(i));
-    return out;
+    return basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
 }
 
 QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices().at(speed); }

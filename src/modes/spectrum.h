@@ -6,6 +6,8 @@
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
+#include <Eigen/Core>
+
 #include <complex>
 #include <memory>
 #include <vector>
@@ -59,6 +61,14 @@ class SpectrumSolver {
     /// What the shapes leave out of the eigenvalue of such a mode, estimated, relative to it.
     [[nodiscard]] double left_out(double speed, const WhirlMode &mode) const;
 
+    /// Form rotating: this rotor on the few shapes that its motions were found to have over a range
+    /// of speeds, after follow() through several; for searches that ask at hundreds of speeds. Its
+    /// modes are over the amplitudes of these shapes. Null where there is none.
+    /// @param from,to  rad/s
+    [[nodiscard]] const SpectrumSolver *on_few_shapes(double from, double to, int wanted) const;
+    /// Of such a rotor its planar shapes, N x r; null of a whole one.
+    [[nodiscard]] const Eigen::MatrixXd *shapes() const;
+
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;
 
@@ -94,6 +104,7 @@ class SpectrumSolver {
     struct Data;
     std::unique_ptr<Data> _data;
 
+    explicit SpectrumSolver(std::unique_ptr<Data> data);
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
     [[nodiscard]] GeneralSpectrum::Modes planar_damped(double speed, int wanted) const;
     [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted, Errors errors) const;

@@ -34,6 +34,7 @@ struct WhirlMode {
     /// the sign of its Im. In no other form.
     std::complex<double> rotating_value;
     Eigen::VectorXcd rotating_vector;
+    Eigen::VectorXcd rotating_left; ///< form rotating: left vector of that pair; empty: not known
     double residual = 0;
     double rounding = 0;
     int followed = -1; ///< place among the pairs of a Continuation at its speed, where it is one

@@ -56,7 +56,8 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.rounding);
         bytes.put(mode.frequency_rotating);
         bytes.put(mode.rotating_value);
-        for (const Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector}) {
+        for (const Eigen::VectorXcd *vector :
+             {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
             bytes.put(vector->size());
             bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
         }
@@ -80,7 +81,7 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.rounding = bytes.get<double>();
         mode.frequency_rotating = bytes.get<double>();
         mode.rotating_value = bytes.get<std::complex<double>>();
-        for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector}) {
+        for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
             vector->resize(bytes.get<Eigen::Index>());
             bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
         }

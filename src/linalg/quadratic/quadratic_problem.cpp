@@ -2,6 +2,9 @@
 
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/unit_scales.h"
+
+#include <Eigen/LU>
 
 #include <cmath>
 #include <limits>
@@ -164,13 +167,12 @@ double QuadraticProblem::polish_beside_zero(ComplexPair &pair) const {
     return noise / (std::abs(y_slope) * size);
 }
 
-std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
-    const Eigen::Index n = _M.rows();
-    // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
-    Eigen::MatrixXd A = 2 * _shift * _M + _D;
-    Eigen::MatrixXd B = _M;
-    _lu.solve(A);
-    _lu.solve(B);
+namespace {
+
+/// mu^2 + mu A + B = 0, mu = 1/(l - shift): all l with Im l >= 0.
+std::vector<ComplexPair> inverted_pairs(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B,
+                                        double shift, bool otherwise) {
+    const Eigen::Index n = A.rows();
     const double s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     companion.topLeftCorner(n, n) = -A / s;
@@ -184,7 +186,7 @@ std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
         const std::complex<double> mu = found.values(i);
         if (std::abs(mu) <= smallest || mu.imag() < 0)
             continue;
-        std::complex<double> l = _shift + 1.0 / (s * mu);
+        std::complex<double> l = shift + 1.0 / (s * mu);
         Eigen::VectorXcd vector = found.right.col(i).head(n);
         if (found.is_pair(i)) { // the one with Im l > 0
             l = std::conj(l);
@@ -192,7 +194,38 @@ std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
         }
         pairs.push_back({l, std::move(vector), 0, 0});
     }
+    return pairs;
+}
+
+} // namespace
+
+std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
+    // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
+    Eigen::MatrixXd A = 2 * _shift * _M + _D;
+    Eigen::MatrixXd B = _M;
+    _lu.solve(A);
+    _lu.solve(B);
+    std::vector<ComplexPair> pairs = inverted_pairs(A, B, _shift, otherwise);
     assess(pairs);
+    return pairs;
+}
+
+std::vector<ComplexPair> all_pairs(const Eigen::MatrixXd &M, const Eigen::MatrixXd &D,
+                                   const Eigen::MatrixXd &K, double shift) {
+    const Eigen::VectorXd d = scales_at(shift, M.diagonal(), K.diagonal());
+    const auto scaled = [&d](const Eigen::MatrixXd &A) -> Eigen::MatrixXd {
+        return d.asDiagonal() * A * d.asDiagonal();
+    };
+    const Eigen::MatrixXd mass = scaled(M);
+    const Eigen::MatrixXd slope = 2 * shift * mass + scaled(D);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(scaled(shift * (shift * M + D) + K));
+    const Eigen::MatrixXd A = lu.solve(slope);
+    const Eigen::MatrixXd B = lu.solve(mass);
+    if (!A.allFinite() || !B.allFinite())
+        throw SolverError("the matrix at the shift is singular");
+    std::vector<ComplexPair> pairs = inverted_pairs(A, B, shift, false);
+    for (ComplexPair &pair : pairs)
+        pair.vector = d.asDiagonal() * pair.vector;
     return pairs;
 }
 

@@ -10,6 +10,12 @@
 
 namespace whirl::linalg {
 
+/// All finite eigenvalues with Im >= 0 of a small problem with full matrices, by the companion
+/// matrix of the problem in 1/(l - shift), as the decomposition leaves them: errors are not known.
+/// @throws SolverError where it does not converge
+[[nodiscard]] std::vector<ComplexPair> all_pairs(const Eigen::MatrixXd &M, const Eigen::MatrixXd &D,
+                                                 const Eigen::MatrixXd &K, double shift);
+
 /// Q(l) = l^2 M + l D + K with a factorisation at one real shift: residuals and the dense route.
 class QuadraticProblem {
   public:

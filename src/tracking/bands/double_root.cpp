@@ -15,10 +15,19 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// [Q b; c^T 0], factorised.
+/// [Q b; c^T 0], factorised; of a rotor on few shapes, whose matrices are full, as such.
 class Bordered {
   public:
     Bordered(const Sparse &Q, const Eigen::VectorXd &b, const Eigen::VectorXd &c) : _n(Q.rows()) {
+        if (3 * Q.nonZeros() > _n * _n) {
+            Eigen::MatrixXd A = Eigen::MatrixXd::Zero(_n + 1, _n + 1);
+            A.topLeftCorner(_n, _n) = Q;
+            A.col(_n).head(_n) = b;
+            A.row(_n).head(_n) = c;
+            _full.emplace(A);
+            _regular = true; // else what it solves is no number
+            return;
+        }
         std::vector<Eigen::Triplet<double>> entries;
         for (Eigen::Index column = 0; column < _n; ++column)
             for (Sparse::InnerIterator entry(Q, column); entry; ++entry)
@@ -37,12 +46,16 @@ class Bordered {
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd &f, double last) const {
         Eigen::VectorXd rhs(_n + 1);
         rhs << f, last;
+        if (_full)
+            return _full->solve(rhs);
         _factors.solve(rhs);
         return rhs;
     }
     /// The same of the transpose, for [0; 1].
     [[nodiscard]] Eigen::VectorXd transposed() const {
         Eigen::VectorXd rhs = Eigen::VectorXd::Unit(_n + 1, _n);
+        if (_full)
+            return _full->transpose().solve(rhs);
         _factors.solve_transposed(rhs);
         return rhs;
     }
@@ -50,19 +63,25 @@ class Bordered {
   private:
     Eigen::Index _n;
     linalg::SparseFactor<double> _factors;
+    std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> _full;
     bool _regular = false;
 };
 
 /// Q and its derivatives at one place, over scaled unknowns.
 struct Derivatives {
     Sparse Q, l, ll, s, ls;
+    Eigen::VectorXd scales;
 };
 
 Derivatives derivatives(const modes::QuadraticAt &p, double value, double scale) {
     const Eigen::VectorXd d = linalg::scales_at(scale, p.M.diagonal(), p.K.diagonal());
     const auto of = [&d](const Sparse &A) { return Sparse(d.asDiagonal() * A * d.asDiagonal()); };
-    return {of(value * value * p.M + value * p.D + p.K), of(2 * value * p.M + p.D), of(2 * p.M),
-            of(value * p.above.D + p.above.K), of(p.above.D)};
+    return {of(value * value * p.M + value * p.D + p.K),
+            of(2 * value * p.M + p.D),
+            of(2 * p.M),
+            of(value * p.above.D + p.above.K),
+            of(p.above.D),
+            d};
 }
 
 /// g and dg/dl with their derivatives.
@@ -101,12 +120,15 @@ class FoldSearch {
             return std::nullopt;
         _c = v.normalized();
         _b = w.normalized();
+        _shape = Q.scales.asDiagonal() * _c;
         return out;
     }
 
+    [[nodiscard]] const Eigen::VectorXd &shape() const { return _shape; }
+
   private:
     const std::function<modes::QuadraticAt(double)> &_problem_at;
-    Eigen::VectorXd _b, _c;
+    Eigen::VectorXd _b, _c, _shape;
 };
 
 } // namespace
@@ -141,7 +163,8 @@ std::optional<DoubleRoot> double_root(const std::function<modes::QuadraticAt(dou
         const bool there = moved <= converged * scale || (moved < 1e-10 * scale && moved >= last);
         if (there && (turned <= 1e-12 * scale || turned >= last_turned)) {
             const Eigen::Matrix2d &J = fold->jacobian;
-            return DoubleRoot{s, l, J(0, 1) * J(1, 0) < 0}; // g = g_s ds + g_ll dl^2 / 2
+            // g = g_s ds + g_ll dl^2 / 2
+            return DoubleRoot{s, l, J(0, 1) * J(1, 0) < 0, search.shape()};
         }
         last = moved;
         last_turned = turned;

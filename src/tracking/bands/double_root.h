@@ -11,9 +11,10 @@ namespace whirl::tracking {
 
 /// A speed at which two real eigenvalues meet and go on as a complex pair.
 struct DoubleRoot {
-    double speed = 0;   ///< rad/s
-    double value = 0;   ///< of both, 1/s
-    bool opens = false; ///< they are real above the speed
+    double speed = 0;           ///< rad/s
+    double value = 0;           ///< of both, 1/s
+    bool opens = false;         ///< they are real above the speed
+    Eigen::VectorXd shape = {}; ///< of the motion there
 };
 
 /// The double real root of Q(l, speed) x = 0 next to a motion: Newton's method for g = 0 and

@@ -4,7 +4,9 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
+#include "model/errors.h"
 #include "modes/zero_modes.h"
+#include "reduction/projection.h"
 #include "results/formulation.h"
 #include "tracking/bands/branch_point.h"
 #include "tracking/bands/double_root.h"
@@ -81,7 +83,7 @@ LockEnd end_of(const DoubleRoot &root) {
     const double outwards = root.opens ? -1 : 1;
     const bool undamped = std::abs(root.value) <= resolved * std::abs(root.speed);
     return {root.speed, root.speed + outwards * beside * std::abs(root.speed),
-            undamped ? 0 : root.value};
+            undamped ? 0 : root.value, root.shape};
 }
 
 /// The roots account for the numbers at both borders and half way between each two neighbours.
@@ -201,8 +203,10 @@ std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wan
     const model::Rotor &rotor = d.rotor();
     if (solver.form() != results::Form::rotating || rotor.bearings_depend_on_speed())
         return {};
-    const assembly::RotatingSystem system = assembly::assemble_rotating(
+    assembly::RotatingSystem system = assembly::assemble_rotating(
         d, 0, balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)), true);
+    if (solver.shapes() != nullptr)
+        system = reduction::Projection(*solver.shapes()).of(system);
     linalg::QuadraticOptions options;
     options.shift = 0.3 * modes::support_scale(d);
     options.fewest = 1;
@@ -218,34 +222,8 @@ std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wan
     return speeds;
 }
 
-} // namespace
-
-double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form) {
-    const bool copies = form == results::Form::hill && speed != 0;
-    return std::abs(copies ? std::remainder(mode.frequency_rotating, 2 * speed)
-                           : mode.frequency_rotating);
-}
-
-bool locked(const modes::WhirlMode &mode, double speed) {
-    return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
-}
-
-std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
-    return std::count_if(
-        spectrum.modes.begin(), spectrum.modes.end(),
-        [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
-}
-
-std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,
-                               int parts, int wanted) {
-    std::vector<double> speeds;
-    for (int part = 0; part <= parts; ++part)
-        speeds.push_back(from + (to - from) * part / parts);
-    return ends_among(solver, speeds, wanted);
-}
-
-std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from, double to,
-                                    int wanted) {
+std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double from, double to,
+                               int wanted) {
     constexpr int parts = 200;
     constexpr double closely = 1e-7;
     const double low = std::min(from, to);
@@ -279,6 +257,77 @@ std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double 
         all.insert(all.end(), ends.begin(), ends.end());
     }
     return all;
+}
+
+/// Ends of a rotor on few shapes as the whole one has them; nothing where one of them is none.
+std::optional<std::vector<LockEnd>> of_whole(const modes::SpectrumSolver &whole,
+                                             const modes::SpectrumSolver &few,
+                                             const std::vector<LockEnd> &ends) {
+    constexpr double near = 1e-4; // of the speed
+    const auto problem_at = [&whole](double speed) { return whole.problem_at(speed); };
+    std::vector<LockEnd> out;
+    for (const LockEnd &end : ends) {
+        const auto root = double_root(problem_at, end.speed, end.real,
+                                      reduction::Projection(*few.shapes())
+                                          .lifted(end.shape.cast<std::complex<double>>())
+                                          .real(),
+                                      near * std::abs(end.speed));
+        if (!root || root->opens != (end.outside < end.speed))
+            return std::nullopt;
+        out.push_back(end_of(*root));
+    }
+    return out;
+}
+
+/// What a search finds on the rotor on few shapes, made ends of the whole one; that of the whole
+/// one where there are no such shapes.
+template <class Search>
+std::vector<LockEnd> by_few_shapes(const modes::SpectrumSolver &solver, double from, double to,
+                                   int wanted, const Search &search) {
+    if (const modes::SpectrumSolver *few = solver.on_few_shapes(from, to, wanted)) {
+        try {
+            if (auto ends = of_whole(solver, *few, search(*few)))
+                return *std::move(ends);
+        } catch (const model::AnalysisFailure &) { // the whole rotor decides
+            return search(solver);
+        }
+    }
+    return search(solver);
+}
+
+} // namespace
+
+double turn_in_rotor(const modes::WhirlMode &mode, double speed, results::Form form) {
+    const bool copies = form == results::Form::hill && speed != 0;
+    return std::abs(copies ? std::remainder(mode.frequency_rotating, 2 * speed)
+                           : mode.frequency_rotating);
+}
+
+bool locked(const modes::WhirlMode &mode, double speed) {
+    return mode.frequency_rotating == 0 && speed != 0 && mode.eigenvalue.imag() == std::abs(speed);
+}
+
+std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
+    return std::count_if(
+        spectrum.modes.begin(), spectrum.modes.end(),
+        [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
+}
+
+std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,
+                               int parts, int wanted) {
+    return by_few_shapes(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
+        std::vector<double> speeds;
+        for (int part = 0; part <= parts; ++part)
+            speeds.push_back(from + (to - from) * part / parts);
+        return ends_among(rotor, speeds, wanted);
+    });
+}
+
+std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from, double to,
+                                    int wanted) {
+    return by_few_shapes(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
+        return ends_over(rotor, from, to, wanted);
+    });
 }
 
 } // namespace whirl::tracking

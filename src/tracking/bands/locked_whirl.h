@@ -3,6 +3,8 @@
 #include "modes/spectrum.h"
 #include "results/formulation.h"
 
+#include <Eigen/Core>
+
 #include <cstddef>
 #include <vector>
 
@@ -21,9 +23,10 @@ namespace whirl::tracking {
 
 /// An end of a band of speeds over which a motion is locked.
 struct LockEnd {
-    double speed = 0;   ///< rad/s, relative 1e-11
-    double outside = 0; ///< a speed close by at which the motion has left the band
-    double real = 0;    ///< of the eigenvalue at the end, 1/s
+    double speed = 0;           ///< rad/s, relative 1e-11
+    double outside = 0;         ///< a speed close by at which the motion has left the band
+    double real = 0;            ///< of the eigenvalue at the end, 1/s
+    Eigen::VectorXd shape = {}; ///< form rotating: of the motion there
 };
 
 /// The same with the line of the motion outside the band.

@@ -1,0 +1,261 @@
+#include "modes/turning/few_turning.h"
+
+#include "assembly/planes.h"
+#include "linalg/check.h"
+#include "linalg/symmetric_eigen.h"
+#include "modes/zero_modes.h"
+#include "reduction/planar_pair.h"
+#include "reduction/planar_shapes.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace whirl::modes {
+
+namespace {
+
+using Pairs = std::vector<linalg::ComplexPair>;
+
+/// Principal parts below this share of the largest one are left out to begin with, and a tenth of
+/// it each time that it does not do: eigenvalues are off by its square.
+constexpr double least_part = 1e-4;
+
+/// At speeds that no shapes were taken from, eigenvalues of the few shapes are those of the whole
+/// rotor to this part of themselves or of the speed.
+constexpr double agreeing = 1e-7;
+
+/// Of planar unknowns: with more shapes nothing is gained.
+constexpr double hardly_fewer = 0.6;
+
+/// What bends the shaft, K + top^2 M in a plane, as L L^T; by its diagonal where it is not
+/// positive.
+Eigen::MatrixXd metric_factor(const assembly::Discretization &d, double top) {
+    const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
+    const Eigen::MatrixXd H = pair.K + top * top * pair.M;
+    const Eigen::LLT<Eigen::MatrixXd> factors(H);
+    if (factors.info() == Eigen::Success)
+        return factors.matrixL();
+    return H.diagonal().cwiseAbs().cwiseSqrt().asDiagonal();
+}
+
+/// The shapes of motions sampled at some speeds.
+class Samples {
+  public:
+    Samples(const assembly::Discretization &d, double top)
+        : _L(metric_factor(d, top)), _sum(Eigen::MatrixXd::Zero(_L.rows(), _L.rows())) {}
+
+    void add(const linalg::ComplexPair &pair) {
+        const Eigen::MatrixXd parts =
+            _L.transpose() * reduction::planar_parts(pair.vector, _L.rows(), pair.vector.size());
+        const double length = parts.colwise().norm().maxCoeff();
+        if (length > 0)
+            _sum += (parts / length) * (parts / length).transpose();
+    }
+
+    [[nodiscard]] Eigen::MatrixXd principal(double least) const {
+        const auto found = linalg::symmetric_eigenpairs(_sum);
+        const Eigen::VectorXd &energy = found.eigenvalues(); // ascending
+        const Eigen::Index count = (energy.array() > least * least * energy.maxCoeff()).count();
+        return _L.transpose().triangularView<Eigen::Upper>().solve(
+            found.eigenvectors().rightCols(count));
+    }
+
+  private:
+    Eigen::MatrixXd _L;
+    Eigen::MatrixXd _sum; ///< of x x^T
+};
+
+/// Speeds to begin with, and those between them, each level between all before it.
+std::vector<std::vector<double>> levels_of(const FewTurning::Range &range) {
+    const auto at = [&range](double t) { return range.from + t * (range.to - range.from); };
+    std::vector<std::vector<double>> levels{{at(0), at(0.125), at(0.25), at(0.5), at(0.75), at(1)}};
+    for (int parts = 8; parts <= 32; parts *= 2) {
+        levels.emplace_back();
+        for (int i = 1; i < parts; i += 2)
+            if (parts > 8 || i > 1)
+                levels.back().push_back(at(static_cast<double>(i) / parts));
+    }
+    return levels;
+}
+
+bool is_rest(double speed, const FewTurning::Range &range) {
+    return std::abs(speed) <= 1e-6 * std::max(std::abs(range.from), std::abs(range.to));
+}
+
+/// The eigenvalues next to the shift, about as many as an iteration from there would have found.
+void keep_near(RotatingSpectrum::Eigenvalues &found, int wanted, double radius) {
+    Pairs &pairs = found.pairs;
+    const auto distance = [&](const linalg::ComplexPair &pair) {
+        return std::abs(pair.value - found.shift);
+    };
+    std::sort(pairs.begin(), pairs.end(),
+              [&](const auto &a, const auto &b) { return distance(a) < distance(b); });
+    std::size_t kept = 0;
+    for (int values = 0; kept < pairs.size(); ++kept) {
+        if (values >= 2 * wanted + 2 && distance(pairs[kept]) > radius + found.shift)
+            break;
+        values += pairs[kept].value.imag() != 0 ? 2 : 1;
+    }
+    if (kept < pairs.size()) {
+        pairs.resize(kept);
+        found.complete_radius =
+            std::min(found.complete_radius, distance(pairs.back()) - found.shift);
+    }
+    std::sort(pairs.begin(), pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+}
+
+/// Two that were apart have come to the same eigenvalue.
+bool one_met_twice(const std::vector<std::complex<double>> &before, const Pairs &after) {
+    const auto apart = [](std::complex<double> a, std::complex<double> b) {
+        return std::abs(a - b) > 1e-8 * std::abs(a);
+    };
+    for (std::size_t i = 0; i < after.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!apart(after[i].value, after[j].value) && apart(before[i], before[j]))
+                return true;
+    return false;
+}
+
+} // namespace
+
+FewTurning::FewTurning(const assembly::Discretization &d,
+                       const std::vector<balancers::BalancerElement> &balancers,
+                       const RotatingSpectrum &whole, Eigen::MatrixXd shapes, const Range &range)
+    : _whole(whole), _range(range), _shapes(std::move(shapes)),
+      _few(RotatingSpectrum::rough(d, balancers, _shapes)),
+      _pencil(whole.system(), support_scale(d)) {}
+
+std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
+                                           const std::vector<balancers::BalancerElement> &balancers,
+                                           const RotatingSpectrum &whole, const Range &range) try {
+    if (d.rigid())
+        return nullptr;
+    const double top = 2 * std::max(std::abs(range.from), std::abs(range.to));
+    Samples samples(d, top);
+    std::unique_ptr<FewTurning> out;
+    double least = least_part;
+    for (const std::vector<double> &level : levels_of(range)) {
+        bool met = out != nullptr;
+        for (const double speed : level) {
+            if (is_rest(speed, range))
+                continue;
+            const RotatingSpectrum::Lowest lowest = whole.lowest(speed, range.wanted);
+            if (!lowest.enough)
+                return nullptr;
+            met = met && out->meets(lowest, speed);
+            for (const linalg::ComplexPair &pair : lowest.found.pairs)
+                if (whole.asked_for(pair, speed, lowest.highest) && !whole.held(pair.vector))
+                    samples.add(pair);
+        }
+        if (met)
+            return out;
+        Eigen::MatrixXd shapes = samples.principal(least);
+        least /= 10;
+        if (static_cast<double>(shapes.cols()) > hardly_fewer * d.planar_size())
+            return nullptr;
+        out.reset(new FewTurning(d, balancers, whole, std::move(shapes), range));
+    }
+    return nullptr;
+} catch (const linalg::SolverError &) {
+    return nullptr;
+}
+
+/// Each mode of the whole rotor is one of the few shapes', and there are no more.
+bool FewTurning::meets(const RotatingSpectrum::Lowest &whole, double speed) const {
+    const RotatingSpectrum::Lowest few = _few.lowest(speed, _range.wanted);
+    const auto in_reach = [&](const RotatingSpectrum &rotor, const Pairs &pairs, double reach) {
+        std::vector<std::complex<double>> values;
+        for (const linalg::ComplexPair &pair : pairs)
+            if (!rotor.held(pair.vector) && rotor.asked_for(pair, speed, reach))
+                values.push_back(pair.value);
+        return values;
+    };
+    const auto all_in = [&](const std::vector<std::complex<double>> &some,
+                            const std::vector<std::complex<double>> &others) {
+        return std::all_of(some.begin(), some.end(), [&](std::complex<double> a) {
+            return std::any_of(others.begin(), others.end(), [&](std::complex<double> b) {
+                return std::abs(a - b) <= agreeing * std::max(std::abs(a), std::abs(speed));
+            });
+        });
+    };
+    const double beyond = 1 + 1e-6;
+    return few.enough &&
+           all_in(in_reach(_whole, whole.found.pairs, whole.highest),
+                  in_reach(_few, few.found.pairs, beyond * whole.highest)) &&
+           all_in(in_reach(_few, few.found.pairs, whole.highest / beyond),
+                  in_reach(_whole, whole.found.pairs, whole.highest));
+}
+
+Eigen::VectorXcd FewTurning::lifted(const Eigen::VectorXcd &reduced) const {
+    const Eigen::Index r = _shapes.cols();
+    const Eigen::Index N = _shapes.rows();
+    const assembly::Planes planes(reduced.head(2 * r));
+    Eigen::MatrixX4d parts(r, 4);
+    parts << planes.x.real(), planes.x.imag(), planes.y.real(), planes.y.imag();
+    const Eigen::MatrixX4d of_whole = _shapes * parts;
+    Eigen::VectorXcd out(2 * N + reduced.size() - 2 * r);
+    for (Eigen::Index i = 0; i < N; ++i) {
+        out(2 * i) = {of_whole(i, 0), of_whole(i, 1)};
+        out(2 * i + 1) = {of_whole(i, 2), of_whole(i, 3)};
+    }
+    out.tail(reduced.size() - 2 * r) = reduced.tail(reduced.size() - 2 * r);
+    return out;
+}
+
+std::optional<RotatingSpectrum::Modes> FewTurning::modes(double speed, int wanted) try {
+    RotatingSpectrum::Lowest lowest = _few.lowest(speed, wanted);
+    if (!lowest.enough || !_pencil.set_speed(speed))
+        return std::nullopt;
+    keep_near(lowest.found, wanted, lowest.highest + std::abs(speed));
+    std::vector<std::complex<double>> before;
+    Pairs refined;
+    Pairs others;
+    for (linalg::ComplexPair &pair : lowest.found.pairs) {
+        const bool asked = !_few.held(pair.vector) && _few.asked_for(pair, speed, lowest.highest);
+        pair.vector = lifted(pair.vector);
+        if (!asked) {
+            others.push_back(std::move(pair));
+            continue;
+        }
+        before.push_back(pair.value);
+        std::optional<linalg::ComplexPair> whole = _pencil.refined(pair);
+        if (!whole)
+            return std::nullopt;
+        refined.push_back(*std::move(whole));
+    }
+    if (one_met_twice(before, refined))
+        return std::nullopt;
+    std::move(refined.begin(), refined.end(), std::back_inserter(others));
+    lowest.found.pairs = std::move(others);
+    return _whole.modes_of(lowest.found, speed);
+} catch (const linalg::SolverError &) {
+    return std::nullopt;
+}
+
+std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor, TurningPencil &pencil,
+                                          double speed, const std::vector<WhirlMode> &guesses) {
+    if (!pencil.set_speed(speed))
+        return {};
+    std::vector<std::complex<double>> before;
+    Pairs pairs;
+    std::vector<WhirlMode> out;
+    constexpr double farthest = 0.03; // of a mode that the guesses' mesh hardly resolves
+    for (const WhirlMode &guess : guesses) {
+        std::optional<linalg::ComplexPair> pair =
+            pencil.refined({guess.rotating_value, guess.rotating_vector, 0, 0}, farthest);
+        if (!pair)
+            return {};
+        before.push_back(guess.rotating_value);
+        out.push_back(rotor.in_fixed_frame(*pair, speed));
+        if (speed != 0 && out.back().whirl != guess.whirl)
+            return {};
+        pairs.push_back(*std::move(pair));
+    }
+    return one_met_twice(before, pairs) ? std::vector<WhirlMode>() : out;
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/linear_element.h"
+#include "modes/rotating_spectrum.h"
+#include "modes/turning/turning_pencil.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::modes {
+
+/// A rotor in rotating axes on the few planar shapes that its slow motions have over a range of
+/// speeds: all eigenvalues of a speed from one small dense problem, each then made one of the whole
+/// rotor.
+class FewTurning {
+  public:
+    /// A range of speeds, rad/s, and how many of the lowest modes are to be had there.
+    struct Range {
+        double from = 0, to = 0;
+        int wanted = 0;
+
+        [[nodiscard]] bool covers(const Range &other) const {
+            return from <= other.from && to >= other.to && wanted >= other.wanted;
+        }
+    };
+
+    /// Shapes are the principal parts of the whole rotor's motions at speeds of the range, as many
+    /// speeds as it takes until at those half way between two of them its lowest modes are met too.
+    /// @param whole  with bearings the same at all speeds and from all sides
+    /// @returns nothing where hardly fewer shapes than unknowns do, or where the whole rotor's
+    ///          motions cannot be resolved
+    [[nodiscard]] static std::unique_ptr<FewTurning>
+    of(const assembly::Discretization &discretization,
+       const std::vector<balancers::BalancerElement> &balancers, const RotatingSpectrum &whole,
+       const Range &range);
+
+    [[nodiscard]] const Range &range() const { return _range; }
+    [[nodiscard]] const Eigen::MatrixXd &shapes() const { return _shapes; } ///< N x r
+
+    /// As of the whole rotor, with left vectors, at a speed of the range other than 0; nothing
+    /// where one of them cannot be had from those of the few shapes.
+    [[nodiscard]] std::optional<RotatingSpectrum::Modes> modes(double speed, int wanted);
+
+    /// Amplitudes of the shapes as unknowns of the whole rotor.
+    [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &reduced) const;
+
+  private:
+    FewTurning(const assembly::Discretization &discretization,
+               const std::vector<balancers::BalancerElement> &balancers,
+               const RotatingSpectrum &whole, Eigen::MatrixXd shapes, const Range &range);
+
+    const RotatingSpectrum &_whole;
+    Range _range;
+    Eigen::MatrixXd _shapes;
+    RotatingSpectrum _few;
+    TurningPencil _pencil;
+
+    [[nodiscard]] bool meets(const RotatingSpectrum::Lowest &whole, double speed) const;
+};
+
+/// Modes of a rotor in rotating axes near guesses, one for each; none where they cannot be found
+/// from these: two lead to one, or one to a motion of the other whirl.
+[[nodiscard]] std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor,
+                                                        TurningPencil &pencil, double speed,
+                                                        const std::vector<WhirlMode> &guesses);
+
+} // namespace whirl::modes
