@@ -3,6 +3,8 @@
 #define WHIRL_EIGEN_INSTANCES
 #include "eigen/instances.h"
 
+WHIRL_EIGEN_KERNELS(extern template);
 WHIRL_EIGEN_SOLVES(template, Eigen::MatrixXd);
 WHIRL_EIGEN_SOLVES(template, Eigen::MatrixXcd);
+WHIRL_EIGEN_LEAST_SQUARES(template, Eigen::MatrixXcd);
 WHIRL_EIGEN_SINGULAR(template);

@@ -1,8 +1,7 @@
 #include "ends/refinement.h"
 
+#include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"
-
-#include <Eigen/SparseLU>
 
 #include <cmath>
 #include <limits>
@@ -74,45 +73,24 @@ Forms forms(const modes::QuadraticAt &p, Complex l, const WholeMotion &m) {
             l * product(m.left, p.above.D, m.right) + product(m.left, p.above.K, m.right)};
 }
 
-/// Factors of Q(l): its pattern, all but always the same at all l and speeds, is analysed once.
-class Factors {
-  public:
-    /// @returns nothing where there are none
-    [[nodiscard]] Eigen::SparseLU<ComplexSparse> *of(const ComplexSparse &Q) {
-        const Eigen::Map<const Indices> columns(Q.outerIndexPtr(), Q.outerSize() + 1);
-        const Eigen::Map<const Indices> rows(Q.innerIndexPtr(), Q.nonZeros());
-        if (rows.size() != _rows.size() || rows != _rows || columns != _columns) {
-            _lu.analyzePattern(Q);
-            _rows = rows;
-            _columns = columns;
-        }
-        _lu.factorize(Q);
-        return _lu.info() == Eigen::Success ? &_lu : nullptr;
-    }
-
-  private:
-    using Indices = Eigen::Matrix<ComplexSparse::StorageIndex, Eigen::Dynamic, 1>;
-    Eigen::SparseLU<ComplexSparse> _lu;
-    Indices _rows, _columns;
-};
+using Factors = linalg::SparseFactor<Complex>;
 
 /// Better vectors of the root next to l: Q(l)^-1 Q'(l) x, and the same from the left.
 /// @returns whether Q(l) could be factorised
-bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &factors) {
+bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu) {
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
     const ComplexSparse whole =
         l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>() + p.K.cast<Complex>();
     ComplexSparse Q = d.asDiagonal() * whole * d.asDiagonal();
     Q.makeCompressed();
-    auto *lu = factors.of(Q);
-    if (lu == nullptr)
+    if (!lu.factorize(Q))
         return false;
     const Eigen::VectorXcd to_right = 2.0 * l * times(p.M, m.right) + times(p.D, m.right);
     const Eigen::VectorXcd to_left =
         2.0 * std::conj(l) * times(p.M.transpose(), m.left) + times(p.D.transpose(), m.left);
-    const Eigen::VectorXcd x = lu->solve(Eigen::VectorXcd(d.asDiagonal() * to_right));
-    const Eigen::VectorXcd y = lu->adjoint().solve(Eigen::VectorXcd(d.asDiagonal() * to_left));
+    const Eigen::VectorXcd x = lu.solution(d.asDiagonal() * to_right);
+    const Eigen::VectorXcd y = lu.adjoint_solution(d.asDiagonal() * to_left);
     if (!x.allFinite() || !y.allFinite())
         return false;
     m.right = d.asDiagonal() * x.normalized();
@@ -122,8 +100,8 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &fa
 
 /// At an eigenvalue itself the factorisation can fail: a little beside it does as well.
 bool iterate_near(const modes::QuadraticAt &p, Complex l, double scale, WholeMotion &m,
-                  Factors &factors) {
-    return iterate(p, l, m, factors) || iterate(p, l + 1e-10 * scale, m, factors);
+                  Factors &lu) {
+    return iterate(p, l, m, lu) || iterate(p, l + 1e-10 * scale, m, lu);
 }
 
 } // namespace

@@ -4,14 +4,13 @@
 #include "assembly/planes.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
+#include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/support_damping.h"
 #include "results/formulation.h"
 #include "synchronous/parts.h"
-
-#include <Eigen/SparseLU>
 
 #include <cmath>
 #include <limits>
@@ -206,12 +205,12 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
     const Eigen::SparseMatrix<double> K =
         scales.asDiagonal() * Eigen::SparseMatrix<double>(stiffness.view()) * scales.asDiagonal();
     real.array() *= scales.array();
-    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(K);
-    if (factors.info() != Eigen::Success)
+    linalg::SparseFactor<double> factors;
+    if (!factors.factorize(K))
         throw linalg::SolverError("singular stiffness in rotating axes");
-    const Eigen::VectorXd u = factors.solve(real);
+    const Eigen::VectorXd u = factors.solution(real);
     // A small change of the entries of K by rounding moves u by so much of itself.
-    const Eigen::VectorXd change = factors.solve(Eigen::VectorXd(K.cwiseAbs() * u.cwiseAbs()));
+    const Eigen::VectorXd change = factors.solution(K.cwiseAbs() * u.cwiseAbs());
     _rounding = std::numeric_limits<double>::epsilon() * change.norm() /
                 std::max(u.norm(), std::numeric_limits<double>::min());
     const Eigen::VectorXd motion = scales.cwiseProduct(u);

@@ -1,13 +1,13 @@
 #include "linalg/shifted_pencil.h"
 
 #include "linalg/check.h"
+#include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +96,7 @@ class Shifted {
           _S(scaled(_scale, S)), _s(options.s), _shift(options.shift),
           _L(semidefinite_factor(_K, _scale.cwiseInverse().asDiagonal() * options.null_space)),
           _F(factor(_M)), _Lt(_L.transpose()), _Ft(_F.transpose()) {
-        _lu.compute(at(_shift));
-        if (_lu.info() != Eigen::Success)
+        if (!_lu.factorize(at(_shift)))
             throw SolverError("the matrix at the shift is singular");
     }
 
@@ -107,7 +106,7 @@ class Shifted {
         const Eigen::Index n = size();
         const Eigen::Map<const Eigen::VectorXd> f(z, n);
         const Eigen::Map<const Eigen::VectorXd> g(z + n, n);
-        const Eigen::VectorXd w = _lu.solve(Eigen::VectorXd(_shift * (_F * f) + _L * g));
+        const Eigen::VectorXd w = _lu.solution(_shift * (_F * f) + _L * g);
         Eigen::Map<Eigen::VectorXd>(y, n) = _Ft * w;
         Eigen::Map<Eigen::VectorXd>(y + n, n) = (_Lt * w - g) / _shift;
     }
@@ -142,8 +141,7 @@ class Shifted {
             return pair;
         }
         // One step of the inverse iteration gives x from (F^T x, L^T y).
-        const Eigen::VectorXd x =
-            _lu.solve(Eigen::VectorXd(_shift * (_F * z.head(n)) + _L * z.tail(n)));
+        const Eigen::VectorXd x = _lu.solution(_shift * (_F * z.head(n)) + _L * z.tail(n));
         const double mass = x.dot(_M * x);
         if (mass > 0)
             pair.value = rayleigh(x, mass, pair.value);
@@ -162,7 +160,7 @@ class Shifted {
     Sparse _K, _M, _S;
     double _s, _shift;
     Sparse _L, _F, _Lt, _Ft;
-    Eigen::SparseLU<Sparse> _lu;
+    SparseFactor<double> _lu;
 
     /// The root near w of x^T Q(w) x: its error is the square of that of x, so the rounding in the
     /// factors L and F, which split K and M only nearly, drops out.

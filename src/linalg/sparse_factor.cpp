@@ -2,8 +2,10 @@
 
 #include <suitesparse/klu.h>
 
+#include <algorithm>
 #include <complex>
 #include <type_traits>
+#include <vector>
 
 namespace whirl::linalg {
 
@@ -14,6 +16,22 @@ namespace {
 double *reals(const double *p) { return const_cast<double *>(p); }
 double *reals(const std::complex<double> *p) {
     return reinterpret_cast<double *>(const_cast<std::complex<double> *>(p));
+}
+
+bool odd(const int *permutation, int size) {
+    std::vector<bool> seen(static_cast<std::size_t>(size), false);
+    bool out = false;
+    for (int start = 0; start < size; ++start) {
+        if (seen[static_cast<std::size_t>(start)])
+            continue;
+        seen[static_cast<std::size_t>(start)] = true;
+        // A cycle of n elements is n - 1 exchanges.
+        for (int i = permutation[start]; i != start; i = permutation[i]) {
+            seen[static_cast<std::size_t>(i)] = true;
+            out = !out;
+        }
+    }
+    return out;
 }
 
 } // namespace
@@ -79,6 +97,16 @@ template <class Scalar> void SparseFactor<Scalar>::solve_transposed(Columns b) c
     else
         klu_z_tsolve(_data->symbolic, _data->numeric, stride, count, reals(b.data()), 0,
                      &_data->common);
+}
+
+template <class Scalar>
+bool SparseFactor<Scalar>::negative_determinant() const requires std::is_same_v<Scalar, double> {
+    // P R A Q = L U: the scales R of the rows are positive, the diagonal of L is 1.
+    const int n = _data->symbolic->n;
+    const auto *pivots = static_cast<const double *>(_data->numeric->Udiag);
+    const bool flipped = odd(_data->numeric->Pnum, n) != odd(_data->symbolic->Q, n);
+    const auto negative = std::count_if(pivots, pivots + n, [](double u) { return u < 0; });
+    return flipped != (negative % 2 == 1);
 }
 
 template class SparseFactor<double>;

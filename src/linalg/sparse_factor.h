@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <type_traits>
 
 namespace whirl::linalg {
 
@@ -13,6 +14,7 @@ namespace whirl::linalg {
 template <class Scalar> class SparseFactor {
   public:
     using Sparse = Eigen::SparseMatrix<Scalar>;
+    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     using Columns = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
 
     SparseFactor();
@@ -30,6 +32,20 @@ template <class Scalar> class SparseFactor {
     void solve(Columns b) const;
     /// A^-T b in the place of b.
     void solve_transposed(Columns b) const;
+
+    /// A^-1 b and A^-H b.
+    [[nodiscard]] Vector solution(Vector b) const {
+        solve(b);
+        return b;
+    }
+    [[nodiscard]] Vector adjoint_solution(const Vector &b) const {
+        Vector x = b.conjugate();
+        solve_transposed(x);
+        return x.conjugate();
+    }
+
+    /// Of a real matrix.
+    [[nodiscard]] bool negative_determinant() const requires std::is_same_v<Scalar, double>;
 
   private:
     struct Data;

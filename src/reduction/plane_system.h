@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -21,38 +22,40 @@ template <int planes> class PlaneSystem {
     PlaneSystem(const Eigen::MatrixXd &products, const PlaneBlocks &coupling) {
         for (int plane = 0; plane < planes; ++plane)
             for (int c = 0; c < 4; ++c) {
-                const auto q = coupling.col(4 * plane + c);
-                auto column = _A.col(4 * plane + c);
+                const double *q = &coupling(0, 4 * plane + c);
+                std::array<double, size> &column = _A[4 * plane + c];
                 for (int i = 0; i < 2 * planes; ++i)
-                    column.template segment<2>(2 * i) =
-                        products(i, 2 * plane) * q.template head<2>() +
-                        products(i, 2 * plane + 1) * q.template tail<2>();
+                    for (int axis = 0; axis < 2; ++axis)
+                        column[2 * i + axis] = products(i, 2 * plane) * q[axis] +
+                                               products(i, 2 * plane + 1) * q[2 + axis];
             }
-        _A.diagonal().array() += 1;
+        for (int k = 0; k < size; ++k)
+            _A[k][k] += 1;
         each([&]<int k>() { eliminate<k>(); });
     }
 
     /// y of a column b, in its place.
-    void solve(double *column) const {
-        Eigen::Map<Column> b(column);
-        Column y = b;
+    void solve(double *b) const {
+        std::array<double, size> y;
+        std::copy(b, b + size, y.begin());
         for (int k = 0; k < size; ++k)
-            std::swap(y(k), y(_pivots[k]));
+            std::swap(y[k], y[_pivots[k]]);
         each([&]<int k>() {
-            y.template tail<size - 1 - k>() -= y(k) * _A.col(k).template tail<size - 1 - k>();
+            for (int i = k + 1; i < size; ++i)
+                y[i] -= y[k] * _A[k][i];
         });
         each([&]<int from_last>() {
             constexpr int k = size - 1 - from_last;
-            y(k) *= _A(k, k);
-            y.template head<k>() -= y(k) * _A.col(k).template head<k>();
+            y[k] *= _A[k][k];
+            for (int i = 0; i < k; ++i)
+                y[i] -= y[k] * _A[k][i];
         });
-        b = y;
+        std::copy(y.begin(), y.end(), b);
     }
 
   private:
     static constexpr int size = 4 * planes;
-    using Column = Eigen::Matrix<double, size, 1>;
-    Eigen::Matrix<double, size, size> _A; ///< factors, inverted diagonal
+    std::array<std::array<double, size>, size> _A; ///< factors by columns, inverted diagonal
     std::array<int, size> _pivots;
 
     /// f(0), ..., f(size - 1), each known to the compiler.
@@ -60,26 +63,22 @@ template <int planes> class PlaneSystem {
         [&]<int... k>(std::integer_sequence<int, k...>) { (f.template operator()<k>(), ...); }
         (std::make_integer_sequence<int, size>());
     }
-    template <int k, class C> static auto below(C &column) {
-        return column.template tail<size - 1 - k>();
-    }
 
     /// Elimination with row pivoting, a column.
     template <int k> void eliminate() {
         int pivot = k;
         for (int i = k + 1; i < size; ++i)
-            pivot = std::abs(_A(i, k)) > std::abs(_A(pivot, k)) ? i : pivot;
+            pivot = std::abs(_A[k][i]) > std::abs(_A[k][pivot]) ? i : pivot;
         _pivots[k] = pivot;
         if (pivot != k)
-            _A.row(k).swap(_A.row(pivot));
-        _A(k, k) = 1 / _A(k, k);
-        auto pivot_column = _A.col(k);
-        const Eigen::Matrix<double, size - 1 - k, 1> factors = below<k>(pivot_column) * _A(k, k);
-        below<k>(pivot_column) = factors;
-        for (int j = k + 1; j < size; ++j) {
-            auto column = _A.col(j);
-            below<k>(column) -= column(k) * factors;
-        }
+            for (std::array<double, size> &column : _A)
+                std::swap(column[k], column[pivot]);
+        _A[k][k] = 1 / _A[k][k];
+        for (int i = k + 1; i < size; ++i)
+            _A[k][i] *= _A[k][k];
+        for (int j = k + 1; j < size; ++j)
+            for (int i = k + 1; i < size; ++i)
+                _A[j][i] -= _A[j][k] * _A[k][i];
     }
 };
 

@@ -3,6 +3,7 @@
 #include "assembly/assemble.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
 #include "reduction/orthonormal.h"
@@ -11,7 +12,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,9 +64,10 @@ Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double 
     const Eigen::MatrixXd forces = assembly::unit_loads(loaded, pair.M.rows());
     Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
     A.makeCompressed();
-    Eigen::SparseLU<Sparse> factors(A);
-    if (factors.info() == Eigen::Success) {
-        Eigen::MatrixXd shapes = factors.solve(forces);
+    linalg::SparseFactor<double> factors;
+    if (factors.factorize(A)) {
+        Eigen::MatrixXd shapes = forces;
+        factors.solve(shapes);
         if (shapes.allFinite())
             return shapes;
     }

@@ -5,8 +5,7 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
-
-#include <Eigen/SparseLU>
+#include "linalg/sparse_factor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,19 +77,18 @@ class ZeroRootStiffness {
 
     /// An odd number of real roots is positive.
     [[nodiscard]] bool unstable(double speed) {
-        factorize(speed);
-        return _factors.info() == Eigen::Success && _factors.signDeterminant() < 0;
+        return factorize(speed) && _factors.negative_determinant();
     }
 
     /// Modulus of the complex slope under a unit moment in the x plane, rad/(N m).
     [[nodiscard]] double receptance(double speed, const Combination &slope) {
-        factorize(speed);
+        const bool regular = factorize(speed);
         Eigen::VectorXd moment = Eigen::VectorXd::Zero(_K.rows());
         for (const auto &[unknown, value] : slope)
             moment(2 * unknown) += value;
-        if (_factors.info() != Eigen::Success)
+        if (!regular)
             return std::numeric_limits<double>::infinity(); // at a resonance
-        const Eigen::VectorXd motion = _factors.solve(moment);
+        const Eigen::VectorXd motion = _factors.solution(moment);
         double x = 0;
         double y = 0;
         for (const auto &[unknown, value] : slope) {
@@ -102,12 +100,12 @@ class ZeroRootStiffness {
 
   private:
     Sparse _K, _Ks, _Kss;
-    Eigen::SparseLU<Sparse> _factors;
+    linalg::SparseFactor<double> _factors;
 
-    void factorize(double speed) {
+    [[nodiscard]] bool factorize(double speed) {
         Sparse K = _K + speed * _Ks + (speed * speed) * _Kss;
         K.makeCompressed();
-        _factors.compute(K);
+        return _factors.factorize(K);
     }
 };
 

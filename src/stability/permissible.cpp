@@ -2,6 +2,7 @@
 
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
+#include "linalg/sparse_factor.h"
 #include "model/case.h"
 #include "model/errors.h"
 #include "results/formulation.h"
@@ -9,8 +10,6 @@
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
 #include "stability/periodic_motions.h"
-
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +32,9 @@ double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int ord
     const assembly::RotatingSystem system =
         assembly::assemble_rotating(d, 0, balancers::balancer_elements(without, arrangement));
     const Eigen::SparseMatrix<double> M = system.M.view();
-    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(M);
+    linalg::SparseFactor<double> factors;
+    if (!factors.factorize(M))
+        throw linalg::SolverError("the mass matrix is singular");
     const model::Anisotropy &anisotropy = rotor.anisotropies[index];
     double least = std::numeric_limits<double>::infinity();
     for (const double turn : {0.0, std::acos(0.0)}) {
@@ -42,7 +43,7 @@ double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int ord
             e(2 * unknown) += value * std::cos(anisotropy.angle + turn);
             e(2 * unknown + 1) += value * std::sin(anisotropy.angle + turn);
         }
-        const Eigen::VectorXd response = factors.solve(e);
+        const Eigen::VectorXd response = factors.solution(e);
         least = std::min(least, 1 / std::max(e.dot(response), 1e-300));
     }
     return least;

@@ -4,6 +4,7 @@
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
+#include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -14,7 +15,6 @@
 #include "results/formulation.h"
 #include "stability/hill/hill_harmonics.h"
 
-#include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -80,14 +80,14 @@ constexpr double suspicious = 1e-3;
 double inverse_size(const ZeroRootSystem &system, double speed) {
     Eigen::SparseMatrix<double> A = system.K + speed * system.Ks + speed * speed * system.Kss;
     A.makeCompressed();
-    const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
-    if (lu.info() != Eigen::Success)
+    linalg::SparseFactor<double> lu;
+    if (!lu.factorize(A))
         return HUGE_VAL;
     Eigen::VectorXd x = linalg::deterministic_vector(static_cast<int>(A.rows())).normalized();
     double size = 0;
     constexpr int enough = 4;
     for (int k = 0; k < enough; ++k) {
-        x = lu.solve(x).eval();
+        lu.solve(x);
         size = x.norm();
         x /= size;
     }
@@ -175,19 +175,16 @@ bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen:
     const Sparse K = system.K.cast<Scalar>();
     const Sparse Ks = system.Ks.cast<Scalar>();
     const Sparse Kss = system.Kss.cast<Scalar>();
-    Eigen::SparseLU<Sparse> lu;
+    linalg::SparseFactor<Scalar> lu;
     constexpr int most_steps = 12;
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
         const Sparse slope = Ks + Scalar(2.0) * W * Kss;
         Sparse Q = K + W * Ks + W * W * Kss;
         Q.makeCompressed();
-        if (step == 0)
-            lu.analyzePattern(Q);
-        lu.factorize(Q);
-        if (lu.info() != Eigen::Success)
+        if (!lu.factorize(Q))
             return false;
-        const Vector next = lu.solve(Vector(slope * x));
+        const Vector next = lu.solution(slope * x);
         const Scalar change = x.squaredNorm() / x.dot(next);
         W -= change;
         x = next.normalized();

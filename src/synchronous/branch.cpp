@@ -1,6 +1,6 @@
 #include "synchronous/branch.h"
 
-#include <Eigen/SparseLU>
+#include "linalg/sparse_factor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,20 +61,17 @@ std::optional<BranchPoint> LinearSynchronous::point(double s, Complex l,
     BranchPoint out;
     Eigen::VectorXcd x = _scale.cwiseInverse().cwiseProduct(start);
     Eigen::VectorXcd y = x;
-    Eigen::SparseLU<ComplexSparse> lu;
+    linalg::SparseFactor<Complex> lu;
     double last_step = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 12; ++iteration) {
         const ComplexSparse slope = Q.slope(l);
-        for (const double nudge : {0.0, 1e-13, -3e-13}) { // exactly singular is too much
-            lu.compute(Q.at(l * (1 + nudge)));
-            if (lu.info() == Eigen::Success)
-                break;
-        }
-        if (lu.info() != Eigen::Success)
+        // Exactly singular is too much.
+        if (!lu.factorize(Q.at(l)) && !lu.factorize(Q.at(l * (1 + 1e-13))) &&
+            !lu.factorize(Q.at(l * (1 - 3e-13))))
             return std::nullopt;
         for (int repeat = 0; repeat < (iteration == 0 ? 3 : 1); ++repeat) {
-            x = lu.solve(Eigen::VectorXcd(slope * x));
-            y = lu.adjoint().solve(Eigen::VectorXcd(slope.adjoint() * y));
+            x = lu.solution(slope * x);
+            y = lu.adjoint_solution(slope.adjoint() * y);
             normalise(x);
             normalise(y);
         }

@@ -2,10 +2,9 @@
 
 #include "assembly/system.h"
 #include "linalg/check.h"
+#include "linalg/sparse_factor.h"
 #include "modes/support_damping.h"
 #include "results/formulation.h"
-
-#include <Eigen/SparseLU>
 
 #include <array>
 #include <cmath>
@@ -114,14 +113,10 @@ template <class Scalar> class Solver {
 
     /// Z^-1 F. @throws linalg::SolverError where Z is singular.
     [[nodiscard]] Dense solve(const Dense &F) {
-        if (!_analysed) {
-            _lu.analyzePattern(_Z);
-            _analysed = true;
-        }
-        _lu.factorize(_Z);
-        if (_lu.info() != Eigen::Success)
+        if (!_lu.factorize(_Z))
             throw linalg::SolverError("the dynamic stiffness matrix is singular");
-        Dense U = _lu.solve(F);
+        Dense U = F;
+        _lu.solve(U);
         if (!U.allFinite())
             throw linalg::SolverError("the dynamic stiffness matrix is singular");
         // A backward stable solution leaves some 1e-15; far more means that elimination went wrong.
@@ -135,8 +130,7 @@ template <class Scalar> class Solver {
 
   private:
     Eigen::SparseMatrix<Scalar> _Z;
-    Eigen::SparseLU<Eigen::SparseMatrix<Scalar>> _lu;
-    bool _analysed = false;
+    linalg::SparseFactor<Scalar> _lu;
 };
 
 } // namespace

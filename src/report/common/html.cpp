@@ -98,9 +98,12 @@ std::string file_links(const std::vector<std::string> &names) {
 
 std::string json_for_script(const std::string &json) {
     std::string safe;
-    for (const char letter : json)
-        safe += letter == '<' ? std::string("\\u003c") : std::string(1, letter);
-    return safe;
+    std::size_t done = 0;
+    for (std::size_t at = json.find('<'); at != std::string::npos; at = json.find('<', done)) {
+        safe.append(json, done, at - done).append("\\u003c");
+        done = at + 1;
+    }
+    return safe.append(json, done);
 }
 
 } // namespace whirl::report
