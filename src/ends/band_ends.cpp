@@ -131,9 +131,14 @@ struct Look {
     int count = 0;
 };
 
+/// Part of the speed by which one looks beside an end that is known.
+constexpr double beside = 1e-9;
+
 class CountSearch {
   public:
-    explicit CountSearch(const MotionsAt &at) : _at(at) {}
+    /// @param edges  ends of bands
+    CountSearch(const MotionsAt &at, std::vector<double> edges)
+        : _at(at), _edges(std::move(edges)) {}
 
     [[nodiscard]] Look look(double speed) const {
         Look out{speed, _at(speed), 0};
@@ -143,10 +148,11 @@ class CountSearch {
     void between(const Look &a, const Look &b) {
         if (a.count == b.count)
             return;
-        if (b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
+        const std::optional<double> edge = edge_between(a.speed, b.speed);
+        if (edge || b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
             const Look &more = b.count > a.count ? b : a;
             StabilityEnd end;
-            end.speed = (a.speed + b.speed) / 2;
+            end.speed = edge.value_or((a.speed + b.speed) / 2);
             constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
             const double to_fewer = b.count > a.count ? -1 : 1;
             const int still = neutral(_at(end.speed + to_fewer * aside * std::abs(end.speed)));
@@ -166,6 +172,16 @@ class CountSearch {
 
   private:
     const MotionsAt &_at;
+    std::vector<double> _edges;
+
+    /// The end of a band, known to be one better than by halving, where it alone is near.
+    [[nodiscard]] std::optional<double> edge_between(double low, double high) const {
+        const auto inside = [&](double edge) { return edge > low && edge < high; };
+        if (high - low > 3 * beside * std::abs(high) ||
+            std::count_if(_edges.begin(), _edges.end(), inside) != 1)
+            return std::nullopt;
+        return *std::find_if(_edges.begin(), _edges.end(), inside);
+    }
 
     /// Of those that grow the one that has just begun to.
     [[nodiscard]] static const Motion &least_growing(const std::vector<Motion> &motions) {
@@ -182,14 +198,15 @@ class CountSearch {
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
                           const std::vector<SpeedInterval> &bands) {
     std::vector<double> looks = speeds;
-    constexpr double beside = 1e-9;
+    std::vector<double> edges;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
         const double step = std::min(beside * std::abs(to), (to - from) / 8);
         for (const double speed : {from - step, from + step, (from + to) / 2, to - step, to + step})
             looks.push_back(speed);
+        edges.insert(edges.end(), {from, to});
     }
     std::sort(looks.begin(), looks.end());
-    CountSearch search(at);
+    CountSearch search(at, std::move(edges));
     EndsFound out;
     std::optional<Look> before;
     for (const double speed : looks) {
