@@ -307,7 +307,8 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     for (int N = static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond; N <= most;
          N += more) {
         const Series series(problem, N);
-        Iteration iteration(series, guess, scale, _factors->with_harmonics[N]);
+        Iteration iteration(series, guess, scale,
+                            _factors->with_harmonics.try_emplace(N, true).first->second);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();

@@ -220,15 +220,12 @@ class Follower {
         const double moved = ordered ? 0 : most_moved(i, j, ti, tj);
         const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;
         for (int k = -reach; k <= reach; ++k) {
-            const Coalescence m{_from,
-                                _to,
-                                a(i).value,
-                                a(j).value + Complex(0, k * repeats_from),
-                                first_to,
-                                second_to + Complex(0, k * repeats_to),
-                                ordered,
-                                k,
-                                opposite ? a(i).action : 0};
+            const Coalescence m{_from,      _to,
+                                a(i).value, a(j).value + Complex(0, k * repeats_from),
+                                first_to,   second_to + Complex(0, k * repeats_to),
+                                ordered,    k,
+                                {i, j},     {ti, tj},
+                                {},         opposite ? a(i).action : 0};
             if (may_open_a_band(m) && !far_apart(m, moved))
                 _out.coalescences.push_back(m);
         }
