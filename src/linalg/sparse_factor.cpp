@@ -39,18 +39,13 @@ template <class Scalar> struct SparseFactor<Scalar>::Data {
         symbolic = klu_analyze(static_cast<int>(A.rows()), columns.data(), rows.data(), &common);
     }
 
-    /// In the order of the last one; false where there is none, or it does not suit this matrix.
+    /// In the order of the last one; false where there is none, or a pivot is zero.
     bool refactorize(const Sparse &A) {
-        constexpr double least = 1e-4; // largest entries of a column before and after
         return keeps_pivots && numeric != nullptr &&
                (real ? klu_refactor : klu_z_refactor)(columns.data(), rows.data(),
                                                       reals(A.valuePtr()), symbolic, numeric,
                                                       &common) != 0 &&
-               common.status == KLU_OK &&
-               (real ? klu_rgrowth : klu_z_rgrowth)(columns.data(), rows.data(),
-                                                    reals(A.valuePtr()), symbolic, numeric,
-                                                    &common) != 0 &&
-               common.rgrowth > least;
+               common.status == KLU_OK;
     }
 
     void drop() { (real ? klu_free_numeric : klu_z_free_numeric)(&numeric, &common); }
@@ -84,6 +79,8 @@ template <class Scalar> bool SparseFactor<Scalar>::factorize(const Sparse &A) {
         &_data->common);
     return _data->numeric != nullptr && _data->common.status == KLU_OK;
 }
+
+template <class Scalar> void SparseFactor<Scalar>::forget_pivots() { _data->drop(); }
 
 template <class Scalar> void SparseFactor<Scalar>::solve(Columns b) const {
     (Data::real ? klu_solve

@@ -171,9 +171,11 @@ class WholeRotor::Iteration {
     /// @returns whether it settled
     bool settle() {
         constexpr int factorisations = 5;
-        for (int k = 0; k < factorisations; ++k)
+        for (int k = 0; k < factorisations; ++k) {
             if (settle_with_one())
                 return true;
+            _factor.forget_pivots();
+        }
         return false;
     }
     [[nodiscard]] Complex value() const { return _value; }
@@ -299,7 +301,7 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     problem.scale(d);
     const Eigen::Index n = d.size();
     constexpr int most = 80;
-    constexpr int margin = 4;
+    constexpr int margin = 2;
     constexpr int more = 2;
     constexpr double nothing = 1e-8; // its square is what the value is off by
     constexpr double far_too_many = 1e-11;

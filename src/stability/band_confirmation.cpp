@@ -78,12 +78,15 @@ class Confirmation {
         return to > from && growth(_at, (from + to) / 2) > 0;
     }
 
-    /// An end where the growth passes zero with a slope, by Newton's method.
+    /// An end where the growth passes zero with a slope, by Newton's method: from where it is the
+    /// band's own motion that grows most, whatever hardly dies out beside it.
     [[nodiscard]] std::optional<double> root_near(double end, double inward, double width,
                                                   double beyond) const {
         if (_periodic == nullptr)
             return std::nullopt;
-        const auto found = _periodic->neutral_next_to(end, std::min(width, beyond) / 4);
+        constexpr double inside = 2e-3; // ends of the reduced rotor are half as far off at most
+        const auto found =
+            _periodic->neutral_next_to(end + inside * inward * width, std::min(width, beyond) / 4);
         return found && inward * found->slope > 0 ? std::optional(found->speed) : std::nullopt;
     }
     [[nodiscard]] std::optional<SpeedInterval> by_roots(const SpeedInterval &band, double last,

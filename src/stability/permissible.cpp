@@ -8,7 +8,7 @@
 #include "rigid/tilt_motion.h"
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
-#include "stability/closing_bands.h"
+#include "stability/hill/closing_bands.h"
 #include "stability/periodic_motions.h"
 
 #include <Eigen/SparseLU>

@@ -1,4 +1,4 @@
-#include "stability/closing_bands.h"
+#include "stability/hill/closing_bands.h"
 
 #include "periodic/neutral.h"
 #include "stability/periodic_motions.h"
