@@ -110,6 +110,16 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
     }
 }
 
+/// Of a periodic rotor before all else: more shapes later would mean to begin anew.
+void find_shapes(stability::BandFinder &finder, const std::vector<double> &grid) {
+    if (finder.solver().by_monodromy() == nullptr || grid.size() < 2)
+        return;
+    try {
+        (void)finder.good_shapes(grid);
+    } catch (const stability::NotSettled &) { // which give_up_unsettled looks at
+    }
+}
+
 constexpr int sampled = 16;
 
 /// @param first   unstable bands of the first arrangement, known already
@@ -223,6 +233,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     }
     KeptMotions kept(solver, grid);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
+    find_shapes(finder, grid);
     give_up_unsettled(at, grid, model);
     std::optional<ends::AllMotions> all;
     std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
@@ -244,11 +255,11 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         search_zero_roots(model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
         stage.emplace("errors of the bands", 0.6, 0.65);
-        result.unstable_error = stability::band_errors(at, model, arrangement, result.unstable,
-                                                       {grid.front(), grid.back()});
+        result.unstable_error = stability::band_errors(
+            finder, at, model, arrangement, result.unstable, {grid.front(), grid.back()});
         stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible =
-            stability::permissible_anisotropies(model, arrangement, grid, finder.shapes());
+            stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);
     }
     stage.emplace("arrangements of the balls", 0.8, 1.0);
     const std::vector<balancers::Arrangement> arrangements =
@@ -333,13 +344,14 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
+    find_shapes(finder, known);
     give_up_unsettled(at, known, model);
     if (known.size() > 1) {
         stability::BandsFound found = bands_between_ends(finder, model, arrangement, at, known);
         out.bands = std::move(found.bands);
         out.doubtful = std::move(found.doubtful);
         if (with_errors)
-            out.errors = stability::band_errors(at, model, arrangement, out.bands,
+            out.errors = stability::band_errors(finder, at, model, arrangement, out.bands,
                                                 {known.front(), known.back()});
     }
     const auto not_resolved = [&](double from, double to) {

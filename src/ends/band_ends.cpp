@@ -131,9 +131,14 @@ struct Look {
     int count = 0;
 };
 
+/// Part of the speed by which one looks beside an end that is known.
+constexpr double beside = 1e-9;
+
 class CountSearch {
   public:
-    explicit CountSearch(const MotionsAt &at) : _at(at) {}
+    /// @param edges  ends of bands
+    CountSearch(const MotionsAt &at, std::vector<double> edges)
+        : _at(at), _edges(std::move(edges)) {}
 
     [[nodiscard]] Look look(double speed) const {
         Look out{speed, _at(speed), 0};
@@ -141,12 +146,13 @@ class CountSearch {
         return out;
     }
     void between(const Look &a, const Look &b) {
-        if (a.count == b.count || lost_in_noise(a, b))
+        const std::optional<double> edge = edge_between(a.speed, b.speed);
+        if (a.count == b.count || (!edge && lost_in_noise(a, b)))
             return;
-        if (b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
+        if (edge || b.speed - a.speed <= 1e-10 * std::abs(b.speed)) {
             const Look &more = b.count > a.count ? b : a;
             StabilityEnd end;
-            end.speed = (a.speed + b.speed) / 2;
+            end.speed = edge.value_or((a.speed + b.speed) / 2);
             constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
             const double to_fewer = b.count > a.count ? -1 : 1;
             const int still = neutral(_at(end.speed + to_fewer * aside * std::abs(end.speed)));
@@ -166,6 +172,16 @@ class CountSearch {
 
   private:
     const MotionsAt &_at;
+    std::vector<double> _edges;
+
+    /// The end of a band, known to be one better than by halving, where it alone is near.
+    [[nodiscard]] std::optional<double> edge_between(double low, double high) const {
+        const auto inside = [&](double edge) { return edge > low && edge < high; };
+        if (high - low > 3 * beside * std::abs(high) ||
+            std::count_if(_edges.begin(), _edges.end(), inside) != 1)
+            return std::nullopt;
+        return *std::find_if(_edges.begin(), _edges.end(), inside);
+    }
 
     /// The motions that grow at one of two speeds close to each other only sank below the noise on
     /// the way to the other, as those of balls do towards rest, with a power of the speed: beyond
@@ -210,7 +226,7 @@ class CountSearch {
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
                           const std::vector<SpeedInterval> &bands) {
     std::vector<double> looks = speeds;
-    constexpr double beside = 1e-9;
+    std::vector<double> edges;
     for (const auto &[from, to] : bands) { // their ends are known: no halving is needed there
         looks.push_back((from + to) / 2);
         for (const double end : {from, to}) {
@@ -218,10 +234,11 @@ EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds
                 continue; // a border of the range
             const double step = std::min(beside * std::abs(end), (to - from) / 8);
             looks.insert(looks.end(), {end - step, end + step});
+            edges.push_back(end);
         }
     }
     std::sort(looks.begin(), looks.end());
-    CountSearch search(at);
+    CountSearch search(at, std::move(edges));
     EndsFound out;
     std::optional<Look> before;
     for (const double speed : looks) {

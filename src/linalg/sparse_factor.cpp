@@ -41,6 +41,7 @@ template <class Scalar> struct SparseFactor<Scalar>::Data {
     klu_common common{};
     klu_symbolic *symbolic = nullptr;
     klu_numeric *numeric = nullptr;
+    bool keeps_pivots = false;
     Eigen::VectorXi columns, rows; ///< places of the entries that `symbolic` is made for
 
     void analyse(const Sparse &A) {
@@ -49,10 +50,20 @@ template <class Scalar> struct SparseFactor<Scalar>::Data {
         if (places.size() == rows.size() && first.size() == columns.size() && places == rows &&
             first == columns)
             return;
+        drop();
         columns = first;
         rows = places;
         klu_free_symbolic(&symbolic, &common);
         symbolic = klu_analyze(static_cast<int>(A.rows()), columns.data(), rows.data(), &common);
+    }
+
+    /// In the order of the last one; false where there is none, or a pivot is zero.
+    bool refactorize(const Sparse &A) {
+        return keeps_pivots && numeric != nullptr &&
+               (real ? klu_refactor : klu_z_refactor)(columns.data(), rows.data(),
+                                                      reals(A.valuePtr()), symbolic, numeric,
+                                                      &common) != 0 &&
+               common.status == KLU_OK;
     }
 
     void drop() { (real ? klu_free_numeric : klu_z_free_numeric)(&numeric, &common); }
@@ -63,7 +74,9 @@ template <class Scalar> struct SparseFactor<Scalar>::Data {
     }
 };
 
-template <class Scalar> SparseFactor<Scalar>::SparseFactor() : _data(std::make_unique<Data>()) {
+template <class Scalar>
+SparseFactor<Scalar>::SparseFactor(bool keeps_pivots) : _data(std::make_unique<Data>()) {
+    _data->keeps_pivots = keeps_pivots;
     klu_defaults(&_data->common);
     // A pivot on the diagonal, as the order foresees it, unless it is so much smaller than the
     // largest: entries grow by no more than 11 times in a step.
@@ -73,15 +86,19 @@ template <class Scalar> SparseFactor<Scalar>::SparseFactor() : _data(std::make_u
 template <class Scalar> SparseFactor<Scalar>::~SparseFactor() = default;
 
 template <class Scalar> bool SparseFactor<Scalar>::factorize(const Sparse &A) {
-    _data->drop();
     _data->analyse(A);
     if (_data->symbolic == nullptr)
         return false;
+    if (_data->refactorize(A))
+        return true;
+    _data->drop();
     _data->numeric = (Data::real ? klu_factor : klu_z_factor)(
         _data->columns.data(), _data->rows.data(), reals(A.valuePtr()), _data->symbolic,
         &_data->common);
     return _data->numeric != nullptr && _data->common.status == KLU_OK;
 }
+
+template <class Scalar> void SparseFactor<Scalar>::forget_pivots() { _data->drop(); }
 
 template <class Scalar> void SparseFactor<Scalar>::solve(Columns b) const {
     (Data::real ? klu_solve

@@ -17,7 +17,10 @@ template <class Scalar> class SparseFactor {
     using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
     using Columns = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
 
-    SparseFactor();
+    /// @param keeps_pivots  matrices of the same pattern are eliminated with the pivots of the one
+    ///                      before, too, which may not be good for them: for iterations that see
+    ///                      whether they converge
+    explicit SparseFactor(bool keeps_pivots = false);
     ~SparseFactor();
     SparseFactor(const SparseFactor &) = delete;
     SparseFactor &operator=(const SparseFactor &) = delete;
@@ -27,6 +30,9 @@ template <class Scalar> class SparseFactor {
     /// @param A  compressed
     /// @returns false where a pivot is zero: nothing is to be solved then
     [[nodiscard]] bool factorize(const Sparse &A);
+
+    /// The next matrix gets pivots of its own.
+    void forget_pivots();
 
     /// A^-1 b in the place of b.
     void solve(Columns b) const;

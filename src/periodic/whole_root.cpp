@@ -19,8 +19,27 @@ using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
 using Factor = linalg::SparseFactor<Complex>;
 
+/// Values of l^2 a2 + l a1 + a0 and of its derivative.
+struct Quadratic {
+    Complex a2, a1, a0;
+
+    [[nodiscard]] Complex at(Complex l) const { return a0 + l * (a1 + l * a2); }
+    [[nodiscard]] Complex slope(Complex l) const { return 2.0 * l * a2 + a1; }
+};
+
+/// Numbers without a pattern, to begin with.
+Eigen::VectorXcd start_vector(Eigen::Index size) {
+    Eigen::VectorXcd out(size);
+    for (Eigen::Index i = 0; i < size; ++i)
+        out(i) = Complex(1 + 0.5 * std::sin(1.7 * static_cast<double>(i)),
+                         0.5 * std::cos(2.3 * static_cast<double>(i)));
+    return out.normalized();
+}
+
+} // namespace
+
 /// The rotor at one speed.
-struct AtSpeed {
+struct WholeRotor::AtSpeed {
     double speed = 0;
     Sparse M, D, K;
     Sparse C_cosine, C_sine, K_cosine, K_sine;
@@ -31,17 +50,9 @@ struct AtSpeed {
     }
 };
 
-/// Values of l^2 a2 + l a1 + a0 and of its derivative.
-struct Quadratic {
-    Complex a2, a1, a0;
-
-    [[nodiscard]] Complex at(Complex l) const { return a0 + l * (a1 + l * a2); }
-    [[nodiscard]] Complex slope(Complex l) const { return 2.0 * l * a2 + a1; }
-};
-
 /// The equations of the terms q_-N, ..., q_N. In the column of term k stand, with its exponent
 /// w = l + 2 i k speed, w^2 M + w D + K and, one row above and below, w C + K of the supports.
-class Series {
+class WholeRotor::Series {
   public:
     Series(const AtSpeed &rotor, int harmonics)
         : _rotor(rotor), _harmonics(harmonics), _n(rotor.M.rows()) {
@@ -149,17 +160,8 @@ class Series {
     }
 };
 
-/// Numbers without a pattern, to begin with.
-Eigen::VectorXcd start_vector(Eigen::Index size) {
-    Eigen::VectorXcd out(size);
-    for (Eigen::Index i = 0; i < size; ++i)
-        out(i) = Complex(1 + 0.5 * std::sin(1.7 * static_cast<double>(i)),
-                         0.5 * std::cos(2.3 * static_cast<double>(i)));
-    return out.normalized();
-}
-
 /// One root of a series and its vectors, improved.
-class Iteration {
+class WholeRotor::Iteration {
   public:
     /// @param factor  knows the pattern, or nothing yet
     Iteration(const Series &series, Complex guess, double scale, Factor &factor)
@@ -169,13 +171,16 @@ class Iteration {
     /// @returns whether it settled
     bool settle() {
         constexpr int factorisations = 5;
-        for (int k = 0; k < factorisations; ++k)
+        for (int k = 0; k < factorisations; ++k) {
             if (settle_with_one())
                 return true;
+            _factor.forget_pivots();
+        }
         return false;
     }
     [[nodiscard]] Complex value() const { return _value; }
     [[nodiscard]] const Eigen::VectorXcd &right() const { return _right; }
+    [[nodiscard]] const Eigen::VectorXcd &left() const { return _left; }
     [[nodiscard]] double noise() const { return _noise; }
 
   private:
@@ -227,8 +232,6 @@ class Iteration {
     }
 };
 
-} // namespace
-
 struct WholeRotor::Factors {
     std::map<int, Factor> with_harmonics;
 };
@@ -260,25 +263,45 @@ WholeRotor::Matrices WholeRotor::assembled(double bearing_speed) const {
             {t.Ks.cosine.view(), t.Ks.sine.view()}};
 }
 
-std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
-                                                    double frequency) const {
+WholeRotor::AtSpeed WholeRotor::at(double speed) const {
     const Matrices now = _tables ? assembled(speed) : Matrices{};
     const Matrices &m = _tables ? now : _matrices;
-    AtSpeed problem{speed,
-                    m.M,
-                    m.C + speed * m.Cs,
-                    m.K + speed * (m.Ks + speed * m.Kss),
-                    m.turning_C.cosine,
-                    m.turning_C.sine,
-                    m.turning_K.cosine + speed * m.turning_Ks.cosine,
-                    m.turning_K.sine + speed * m.turning_Ks.sine};
+    return {speed,
+            m.M,
+            m.C + speed * m.Cs,
+            m.K + speed * (m.Ks + speed * m.Kss),
+            m.turning_C.cosine,
+            m.turning_C.sine,
+            m.turning_K.cosine + speed * m.turning_Ks.cosine,
+            m.turning_K.sine + speed * m.turning_Ks.sine};
+}
+
+Complex WholeRotor::change(const Root &root, double speed, const WholeRotor &other,
+                           double other_speed) const {
+    const AtSpeed here = at(speed);
+    const AtSpeed there = other.at(other_speed);
+    const auto harmonics = static_cast<int>((root.terms.size() / here.M.rows() - 1) / 2);
+    const Quadratic before = Series(here, harmonics).form(root.left, root.terms);
+    const Quadratic after = Series(there, harmonics).form(root.left, root.terms);
+    return -(after.at(root.value) - before.at(root.value)) / before.slope(root.value);
+}
+
+Complex WholeRotor::slope(const Root &root, double speed) const {
+    const double step = 1e-4 * speed; // without tables all are of second degree
+    return (change(root, speed, *this, speed + step) - change(root, speed, *this, speed - step)) /
+           (2 * step);
+}
+
+std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
+                                                    double frequency) const {
+    AtSpeed problem = at(speed);
     const double scale = std::abs(speed) + std::abs(guess);
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(scale, frequency), problem.M.diagonal(), problem.K.diagonal());
     problem.scale(d);
     const Eigen::Index n = d.size();
     constexpr int most = 80;
-    constexpr int margin = 4;
+    constexpr int margin = 2;
     constexpr int more = 2;
     constexpr double nothing = 1e-8; // its square is what the value is off by
     constexpr double far_too_many = 1e-11;
@@ -286,7 +309,8 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     for (int N = static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond; N <= most;
          N += more) {
         const Series series(problem, N);
-        Iteration iteration(series, guess, scale, _factors->with_harmonics[N]);
+        Iteration iteration(series, guess, scale,
+                            _factors->with_harmonics.try_emplace(N, true).first->second);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();
@@ -297,9 +321,10 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
         }
         if (end < far_too_many)
             _beyond = std::max(margin, _beyond - 1);
-        Root root{iteration.value(), x, iteration.noise()};
+        Root root{iteration.value(), x, iteration.left(), iteration.noise()};
         for (int k = 0; k <= 2 * N; ++k)
-            root.terms.segment(k * n, n) = d.cwiseProduct(x.segment(k * n, n));
+            for (Eigen::VectorXcd *terms : {&root.terms, &root.left})
+                terms->segment(k * n, n) = d.cwiseProduct(terms->segment(k * n, n)).eval();
         return root;
     }
     _beyond = margin;

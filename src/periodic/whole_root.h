@@ -32,6 +32,7 @@ class WholeRotor {
     struct Root {
         std::complex<double> value; ///< l, 1/s, on the strip that the guess is in
         Eigen::VectorXcd terms;     ///< q_-N, ..., q_N
+        Eigen::VectorXcd left;      ///< the same of the transposed problem, conjugate
         double noise = 0;           ///< how far rounding can move l, 1/s
     };
     /// The root next to a guess: inverse iteration with both vectors, and the quotient of them.
@@ -40,6 +41,13 @@ class WholeRotor {
     /// @returns nothing where it does not converge
     [[nodiscard]] std::optional<Root> next_to(double speed, std::complex<double> guess,
                                               double frequency) const;
+
+    /// First-order change of a root of this rotor at one speed where it becomes another one of the
+    /// same mesh, or turns at another speed, 1/s.
+    [[nodiscard]] std::complex<double> change(const Root &root, double speed,
+                                              const WholeRotor &other, double other_speed) const;
+    /// Its derivative by the speed.
+    [[nodiscard]] std::complex<double> slope(const Root &root, double speed) const;
 
   private:
     using Sparse = Eigen::SparseMatrix<double>;
@@ -60,6 +68,10 @@ class WholeRotor {
     std::unique_ptr<Factors> _factors;
     mutable int _beyond = 4; ///< harmonics that the roots before needed beyond their frequency
     [[nodiscard]] Matrices assembled(double bearing_speed) const;
+    struct AtSpeed;
+    class Series;
+    class Iteration;
+    [[nodiscard]] AtSpeed at(double speed) const;
 };
 
 } // namespace whirl::periodic

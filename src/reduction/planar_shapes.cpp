@@ -89,6 +89,10 @@ void PlanarShapes::add(const Eigen::MatrixXd &columns, double newness) {
     take_in(_shapes, _H, columns, newness);
 }
 
+void PlanarShapes::keep(const Eigen::MatrixXd &combinations) {
+    _shapes = (_shapes * combinations).eval();
+}
+
 void PlanarShapes::add_newest_first(Eigen::MatrixXd columns, double newness) {
     take_in_newest_first(_shapes, _H, std::move(columns), newness);
 }

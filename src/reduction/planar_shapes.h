@@ -38,6 +38,9 @@ class PlanarShapes {
     /// The same with as few shapes as may be: first the column of which most is new.
     void add_newest_first(Eigen::MatrixXd columns, double newness);
 
+    /// Only these combinations of the shapes, r x s with orthonormal columns, are kept.
+    void keep(const Eigen::MatrixXd &combinations);
+
     /// Takes in the deflections, held by K + top^2 M, under unit loads that work on these
     /// quantities.
     /// @throws linalg::SolverError where the bearings push away

@@ -1,6 +1,9 @@
 #include "stability/band_errors.h"
 
+#include "balancers/linear_element.h"
 #include "mesh_error/safety.h"
+#include "periodic/whole_root.h"
+#include "stability/periodic_motions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,24 +62,67 @@ double distance(const MotionsAt &finer, const End &end, double slope) {
     }
 }
 
+/// The whole rotor of a finer model whose motions stay periodic.
+class FinerRotor {
+  public:
+    FinerRotor(const StabilityModel &model, const balancers::Arrangement &arrangement)
+        : _discretization(model.rotor, mesh_error::finer_order(model.order)),
+          _rotor(_discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
+
+    [[nodiscard]] const periodic::WholeRotor &rotor() const { return _rotor; }
+
+  private:
+    assembly::Discretization _discretization;
+    periodic::WholeRotor _rotor;
+};
+
+/// Error of an end at which the growth passes zero with a slope, from the roots of both models;
+/// nothing where it is not one.
+std::optional<double> by_roots(const PeriodicMotions &motions, const FinerRotor &finer,
+                               const End &end) {
+    const double reach = std::min(end.width, end.beyond) / 4;
+    const auto own = motions.neutral_next_to(end.speed, reach);
+    if (!own || own->slope * end.inward <= 0 ||
+        std::abs(own->speed - end.speed) > 1e-9 * std::abs(end.speed))
+        return std::nullopt;
+    const auto other = motions.neutral_next_to(end.speed, reach, &finer.rotor());
+    if (!other || other->slope * end.inward <= 0)
+        return std::nullopt;
+    const double step = std::min(0.25 * end.width, 1e-4 * std::abs(end.speed));
+    const double noise = motions.fastest_growing(end.speed).noise / std::abs(own->slope);
+    return std::min(step, noise + other->noise) + 1e-12 * std::abs(end.speed) +
+           mesh_error::estimate_safety * std::abs(other->speed - end.speed);
+}
+
 } // namespace
 
-std::vector<SpeedInterval> band_errors(const MotionsAt &at, const StabilityModel &model,
+std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt &at,
+                                       const StabilityModel &model,
                                        const balancers::Arrangement &arrangement,
                                        const std::vector<SpeedInterval> &bands,
                                        const SpeedInterval &range) {
+    const bool elastic = !model.rotor.shaft.rigid;
+    const PeriodicMotions *const periodic = finder.solver().by_monodromy();
+    std::optional<FinerRotor> whole;
+    if (elastic && periodic != nullptr && model.rotor.damped() && !bands.empty())
+        whole.emplace(model, arrangement);
     std::optional<MotionSolver> finer;
-    if (!model.rotor.shaft.rigid && !bands.empty()) {
-        StabilityModel finer_model = model;
-        finer_model.order = mesh_error::finer_order(model.order);
-        finer.emplace(finer_model, arrangement);
-    }
-    const MotionsAt finer_at = [&finer](double speed) { return finer->at(speed); };
+    const MotionsAt finer_at = [&](double speed) {
+        if (!finer) {
+            StabilityModel finer_model = model;
+            finer_model.order = mesh_error::finer_order(model.order);
+            finer.emplace(finer_model, arrangement);
+        }
+        return finer->at(speed);
+    };
     const auto error_of = [&](const End &end) {
+        if (whole)
+            if (const auto error = by_roots(*periodic, *whole, end))
+                return *error;
         double slope = 0;
         const double rounding = blurred(at, end, slope);
         return rounding + 1e-12 * std::abs(end.speed) +
-               (finer ? mesh_error::estimate_safety * distance(finer_at, end, slope) : 0.0);
+               (elastic ? mesh_error::estimate_safety * distance(finer_at, end, slope) : 0.0);
     };
     std::vector<SpeedInterval> out;
     for (std::size_t i = 0; i < bands.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stability/band_finder.h"
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
@@ -12,9 +13,10 @@ namespace whirl::stability {
 /// passes through zero. An end at the border of the range has none; a band that the finer model
 /// does not have is off by its width.
 ///
-/// @param at     the model that the bands belong to
-/// @param range  in which they were looked for
-[[nodiscard]] std::vector<SpeedInterval> band_errors(const MotionsAt &at,
+/// @param finder  of the model that the bands belong to
+/// @param at      its motions
+/// @param range   in which they were looked for
+[[nodiscard]] std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt &at,
                                                      const StabilityModel &model,
                                                      const balancers::Arrangement &arrangement,
                                                      const std::vector<SpeedInterval> &bands,

@@ -59,7 +59,8 @@ class BandFinder {
     bool _good = false;                          ///< the shapes are good for the speeds asked for
 
     [[nodiscard]] static std::optional<BandsFound>
-    confirmed(const MotionsAt &reduced, const MotionsAt &at, const std::vector<double> &speeds);
+    confirmed(const MotionsAt &reduced, const MotionsAt &at, const std::vector<double> &speeds,
+              const PeriodicMotions *periodic = nullptr, double part = 0);
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
     [[nodiscard]] std::unique_ptr<MotionSolver>
     reduced_alike(const std::vector<double> &speeds) const;

@@ -4,6 +4,7 @@
 #include "stability/pair_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace whirl::stability {
@@ -35,20 +36,19 @@ constexpr int golden_steps = 24;
 BandSearch::BandSearch(const MotionsAt &at, const std::vector<double> &speeds)
     : _at(at), _grid_step(speeds[1] - speeds[0]),
       _most_halvings(2 * static_cast<int>(speeds.size()) + 200) {
-    Look before = look(speeds[0], _grid_step);
-    for (std::size_t k = 1; k < speeds.size(); ++k) {
-        Look now = look(speeds[k], speeds[k] - speeds[k - 1]);
-        through(before, now, 0);
-        before = std::move(now);
-    }
+    for (std::size_t k = 0; k < speeds.size(); ++k)
+        (void)look(speeds[k], k > 0 ? speeds[k] - speeds[k - 1] : _grid_step);
+    for (std::size_t k = 1; k < speeds.size(); ++k)
+        through(_looks.at(speeds[k - 1]), _looks.at(speeds[k]), 0);
     for (std::size_t k = 1; k < _steps.size(); ++k) {
         peaks(_steps[k - 1], _steps[k]);
         dips(_steps[k - 1], _steps[k]);
     }
 }
 
-BandSearch::Look BandSearch::look(double speed, double step) {
-    Look out{speed, _at(speed), 0};
+const BandSearch::Look &BandSearch::look(double speed, double step) {
+    Look &out = _looks[speed];
+    out = {speed, _at(speed), 0};
     out.growth = growth_of(out.motions);
     _known[speed] = out.growth;
     if (out.growth > 0)
@@ -56,16 +56,69 @@ BandSearch::Look BandSearch::look(double speed, double step) {
     return out;
 }
 
+const Continuation &BandSearch::continuation(const Look &a, const Look &b) {
+    const auto found = _continued.find({a.speed, b.speed});
+    if (found != _continued.end())
+        return found->second;
+    return _continued
+        .emplace(std::pair(a.speed, b.speed), continued(a.speed, a.motions, b.speed, b.motions))
+        .first->second;
+}
+
+/// Follows the two to the next speeds that were looked at on either side.
+void BandSearch::add_beyond(Coalescence &m, const Look &a, const Look &b) {
+    constexpr int most = 2; // on each side
+    if (!m.ordered && m.copies != 0)
+        return; // which of them is the copy is not known
+    const auto add = [&m](const Look &look, const std::array<int, 2> &index, PairValues &last) {
+        const Motion &one = look.motions[static_cast<std::size_t>(index[0])];
+        const Motion &other = look.motions[static_cast<std::size_t>(index[1])];
+        last = {look.speed, copy_next_to(last.first, one), copy_next_to(last.second, other)};
+        m.beyond.push_back(last);
+        m.beyond.back().second += std::complex<double>(0, m.copies * other.repeats);
+    };
+    const auto own = [&m](std::complex<double> second, const Look &look, int index) {
+        const double repeats = look.motions[static_cast<std::size_t>(index)].repeats;
+        return second - std::complex<double>(0, m.copies * repeats);
+    };
+    std::array<int, 2> at = m.index_to;
+    PairValues last{b.speed, m.first_to, own(m.second_to, b, at[1])};
+    auto place = _looks.find(b.speed);
+    for (int k = 0; k < most && std::next(place) != _looks.end(); ++k, ++place) {
+        const Look &next = std::next(place)->second;
+        const Continuation &on = continuation(place->second, next);
+        for (int &index : at)
+            index = index == Continuation::nowhere ? index : on.to[static_cast<std::size_t>(index)];
+        if (at[0] == Continuation::nowhere || at[1] == Continuation::nowhere)
+            break;
+        add(next, at, last);
+    }
+    at = m.index_from;
+    last = {a.speed, m.first_from, own(m.second_from, a, at[1])};
+    place = _looks.find(a.speed);
+    for (int k = 0; k < most && place != _looks.begin(); ++k, --place) {
+        const Look &next = std::prev(place)->second;
+        const std::vector<int> &to = continuation(next, place->second).to;
+        for (int &index : at) {
+            const auto found = std::find(to.begin(), to.end(), index);
+            if (index == Continuation::nowhere || found == to.end())
+                return;
+            index = static_cast<int>(found - to.begin());
+        }
+        add(next, at, last);
+    }
+}
+
 void BandSearch::halve(const Look &a, const Look &b, int depth) {
     ++_halvings;
     const double half = (b.speed - a.speed) / 2;
-    const Look middle = look(a.speed + half, half);
+    const Look &middle = look(a.speed + half, half);
     through(a, middle, depth + 1);
     through(middle, b, depth + 1);
 }
 
 void BandSearch::through(const Look &a, const Look &b, int depth) {
-    const Continuation next = continued(a.speed, a.motions, b.speed, b.motions);
+    const Continuation next = continuation(a, b);
     const bool unstable = a.growth > 0 && b.growth > 0;
     // Where one motion grows all the way it does not matter what becomes of the others.
     const bool carried = unstable && one_grows_through(next, a, b);
@@ -99,7 +152,7 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
 
 /// @returns whether all of them could be judged.
 bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, const Look &b) {
-    for (const Coalescence &coalescence : next.coalescences) {
+    for (Coalescence coalescence : next.coalescences) {
         const auto unstable_at = [](const Look &look, std::complex<double> value) {
             return look.growth > 0 && value.real() > 0;
         };
@@ -107,6 +160,8 @@ bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, 
         if (unstable_at(a, coalescence.first_from) || unstable_at(a, coalescence.second_from) ||
             unstable_at(b, coalescence.first_to) || unstable_at(b, coalescence.second_to))
             continue;
+        if (coalescence.action == 0)
+            add_beyond(coalescence, a, b);
         const CoalescenceVerdict verdict = examine(_at, coalescence);
         if (verdict.kind == CoalescenceVerdict::Kind::unsure)
             return false;

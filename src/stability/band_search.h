@@ -3,6 +3,7 @@
 #include "stability/coalescence.h"
 #include "stability/unstable_bands.h"
 
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -57,7 +58,12 @@ class BandSearch {
     int _halvings = 0; ///< so far
     int _most_halvings;
 
-    [[nodiscard]] Look look(double speed, double step);
+    std::map<double, Look> _looks;                                ///< all so far
+    std::map<std::pair<double, double>, Continuation> _continued; ///< between neighbours
+
+    [[nodiscard]] const Look &look(double speed, double step);
+    [[nodiscard]] const Continuation &continuation(const Look &a, const Look &b);
+    void add_beyond(Coalescence &m, const Look &a, const Look &b);
     void through(const Look &a, const Look &b, int depth);
     void halve(const Look &a, const Look &b, int depth);
     [[nodiscard]] bool coalescences_resolved(const Continuation &next, const Look &a,

@@ -217,20 +217,37 @@ class Follower {
         const Complex second_to = copy_next_to(a(j).value, b(tj));
         const double repeats_from = a(i).repeats;
         const double repeats_to = b(ti).repeats;
+        const double moved = ordered ? 0 : most_moved(i, j, ti, tj);
         const int reach = repeats_from > 0 && repeats_to > 0 ? 2 : 0;
         for (int k = -reach; k <= reach; ++k) {
-            const Coalescence m{_from,
-                                _to,
-                                a(i).value,
-                                a(j).value + Complex(0, k * repeats_from),
-                                first_to,
-                                second_to + Complex(0, k * repeats_to),
-                                ordered,
-                                k,
-                                opposite ? a(i).action : 0};
-            if (may_open_a_band(m))
+            const Coalescence m{_from,      _to,
+                                a(i).value, a(j).value + Complex(0, k * repeats_from),
+                                first_to,   second_to + Complex(0, k * repeats_to),
+                                ordered,    k,
+                                {i, j},     {ti, tj},
+                                {},         opposite ? a(i).action : 0};
+            if (may_open_a_band(m) && !far_apart(m, moved))
                 _out.coalescences.push_back(m);
         }
+    }
+
+    /// How far two motions can have moved in frequency, whichever became which.
+    [[nodiscard]] double most_moved(int i, int j, int ti, int tj) const {
+        const auto moved = [](const Motion &from, const Motion &to) {
+            return std::abs(copy_next_to(from.value, to).imag() - from.value.imag());
+        };
+        return std::max(moved(a(i), b(ti)), moved(a(i), b(tj))) +
+               std::max(moved(a(j), b(ti)), moved(a(j), b(tj)));
+    }
+
+    /// Of a pair known as a pair: copies that are farther from each other at both ends than they
+    /// could have come.
+    [[nodiscard]] static bool far_apart(const Coalescence &m, double moved) {
+        constexpr double reserve = 2;
+        const double before = (m.first_from - m.second_from).imag();
+        const double after = (m.first_to - m.second_to).imag();
+        return !m.ordered && before * after > 0 &&
+               std::min(std::abs(before), std::abs(after)) > reserve * moved;
     }
 
     [[nodiscard]] static bool may_open_a_band(const Coalescence &m) {

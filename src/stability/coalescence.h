@@ -2,10 +2,17 @@
 
 #include "stability/motions.h"
 
+#include <array>
 #include <complex>
 #include <vector>
 
 namespace whirl::stability {
+
+/// Eigenvalues of two motions at a spin speed.
+struct PairValues {
+    double speed = 0;                   ///< rad/s
+    std::complex<double> first, second; ///< 1/s
+};
 
 /// Two motions that may meet between two spin speeds: their eigenvalues at both.
 struct Coalescence {
@@ -14,7 +21,10 @@ struct Coalescence {
     std::complex<double> first_from, second_from, first_to, second_to; ///< 1/s
     bool ordered = true; ///< false: at `to` it is not known which is which
     int copies = 0;      ///< the second one is that many of its copies away (Motion::repeats)
-    int action = 0;      ///< of the first one at both ends, the second has the other; 0: not known
+    std::array<int, 2> index_from{}; ///< which of the motions at `from` they are
+    std::array<int, 2> index_to{};
+    std::vector<PairValues> beyond; ///< the two outside of the speeds, where they are known
+    int action = 0; ///< of the first one at both ends, the second has the other; 0: not known
 };
 
 /// How motions go on from one spin speed to another.

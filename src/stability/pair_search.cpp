@@ -36,6 +36,87 @@ Complex interpolated(const std::vector<PairPoint> &points, Complex PairPoint::*w
     return value;
 }
 
+/// Through all points, Neville's scheme.
+Complex through_all(const std::vector<PairPoint> &points, Complex PairPoint::*what, double speed) {
+    std::vector<Complex> values;
+    for (const PairPoint &point : points)
+        values.push_back(point.*what);
+    for (std::size_t order = 1; order < points.size(); ++order)
+        for (std::size_t i = 0; i + order < points.size(); ++i) {
+            const double from = points[i].speed;
+            const double to = points[i + order].speed;
+            values[i] = ((to - speed) * values[i] + (speed - from) * values[i + 1]) / (to - from);
+        }
+    return values.front();
+}
+
+/// A pair that is known at speeds beyond both ends of a step, too. Mean and squared half difference
+/// by all of them, and without the first or the last one, which tells how far they can be trusted.
+class Neighbourhood {
+  public:
+    explicit Neighbourhood(const Coalescence &m) : _low(m.from), _high(m.to) {
+        _points = {pair_point(m.from, m.first_from, m.second_from),
+                   pair_point(m.to, m.first_to, m.second_to)};
+        for (const PairValues &at : m.beyond)
+            _points.push_back(pair_point(at.speed, at.first, at.second));
+        std::sort(_points.begin(), _points.end(),
+                  [](const auto &a, const auto &b) { return a.speed < b.speed; });
+        _without_first.assign(_points.begin() + 1, _points.end());
+        _without_last.assign(_points.begin(), _points.end() - 1);
+    }
+
+    /// Nowhere in the step can the two grow.
+    [[nodiscard]] bool decays() const {
+        constexpr std::size_t enough = 4;
+        if (_points.size() < enough || _points.front().speed >= _low ||
+            _points.back().speed <= _high)
+            return false;
+        constexpr int steps = 100;
+        constexpr int closer = 4;
+        double low = _low;
+        double high = _high;
+        for (int k = 0; k <= closer; ++k) { // about where q comes nearest to a positive number
+            const double step = (high - low) / steps;
+            double most = -HUGE_VAL;
+            double best = low;
+            for (int i = 0; i <= steps; ++i) {
+                const double speed = low + i * step;
+                const double q = judged(speed);
+                if (std::isnan(q))
+                    return false;
+                if (q > most) {
+                    most = q;
+                    best = speed;
+                }
+            }
+            low = std::max(_low, best - step);
+            high = std::min(_high, best + step);
+        }
+        return true;
+    }
+
+  private:
+    double _low, _high;
+    std::vector<PairPoint> _points, _without_first, _without_last;
+
+    [[nodiscard]] double apart(Complex PairPoint::*what, double speed, Complex all) const {
+        return std::max(std::abs(through_all(_without_first, what, speed) - all),
+                        std::abs(through_all(_without_last, what, speed) - all));
+    }
+
+    /// @returns Re q; not a number where the two may grow
+    [[nodiscard]] double judged(double speed) const {
+        const Complex s = through_all(_points, &PairPoint::s, speed);
+        const Complex q = through_all(_points, &PairPoint::q, speed);
+        const double off_q = apart(&PairPoint::q, speed, q);
+        const double root = std::abs(std::sqrt(q).real());
+        const double margin = apart(&PairPoint::s, speed, s) +
+                              std::min(std::sqrt(off_q), off_q / std::max(2 * root, 1e-300));
+        constexpr double reserve = 2;
+        return s.real() + root + reserve * margin < 0 ? q.real() : std::nan("");
+    }
+};
+
 /// Where a pair grows most, or comes nearest to it, and how much.
 struct Guess {
     double speed = 0;
@@ -282,6 +363,8 @@ class PassingSearch {
 CoalescenceVerdict examine(const MotionsAt &at, const Coalescence &coalescence) {
     if (coalescence.action != 0)
         return PassingSearch(at, coalescence).verdict();
+    if (Neighbourhood(coalescence).decays())
+        return {CoalescenceVerdict::Kind::stable, (coalescence.from + coalescence.to) / 2};
     return CoalescenceSearch(at, coalescence).verdict();
 }
 

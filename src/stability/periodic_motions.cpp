@@ -34,7 +34,9 @@ constexpr std::array new_parts{1e-3, 1e-5, 1e-6};
 constexpr double slow_enough = 4;
 /// Stiffness in one direction is at most twice its average over the directions.
 constexpr double of_average = 1.5;
-/// Rounding that is ever_there there, of speed and modulus.
+/// Speeds of which the motions are kept.
+constexpr std::size_t most_kept = 4000;
+/// Rounding that is ever there, of speed and modulus.
 constexpr double ever_there = 1e-11;
 
 double copies_apart(const FloquetMotion &a, const FloquetMotion &b, double repeats) {
@@ -87,6 +89,8 @@ void PeriodicMotions::set_top(double speed) const {
         return;
     _system.reset();
     _known.clear();
+    _corrected.clear();
+    _good_at.clear();
     set_shapes();
 }
 
@@ -222,8 +226,7 @@ const PeriodicMotions::List &PeriodicMotions::known(double speed) const {
     const auto found = _known.find(speed);
     if (found != _known.end())
         return found->second;
-    constexpr std::size_t most = 4000;
-    if (_known.size() >= most)
+    if (_known.size() >= most_kept)
         _known.clear();
     return _known.emplace(speed, listed(speed)).first->second;
 }
@@ -243,9 +246,19 @@ Eigen::MatrixXd PeriodicMotions::planar_parts_above(double part,
     return out;
 }
 
+void PeriodicMotions::use_planar() const {
+    _known.clear();
+    _corrected.clear();
+    _system.reset();
+    _reduced =
+        static_cast<double>(_planar->matrix().cols()) < large_share * _discretization.planar_size();
+    _shapes = _reduced ? std::make_shared<Eigen::MatrixXd>(_planar->matrix()) : nullptr;
+}
+
 /// Those that matter, or all, as the whole rotor has them; nothing where the shapes were not good
 /// enough for one of them, and now there are more.
-std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all) const {
+std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all,
+                                                                std::vector<Wanted> *wanted) const {
     List list = known(speed);
     double most = -std::numeric_limits<double>::infinity();
     for (const Listed &one : list)
@@ -271,6 +284,8 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
                 if (_planar->matrix().cols() > shapes)
                     break;
             }
+        if (wanted != nullptr)
+            wanted->push_back({root->value, motion.noise, planar_parts_above(0, root->terms)});
         const Complex before = motion.value;
         motion.value = root->value;
         if (before.imag() == 0 || before.imag() == size) // a real multiplier: its own conjugate
@@ -281,16 +296,14 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
     }
     if (_planar->matrix().cols() == shapes)
         return list;
-    _known.clear();
-    _system.reset();
-    _reduced =
-        static_cast<double>(_planar->matrix().cols()) < large_share * _discretization.planar_size();
-    _shapes = _reduced ? std::make_shared<Eigen::MatrixXd>(_planar->matrix()) : nullptr;
+    use_planar();
     return std::nullopt;
 }
 
 std::vector<Motion> PeriodicMotions::at(double speed) const {
     set_top(speed);
+    if (const auto found = _corrected.find(speed); found != _corrected.end())
+        return found->second;
     std::optional<List> list;
     constexpr int tries = 6;
     for (int k = 0; _reduced && speed != 0 && !list && k < tries; ++k)
@@ -303,6 +316,8 @@ std::vector<Motion> PeriodicMotions::at(double speed) const {
         if (_grows)
             out.back().state = system(speed).whole(one.shape, speed);
     }
+    if (_reduced && _corrected.size() < most_kept)
+        _corrected.emplace(speed, out);
     return out;
 }
 
@@ -313,16 +328,22 @@ std::vector<Motion> PeriodicMotions::reduced_at(double speed) const {
     return out;
 }
 
-std::shared_ptr<const Eigen::MatrixXd>
-PeriodicMotions::good_shapes(const std::vector<double> &speeds) const {
-    const std::size_t last = speeds.size() - 1;
-    set_top(std::max(std::abs(speeds.front()), std::abs(speeds.back())));
-    constexpr int tries = 6;
-    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
-        for (int k = 0; _reduced && speeds[place] != 0 && k < tries; ++k)
-            if (corrected(speeds[place], true))
-                break;
-    return _shapes;
+PeriodicMotions::Fastest PeriodicMotions::fastest_growing(double speed) const {
+    const List &list = known(speed);
+    const auto most = std::max_element(list.begin(), list.end(), [](const auto &a, const auto &b) {
+        return a.motion.value.real() < b.motion.value.real();
+    });
+    return {most->motion.value, most->frequency, most->motion.noise};
+}
+
+std::optional<periodic::Neutral>
+PeriodicMotions::neutral_next_to(double end, double reach,
+                                 const periodic::WholeRotor *other) const {
+    if (!_reduced || !_whole || end == 0)
+        return std::nullopt;
+    const Fastest motion = fastest_growing(end);
+    return periodic::neutral_next_to(other != nullptr ? *other : *_whole, end, motion.value,
+                                     motion.frequency, reach);
 }
 
 } // namespace whirl::stability

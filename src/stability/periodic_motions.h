@@ -2,6 +2,7 @@
 
 #include "balancers/linear_element.h"
 #include "periodic/monodromy.h"
+#include "periodic/neutral.h"
 #include "periodic/system.h"
 #include "periodic/whole_root.h"
 #include "reduction/planar_shapes.h"
@@ -58,6 +59,24 @@ class PeriodicMotions {
     [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
     good_shapes(const std::vector<double> &speeds) const;
 
+    /// Of the reduced rotor's motions the one that grows most.
+    struct Fastest {
+        std::complex<double> value; ///< 1/s
+        double frequency = 0;       ///< that it is fastest at, rad/s
+        double noise = 0;           ///< 1/s
+    };
+    [[nodiscard]] Fastest fastest_growing(double speed) const;
+
+    /// The rotor with all its unknowns, once shapes were looked for; none where it is as small.
+    [[nodiscard]] const periodic::WholeRotor *whole() const { return _whole.get(); }
+
+    /// Where the motion that grows most next to the end of a band of the reduced rotor is neutral
+    /// in a whole one, of this mesh or another.
+    /// @param reach  how far from the end of the reduced one at most, rad/s
+    /// @returns nothing where it is not found, or there is no reduced rotor
+    [[nodiscard]] std::optional<periodic::Neutral>
+    neutral_next_to(double end, double reach, const periodic::WholeRotor *other = nullptr) const;
+
   private:
     /// A motion of the reduced rotor and how fast it is, whatever its place on the strip.
     struct Listed {
@@ -82,9 +101,20 @@ class PeriodicMotions {
     std::shared_ptr<StepExperience> _experience;
     mutable std::unique_ptr<periodic::WholeRotor> _whole;
     mutable std::map<double, List> _known; ///< of the reduced rotor, at speeds asked for
+    mutable std::map<double, std::vector<Motion>> _corrected; ///< of the whole one
+
+    /// A motion of the whole rotor that the shapes must have.
+    struct Wanted {
+        std::complex<double> value;
+        double noise = 0;
+        Eigen::MatrixXd parts; ///< its planar shapes, N x any number
+    };
+    /// At speeds that the shapes were found to be good for.
+    mutable std::map<double, std::vector<Wanted>> _good_at;
 
     void set_top(double speed) const;
     void set_shapes() const;
+    void use_planar() const;
     [[nodiscard]] const periodic::System &system(double speed) const;
     [[nodiscard]] double octave_reach(double speed) const;
     [[nodiscard]] double steady_reach(double speed) const;
@@ -95,7 +125,11 @@ class PeriodicMotions {
     [[nodiscard]] const List &known(double speed) const;
     [[nodiscard]] Eigen::MatrixXd planar_parts_above(double part,
                                                      const Eigen::VectorXcd &terms) const;
-    [[nodiscard]] std::optional<List> corrected(double speed, bool all) const;
+    /// @param wanted  where to say which of the whole rotor's motions were looked at, or none
+    [[nodiscard]] std::optional<List> corrected(double speed, bool all,
+                                                std::vector<Wanted> *wanted = nullptr) const;
+    void compact() const;
+    [[nodiscard]] bool has_wanted() const;
 };
 
 } // namespace whirl::stability

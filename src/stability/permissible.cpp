@@ -9,6 +9,7 @@
 #include "rigid/tilt_motion.h"
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
+#include "stability/hill/closing_bands.h"
 #include "stability/periodic_motions.h"
 
 #include <algorithm>
@@ -21,6 +22,11 @@ namespace {
 model::Rotor with_anisotropy(model::Rotor rotor, std::size_t index, double dI) {
     rotor.anisotropies[index].dI = dI;
     return rotor;
+}
+
+StabilityModel model_with(StabilityModel model, std::size_t index, double dI) {
+    model.rotor = with_anisotropy(std::move(model.rotor), index, dI);
+    return model;
 }
 
 /// The dI at which the mass matrix becomes singular: along the axis of smaller inertia the node
@@ -163,9 +169,7 @@ class Varied {
     }
 
     [[nodiscard]] StabilityModel model_with(double dI) const {
-        StabilityModel out = _model;
-        out.rotor = with_anisotropy(std::move(out.rotor), _index, dI);
-        return out;
+        return stability::model_with(_model, _index, dI);
     }
 };
 
@@ -350,8 +354,8 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
 
 std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                         const std::vector<double> &grid,
-                         const std::shared_ptr<const Eigen::MatrixXd> &shapes) {
+                         const std::vector<double> &grid, const BandFinder &finder,
+                         const std::vector<SpeedInterval> &bands) {
     const model::Rotor &rotor = model.rotor;
     constexpr std::size_t enough = 101;
     const std::vector<double> speeds = thinned(grid, enough);
@@ -362,10 +366,14 @@ permissible_anisotropies(const StabilityModel &model, const balancers::Arrangeme
         const AnisotropyLimit limit =
             anisotropy_limit(assembly::Discretization(rotor, model.order), i);
         const double largest = std::min(0.999 * singular, limit.dI);
-        Varied varied(model, arrangement, i, model.form == results::Form::hill ? nullptr : shapes);
+        Varied varied(model, arrangement, i,
+                      model.form == results::Form::hill ? nullptr : finder.shapes());
         results::PermissibleAnisotropy entry{element.z, element.name, 0.0,
                                              {},        largest,      limit.of_disc};
         if (largest > 0)
+            entry.dI = closing_anisotropy([&](double dI) { return model_with(model, i, dI); },
+                                          arrangement, element.dI, finder, bands, speeds);
+        if (largest > 0 && !entry.dI)
             entry.dI = permissible(varied, largest, !rotor.damped(), speeds);
         entry.closed_form =
             rigid::rigid_permissible_anisotropy(rotor, speeds.front(), speeds.back());

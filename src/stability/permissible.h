@@ -1,11 +1,10 @@
 #pragma once
 
 #include "results/stability.h"
+#include "stability/band_finder.h"
 #include "stability/rotor_at_speeds.h"
+#include "stability/unstable_bands.h"
 
-#include <Eigen/Core>
-
-#include <memory>
 #include <vector>
 
 namespace whirl::stability {
@@ -18,10 +17,14 @@ namespace whirl::stability {
 /// closed form of the rigid rotor (A. N. Gorbenko, On the permissible level of inertial anisotropy
 /// of a gyroscopic rotor) where its supports are isotropic, symmetric about the centre of mass and
 /// there is no balancer.
-/// @param shapes  planar shapes that are good for the rotor as it is, where there are some
+///
+/// Where the equations stay periodic in time and the rotor as it is has bands, these are followed
+/// to the dI at which the last of them closes (periodic/neutral.h), and so are bands that the
+/// search then still finds, until it finds none.
+/// @param finder  with which the bands of the rotor as it is were found
 [[nodiscard]] std::vector<results::PermissibleAnisotropy>
 permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                         const std::vector<double> &speeds,
-                         const std::shared_ptr<const Eigen::MatrixXd> &shapes = nullptr);
+                         const std::vector<double> &speeds, const BandFinder &finder,
+                         const std::vector<SpeedInterval> &bands);
 
 } // namespace whirl::stability

@@ -153,6 +153,32 @@ void add_responses(std::vector<Workload> &list, const std::string &folder) {
                     .dense = dense});
 }
 
+/// A steel shaft in the place of the rigid one: seven bands between 50 and 1300 rad/s, one of them
+/// 0.23 rad/s wide.
+Scene flexible_hill(const std::string &folder) {
+    return {folder + "/hill_rotor",
+            {"material.light.E=2.11e11",
+             "material.light.rho=7810",
+             "shaft.rigid=false",
+             "shaft.order=6",
+             "disc[0].z=0.4",
+             "disc[0].Id=0.3",
+             "disc[0].Ip=0.2",
+             "anisotropy[0].z=0.4",
+             "anisotropy[0].dI=0.05",
+             "bearing[0].kxx=4e6",
+             "bearing[0].kyy=6e6",
+             "bearing[1].kxx=4e6",
+             "bearing[1].kyy=6e6",
+             "bearing[0].cxx=34.45",
+             "bearing[0].cyy=34.45",
+             "bearing[1].cxx=34.45",
+             "bearing[1].cyy=34.45",
+             "speeds.from=50",
+             "speeds.to=1300",
+             "speeds.count=251"}};
+}
+
 void add_stability(std::vector<Workload> &list, const std::string &folder) {
     for (const auto &[name, scene] : {std::pair{"stability_five_balls", "centrifuge_five_balls"},
                                       std::pair{"stability_extractor", "extractor_two_plane"}})
@@ -163,6 +189,9 @@ void add_stability(std::vector<Workload> &list, const std::string &folder) {
         {.name = "stability_hill",
          .what = "stability of hill_rotor: 771 speeds",
          .run = on(Scene(folder + "/hill_rotor", {"speeds.count=771"}), analyses::stability)});
+    list.push_back({.name = "stability_flexible_hill",
+                    .what = "stability of hill_rotor with a steel shaft of order 6: 251 speeds",
+                    .run = on(flexible_hill(folder), analyses::stability)});
 }
 
 void add_others(std::vector<Workload> &list, const std::string &folder) {

@@ -140,9 +140,9 @@ TEST(RigidLimitModel, PermissibleAnisotropyIsThatOfTheStabilityAnalysis) {
     target.from = 0;
     target.to = 6;
     const auto found = model_values(scene.rotor, 2, {target});
+    const auto model = stability::stability_model(scene, scene.speeds->values());
     const auto entries = stability::permissible_anisotropies(
-        stability::stability_model(scene, scene.speeds->values()), {},
-        stability::search_speeds(*scene.speeds));
+        model, {}, stability::search_speeds(*scene.speeds), {model, {}}, {});
     ASSERT_TRUE(found[0] && entries.at(0).dI);
     EXPECT_NEAR(found[0]->value, *entries[0].dI, 1e-7 * *entries[0].dI); // of the descent
 }

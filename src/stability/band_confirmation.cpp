@@ -1,0 +1,153 @@
+#include "stability/band_confirmation.h"
+
+#include "stability/periodic_motions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::stability {
+
+namespace {
+
+double growth(const MotionsAt &at, double speed) { return growth_of(at(speed)); }
+
+/// The end that lies near `end` for the whole rotor, `inward` (sign) the way into the band.
+std::optional<double> end_near(const MotionsAt &at, double end, double inward, double width,
+                               double beyond) {
+    for (const double share : {1e-7, 1e-5, 1e-3}) {
+        const double step = share * std::abs(end);
+        const double inside = end + inward * std::min(step, width / 4);
+        const double outside = end - inward * std::min(step, beyond / 4);
+        if (growth(at, inside) > 0 && growth(at, outside) <= 0)
+            return band_end(at, outside, inside, 1e-12 * std::abs(end));
+    }
+    return std::nullopt;
+}
+
+/// What the whole rotor makes of bands of the reduced one; nothing where it does not agree.
+class Confirmation {
+  public:
+    Confirmation(const MotionsAt &at, const std::vector<SpeedInterval> &bands,
+                 const SpeedInterval &range, const PeriodicMotions *periodic)
+        : _at(at), _bands(bands), _front(range.first), _back(range.second), _periodic(periodic) {}
+
+    [[nodiscard]] std::optional<std::vector<SpeedInterval>> bands() const {
+        std::vector<SpeedInterval> out;
+        double last = _front; // the end of the band before
+        for (std::size_t i = 0; i < _bands.size(); ++i) {
+            const double next = i + 1 < _bands.size() ? _bands[i + 1].first : _back;
+            const std::optional<std::vector<SpeedInterval>> found = of(_bands[i], last, next);
+            if (!found)
+                return std::nullopt;
+            if (found->empty())
+                continue;
+            if (grows_between(last, found->front().first))
+                return std::nullopt;
+            out.insert(out.end(), found->begin(), found->end());
+            last = out.back().second;
+        }
+        if (grows_between(last, _back))
+            return std::nullopt;
+        return without_slits(joined(out));
+    }
+
+  private:
+    const MotionsAt &_at;
+    const std::vector<SpeedInterval> &_bands;
+    double _front, _back;
+    const PeriodicMotions *_periodic;
+
+    /// Bands that hardly stand apart, with nothing between them that decays, are one: at its ends
+    /// the growth of an undamped rotor comes and goes with the rounding.
+    [[nodiscard]] std::vector<SpeedInterval>
+    without_slits(const std::vector<SpeedInterval> &bands) const {
+        constexpr double slit = 1e-7;
+        std::vector<SpeedInterval> out;
+        for (const SpeedInterval &band : bands) {
+            const bool close =
+                !out.empty() && band.first - out.back().second <= slit * std::abs(band.first);
+            if (close && growth(_at, (band.first + out.back().second) / 2) >= 0)
+                out.back().second = band.second;
+            else
+                out.push_back(band);
+        }
+        return out;
+    }
+
+    [[nodiscard]] bool grows_between(double from, double to) const {
+        return to > from && growth(_at, (from + to) / 2) > 0;
+    }
+
+    /// An end where the growth passes zero with a slope, by Newton's method: from where it is the
+    /// band's own motion that grows most, whatever hardly dies out beside it.
+    [[nodiscard]] std::optional<double> root_near(double end, double inward, double width,
+                                                  double beyond) const {
+        if (_periodic == nullptr)
+            return std::nullopt;
+        constexpr double inside = 2e-3; // ends of the reduced rotor are half as far off at most
+        const auto found =
+            _periodic->neutral_next_to(end + inside * inward * width, std::min(width, beyond) / 4);
+        return found && inward * found->slope > 0 ? std::optional(found->speed) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<SpeedInterval> by_roots(const SpeedInterval &band, double last,
+                                                        double next) const {
+        const auto [from, to] = band;
+        std::optional<double> low = from;
+        std::optional<double> high = to;
+        if (from > _front)
+            low = root_near(from, 1, to - from, from - last);
+        if (low && to < _back)
+            high = root_near(to, -1, to - from, next - to);
+        return low && high && growth(_at, (*low + *high) / 2) > 0
+                   ? std::optional(SpeedInterval{*low, *high})
+                   : std::nullopt;
+    }
+
+    /// @param last, next  where other bands end and begin
+    /// @returns nothing where the whole rotor does not agree; it can have none of a narrow one
+    [[nodiscard]] std::optional<std::vector<SpeedInterval>> of(const SpeedInterval &band,
+                                                               double last, double next) const {
+        if (const auto found = by_roots(band, last, next))
+            return {{*found}};
+        const auto [from, to] = band;
+        const double width = to - from;
+        constexpr double narrow = 1e-3;
+        if (width < narrow * std::max(std::abs(from), std::abs(to)))
+            return of_narrow(band, last, next);
+        std::optional<double> low = from;
+        std::optional<double> high = to;
+        if (from > _front)
+            low = end_near(_at, from, 1, width, from - last);
+        if (to < _back)
+            high = end_near(_at, to, -1, width, next - to);
+        if (!low || !high || growth(_at, (*low + *high) / 2) <= 0)
+            return std::nullopt;
+        return {{{*low, *high}}};
+    }
+
+    /// By a search of its own around it.
+    [[nodiscard]] std::vector<SpeedInterval> of_narrow(const SpeedInterval &band, double last,
+                                                       double next) const {
+        const double middle = (band.first + band.second) / 2;
+        constexpr double close_by = 1e-6; // ten times what eigenvalues agree to
+        const double around = std::max(4 * (band.second - band.first), close_by * std::abs(middle));
+        const double low = std::max({_front, middle - around, (band.first + last) / 2});
+        const double high = std::min({_back, middle + around, (band.second + next) / 2});
+        if (growth(_at, middle) > 0)
+            return {band_around(_at, middle, (band.second - band.first) / 2, {low, high})};
+        std::vector<double> speeds{low, band.first, middle, band.second, high};
+        speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end()); // at a border
+        return unstable_bands(_at, speeds);
+    }
+};
+
+} // namespace
+
+std::optional<std::vector<SpeedInterval>> confirmed_bands(const MotionsAt &at,
+                                                          const std::vector<SpeedInterval> &bands,
+                                                          const SpeedInterval &range,
+                                                          const PeriodicMotions *periodic) {
+    return Confirmation(at, bands, range, periodic).bands();
+}
+
+} // namespace whirl::stability

@@ -1,0 +1,71 @@
+#include "stability/hill/closing_bands.h"
+
+#include "periodic/neutral.h"
+#include "stability/periodic_motions.h"
+
+#include <memory>
+
+namespace whirl::stability {
+
+namespace {
+
+/// A whole rotor and what it refers to.
+struct Kept {
+    assembly::Discretization discretization;
+    periodic::WholeRotor rotor;
+
+    Kept(const StabilityModel &model, const balancers::Arrangement &arrangement)
+        : discretization(model.rotor, model.order),
+          rotor(discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
+};
+
+/// Bands as the motions of the rotor on few shapes tell what grows in them.
+std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
+                                           const std::vector<SpeedInterval> &bands) {
+    std::vector<periodic::OpenBand> out;
+    for (const auto &[from, to] : bands) {
+        const double middle = (from + to) / 2;
+        const PeriodicMotions::Fastest motion = motions.fastest_growing(middle);
+        out.push_back({middle, to - from, motion.value, motion.frequency});
+    }
+    return out;
+}
+
+} // namespace
+
+std::optional<double> closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
+                                         const balancers::Arrangement &arrangement, double given,
+                                         const BandFinder &as_it_is,
+                                         std::vector<SpeedInterval> bands,
+                                         const std::vector<double> &speeds) {
+    const PeriodicMotions *motions = as_it_is.solver().by_monodromy();
+    if (motions == nullptr || motions->whole() == nullptr || bands.empty() || given <= 0 ||
+        !with(given).rotor.damped())
+        return std::nullopt;
+    const periodic::Family family = [&](double dI) -> std::shared_ptr<const periodic::WholeRotor> {
+        const auto kept = std::make_shared<const Kept>(with(dI), arrangement);
+        return {kept, &kept->rotor};
+    };
+    constexpr double margin = 1e-9; // bands that are just closed are still seen by rounding
+    constexpr double above = 1e-6;  // far enough that something is seen to grow
+    constexpr int most_steps = 8;
+    double from = given;
+    std::unique_ptr<BandFinder> finder;
+    for (int step = 0; step < most_steps; ++step) {
+        const auto closing = periodic::last_to_close(family, from, open_bands(*motions, bands));
+        if (!closing || closing->speed < speeds.front() || closing->speed > speeds.back())
+            return std::nullopt;
+        from = closing->number * (1 - margin);
+        finder = std::make_unique<BandFinder>(with(from), arrangement);
+        bands = finder->find(speeds).bands;
+        if (bands.empty()) {
+            const MotionSolver beyond(with(closing->number * (1 + above)), arrangement);
+            return growth_of(beyond.at(closing->speed)) > 0 ? std::optional(closing->number)
+                                                            : std::nullopt;
+        }
+        motions = finder->solver().by_monodromy();
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::stability

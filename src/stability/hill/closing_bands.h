@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stability/band_finder.h"
+#include "stability/rotor_at_speeds.h"
+#include "stability/unstable_bands.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace whirl::stability {
+
+/// The dI at which the last band closes, of an elastic rotor with damping whose equations stay
+/// periodic in time, from the bands of the rotor as it is. They are followed (periodic/neutral.h),
+/// and so are bands that the search at what was found still sees, until it finds none; just above
+/// something grows.
+/// @param with      the model with another dI
+/// @param given     dI of the rotor as it is
+/// @param as_it_is  with which its bands were found
+/// @param speeds    ascending, at which the search looks
+/// @returns nothing where there are no bands, or they cannot be followed
+[[nodiscard]] std::optional<double>
+closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
+                   const balancers::Arrangement &arrangement, double given,
+                   const BandFinder &as_it_is, std::vector<SpeedInterval> bands,
+                   const std::vector<double> &speeds);
+
+} // namespace whirl::stability

@@ -1,0 +1,87 @@
+// The planar shapes that an elastic periodic rotor is reduced to.
+
+#include "linalg/symmetric_eigen.h"
+#include "stability/periodic_motions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace whirl::stability {
+
+/// The reduced rotor has the motions of the whole one that were looked at.
+bool PeriodicMotions::has_wanted() const {
+    constexpr double closely = 1e-8; // over the spin speed
+    return std::all_of(_good_at.begin(), _good_at.end(), [this](const auto &at) {
+        const double speed = at.first;
+        const List &list = known(speed);
+        return std::all_of(at.second.begin(), at.second.end(), [&](const Wanted &one) {
+            const double allowed =
+                closely * std::max(std::abs(speed), std::abs(one.value)) + 10 * one.noise;
+            return std::any_of(list.begin(), list.end(), [&](const Listed &other) {
+                const std::complex<double> off = one.value - other.motion.value;
+                return std::abs(std::complex<double>(
+                           off.real(), std::remainder(off.imag(), 2 * speed))) <= allowed;
+            });
+        });
+    });
+}
+
+/// Shapes good for one speed were added to those for another, and static deflections to both: of
+/// what they span as few as have all motions at these speeds.
+void PeriodicMotions::compact() const {
+    constexpr std::array least_parts{1e-3, 3e-4, 1e-4, 3e-5};
+    constexpr double hardly_fewer = 0.9;
+    const Eigen::MatrixXd all = _planar->matrix();
+    const Eigen::MatrixXd to_amplitudes = all.transpose() * _planar->metric();
+    Eigen::MatrixXd energies = Eigen::MatrixXd::Zero(all.cols(), all.cols());
+    for (const auto &[speed, wanted] : _good_at)
+        for (const Wanted &one : wanted) {
+            Eigen::MatrixXd parts = to_amplitudes * one.parts;
+            parts /= std::max(parts.colwise().norm().maxCoeff(), 1e-300);
+            energies += parts * parts.transpose();
+        }
+    const auto principal = linalg::symmetric_eigenpairs(energies);
+    Eigen::Index tried = 0;
+    for (const double part : least_parts) {
+        const Eigen::Index few = (principal.eigenvalues().array() > part * part).count();
+        if (static_cast<double>(few) > hardly_fewer * static_cast<double>(all.cols()))
+            return;
+        if (few == tried || few == 0)
+            continue;
+        tried = few;
+        reduction::PlanarShapes fewer = *_planar;
+        fewer.keep(principal.eigenvectors().rightCols(few));
+        std::swap(*_planar, fewer);
+        use_planar();
+        if (has_wanted())
+            return;
+        std::swap(*_planar, fewer);
+        use_planar();
+    }
+}
+
+std::shared_ptr<const Eigen::MatrixXd>
+PeriodicMotions::good_shapes(const std::vector<double> &speeds) const {
+    const std::size_t last = speeds.size() - 1;
+    set_top(std::max(std::abs(speeds.front()), std::abs(speeds.back())));
+    constexpr int tries = 6;
+    bool more = false;
+    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4})
+        for (int k = 0; _reduced && speeds[place] != 0 && k < tries; ++k) {
+            std::vector<Wanted> wanted;
+            if (_good_at.count(speeds[place]) > 0)
+                break;
+            if (corrected(speeds[place], true, &wanted)) {
+                _good_at[speeds[place]] = std::move(wanted);
+                more = true;
+                break;
+            }
+        }
+    if (more && _reduced)
+        compact();
+    return _shapes;
+}
+
+} // namespace whirl::stability
