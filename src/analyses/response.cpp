@@ -21,12 +21,14 @@
 #include "results/formulation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace whirl::analyses {
 
@@ -243,6 +245,28 @@ void note_resonances(results::ResponseResult &result) {
                         speeds));
 }
 
+/// Coefficients of bearings bend at the rows of their tables, and curves with them: a largest value
+/// at one of these speeds may be no resonance.
+void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
+    constexpr double at_row = 1e-7; // of the speed
+    std::set<double> bends;
+    for (const model::Bearing &bearing : rotor.supports())
+        if (bearing.depends_on_speed())
+            for (const double row : bearing.speeds)
+                if (std::any_of(result.peaks.begin(), result.peaks.end(), [row](const auto &peak) {
+                        return std::abs(peak.speed - row) <= at_row * std::abs(row);
+                    }))
+                    bends.insert(row);
+    std::vector<std::string> speeds;
+    for (const double speed : bends)
+        speeds.push_back(fmt::format("{:.6g}", speed));
+    if (!speeds.empty())
+        result.model.notes.push_back(fmt::format(
+            "peaks at {} rad/s are at rows of a bearing table, where its coefficients bend: they "
+            "need not be resonances, and another interpolation may not have them",
+            fmt::join(speeds, ", ")));
+}
+
 /// The case with the imbalances that its balancers are for.
 model::Case driven(model::Case scene) {
     scene.rotor = model::with_balancer_imbalances(std::move(scene.rotor));
@@ -352,6 +376,7 @@ results::ResponseResult unbalance_response(const model::Case &asked) {
     if (result.nodes.empty() && !result.gravity) // not process 0
         return {};
     name_modes(result.peaks, asked, result.model.order);
+    note_bends(scene.rotor, result);
     if (scene.operation && !result.nodes.empty())
         add_margins(result, scene);
     note_growing_motions(scene, result.model);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -176,6 +177,31 @@ TEST(UnbalanceResponse, bearing_tables_are_read_at_each_speed) {
         EXPECT_NEAR(node_at(result, 0.5).amplitude[i] / std::abs(u), 1, rounding);
         EXPECT_NEAR(result.bearings[0].force[i] / std::abs(film * u), 1, rounding);
     }
+}
+
+TEST(UnbalanceResponse, peaks_where_a_bearing_table_bends_are_said) {
+    model::Case scene = rigid_scene();
+    scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-3)};
+    scene.speeds = model::SpeedRange{20, 200, 10};
+    for (model::Bearing &bearing : scene.rotor.bearings) {
+        bearing.rows[0].c = 500 * Eigen::Matrix2d::Identity();
+        bearing.speeds = {0, 100, 150};
+        bearing.rows.resize(3, bearing.rows[0]);
+        bearing.rows[2].k *= 100; // resonance, at 258 rad/s, runs away from the spin speed
+    }
+    const auto said = [](const ResponseResult &result) {
+        return std::any_of(result.model.notes.begin(), result.model.notes.end(),
+                           [](const std::string &note) {
+                               return note.starts_with("peaks at 100 rad/s are at rows");
+                           });
+    };
+    const ResponseResult bent = unbalance_response(scene);
+    ASSERT_FALSE(bent.peaks.empty());
+    EXPECT_NEAR(bent.peaks.front().speed, 100, 1e-5);
+    EXPECT_TRUE(said(bent));
+    for (model::Bearing &bearing : scene.rotor.bearings)
+        bearing.rows[2].k /= 100; // the same over all speeds: no bend, and the resonance beyond
+    EXPECT_FALSE(said(unbalance_response(scene)));
 }
 
 TEST(UnbalanceResponse, undamped_resonance_has_no_amplitude) {

@@ -100,7 +100,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
             low = std::min(low, growth);
             high = std::max(high, growth);
         }
-    const bool flat = high <= low;
+    constexpr double rounding = 1e-9;
+    const bool flat = high - low <= rounding * std::max(std::abs(low), std::abs(high));
     const double centre = flat ? low : 0; // of a growth that does not change
     const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
     text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
