@@ -17,13 +17,6 @@ namespace whirl::analyses {
 
 namespace {
 
-/// Lines of half the unknowns, or without damping, are followed far beyond the speeds of a case in
-/// no time.
-bool cheap_at_any_speed(results::Form form) {
-    return form == results::Form::planar || form == results::Form::planar_damped ||
-           form == results::Form::hyperbolic;
-}
-
 template <class Item> std::vector<double> speeds_of(const std::vector<Item> &items) {
     std::vector<double> speeds;
     for (const Item &item : items)
@@ -87,10 +80,13 @@ std::optional<tracking::ModeNames> names_on_few_shapes(const model::Case &scene,
     return found && found->left_out() < allowed ? std::move(found) : std::nullopt;
 }
 
-/// On few shapes where these describe the modes as well as names need it.
+/// On few shapes where these describe the modes as well as names need it: not those that are in
+/// resonance far beyond the speeds of the case.
 std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
                                             const tracking::ModesToName &wanted) {
-    if (form == results::Form::general)
+    const auto beyond = [&range = *scene.speeds](double speed) { return speed > range.to; };
+    if (form == results::Form::general &&
+        !(wanted.beyond_range && std::any_of(wanted.speeds.begin(), wanted.speeds.end(), beyond)))
         if (auto found = names_on_few_shapes(scene, order, wanted, near_lines))
             return found;
     return names_by(modes::SpectrumSolver(scene.rotor, form, order), scene, wanted);
@@ -104,8 +100,7 @@ void name_modes(std::vector<results::CriticalSpeed> &critical_speeds, const mode
     if (!form)
         return;
     const auto names =
-        names_of(scene, *form, order,
-                 {speeds_of(critical_speeds), cheap_at_any_speed(*form), tracking::near_spin});
+        names_of(scene, *form, order, {speeds_of(critical_speeds), true, tracking::near_spin});
     if (!names)
         return;
     std::vector<std::pair<std::complex<double>, results::Whirl>> values;
