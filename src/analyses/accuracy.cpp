@@ -202,8 +202,8 @@ results::AccuracyRow measured_row(const Study &study, int order, int refinement,
     return row;
 }
 
-/// The same mesh with its modes followed on few shapes to the speed from all others of a sweep, as
-/// `campbell` does: the time of one speed of it. None where the form is not followed.
+/// The same mesh with its modes followed from speed to speed of a sweep, as `campbell` does: the
+/// time of one of them. None where the form is not followed.
 std::optional<results::AccuracyRow> followed_row(const Study &study,
                                                  const std::vector<double> &speeds,
                                                  const results::AccuracyRow &full, int refinement,

@@ -30,9 +30,9 @@ finer meshes and for elements of higher order. Made by `./run speed_and_error`, 
   program. A Campbell diagram assembles and factorises once for all speeds. Symmetric problems of up to 200
   unknowns are moreover diagonalised at rest: a single speed pays for that, as the times just below 200
   unknowns show, each further one gains.
-- **Method**: full is that. Reduced: modes of damped rotors with symmetric matrices followed on few shapes through
-  up to 25 speeds of the case's range, each pair corrected with the whole matrices, as `campbell` does: the time of one
-  of these speeds, with its part of what is done once. The error is that of the whole rotor.
+- **Method**: full is that. Reduced: modes of damped rotors with symmetric matrices followed through
+  up to 25 speeds of the case's range, as `campbell` does: guessed from speeds nearby, corrected with the whole matrices.
+  The time is that of one of these speeds, with its part of what is done once, the error that of the whole rotor.
 - **Error estimate**: 1.25 times the difference to order p + 4 on the same elements.
 - **True error**: largest relative difference of the eigenvalues asked for from those of the reference named
   above each table. An error below the reference's own (against two orders lower) is only rounding.
