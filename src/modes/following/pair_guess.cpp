@@ -195,7 +195,15 @@ bool refined(const SymmetricProblem &problem, double speed, std::vector<Symmetri
             (pair.solved && !grouped[places[k]] && !parallel(before[k], pair.vector, same_motion)))
             return false;
     }
-    return !coincide(pairs);
+    if (coincide(pairs))
+        return false;
+    // Guesses may have stood in another order: what was only to be counted is one of the slowest.
+    const std::vector<double> now = enough_errors(pairs, slowest);
+    bool in_order = true;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        in_order = in_order && pairs[i].error <= std::max(now[i], enough[i]) &&
+                   (now[i] == counted_error || !pairs[i].counted_only);
+    return in_order || refined(problem, speed, pairs, slowest, grouped);
 } catch (const linalg::SolverError &) {
     return false; // a pivot that happens to be zero
 }
