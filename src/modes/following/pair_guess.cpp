@@ -201,8 +201,7 @@ bool refined(const SymmetricProblem &problem, double speed, std::vector<Symmetri
     const std::vector<double> now = enough_errors(pairs, slowest);
     bool in_order = true;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        in_order = in_order && pairs[i].error <= std::max(now[i], enough[i]) &&
-                   (now[i] == counted_error || !pairs[i].counted_only);
+        in_order = in_order && (now[i] == counted_error || !pairs[i].counted_only);
     return in_order || refined(problem, speed, pairs, slowest, grouped);
 } catch (const linalg::SolverError &) {
     return false; // a pivot that happens to be zero
