@@ -146,6 +146,20 @@ std::vector<std::string> command_names() {
     return names;
 }
 
+/// ", did you mean ..." of an option that a command does not know.
+std::string nearest_option(const CLI::App &command, const std::vector<std::string> &unknown) {
+    std::vector<std::string> names;
+    for (const CLI::Option *option : command.get_options())
+        for (const std::string &name : option->get_lnames())
+            names.push_back("--" + name);
+    for (const std::string &word : unknown) {
+        const std::string best = word.starts_with("--") ? input::nearest(word, names) : "";
+        if (!best.empty())
+            return fmt::format(", did you mean \"{}\"?", best);
+    }
+    return "";
+}
+
 /// One message for whatever CLI11 found wrong.
 std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
     const std::vector<std::string> rest = app.remaining();
@@ -161,9 +175,11 @@ std::string message_of(const CLI::App &app, const CLI::ParseError &error) {
         text = "results to compare are missing";
     if (text == "CASE is required")
         text = "a case folder or .toml file is missing";
-    const std::string command =
-        app.get_subcommands().empty() ? "" : " " + app.get_subcommands().front()->get_name();
-    return fmt::format("whirl: {} (\"whirl{} --help\" shows the options)", text, command);
+    if (app.get_subcommands().empty())
+        return fmt::format("whirl: {} (\"whirl --help\" shows the options)", text);
+    const CLI::App &command = *app.get_subcommands().front();
+    return fmt::format("whirl: {}{} (\"whirl {} --help\" shows the options)", text,
+                       nearest_option(command, command.remaining()), command.get_name());
 }
 
 } // namespace

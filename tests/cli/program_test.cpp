@@ -95,6 +95,7 @@ TEST_F(Program, WrongArgumentsAreOneMessageAndStatusTwo) {
          "unknown command \"cambpell\", did you mean \"campbell\"? The commands are show"},
         {{"campbell"}, "a case folder or .toml file is missing"},
         {{"campbell", rotor, "--fast"}, "--fast"},
+        {{"campbell", rotor, "--unit", "us"}, "did you mean \"--units\"?"},
         {{"campbell", rotor, "second_case"}, "second_case"},
         {{"campbell", rotor, "--out"}, "--out"},
         {{"campbell", rotor, "--out", ""}, "--out"},

@@ -174,16 +174,23 @@ void expect_same_sentence(const std::string &words, const std::string &si,
             << si;
 }
 
-/// Each number of a result is that of the other one, or it in one of the units.
+/// Each number of a result is that of the other one, or it in one of the units; in a row that says
+/// its unit, in that one.
 void expect_same_numbers(const nlohmann::json &json, const nlohmann::json &si,
                          const nlohmann::json &units, bool sentences = false) {
     if (json.is_structured()) {
         ASSERT_EQ(json.size(), si.size());
+        const bool row = json.is_object() && json.contains("unit") && json["unit"] != si["unit"];
+        nlohmann::json own = units;
+        if (row)
+            own["row"] = json["unit"];
         for (auto a = json.begin(), b = si.begin(); a != json.end(); ++a, ++b) {
             const std::string key = json.is_object() ? a.key() : "";
-            expect_same_numbers(*a, *b, units,
+            if (row && key == "unit")
+                continue;
+            expect_same_numbers(*a, *b, own,
                                 sentences || key == "notes" || key == "findings" ||
-                                    key == "evidence");
+                                    key == "evidence" || key == "sentence");
         }
     } else if (json.is_number() && si.is_number() && json != si) {
         EXPECT_TRUE(same_in_some_unit(json.get<double>(), si.get<double>(), units))
@@ -224,5 +231,50 @@ INSTANTIATE_TEST_SUITE_P(
                        {"--set", "speeds.count=5", "--set", "balance.balanced_position=false"}},
                     At{"modes", "friswell_5_9_4", {}}),
     [](const auto &at) { return std::string(at.param.command); });
+
+/// Rows of one list that are speeds, masses and lengths: each says its unit, with --json-units the
+/// other one.
+class RowUnits : public Units {};
+
+/// The rows of a result that say "unit", with the first of their numbers.
+void rows_with_units(const nlohmann::json &json, std::vector<nlohmann::json> &rows) {
+    if (json.is_object() && json.contains("unit") && json["unit"].is_string())
+        rows.push_back(json);
+    if (json.is_structured())
+        for (const auto &item : json)
+            rows_with_units(item, rows);
+}
+
+TEST_P(RowUnits, ConvertBackToTheSameNumbers) {
+    const nlohmann::json si = run("si", {});
+    nlohmann::json others = run("json", {"--units", "us", "--json-units"});
+    const nlohmann::json units = others.at("units");
+    others.erase("units");
+    expect_same_numbers(others, si, units);
+    std::vector<nlohmann::json> rows;
+    std::vector<nlohmann::json> si_rows;
+    rows_with_units(others, rows);
+    rows_with_units(si, si_rows);
+    ASSERT_EQ(rows.size(), si_rows.size());
+    int converted = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i]["unit"] == si_rows[i]["unit"])
+            continue;
+        ++converted;
+        for (const char *key : {"closed_form", "nominal"})
+            if (rows[i].contains(key) && rows[i][key].is_number()) {
+                const double size = size_of(rows[i]["unit"], si_rows[i]["unit"]);
+                EXPECT_NEAR(rows[i][key].get<double>() * size, si_rows[i][key].get<double>(),
+                            4e-15 * si_rows[i][key].get<double>());
+            }
+    }
+    EXPECT_GT(converted, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Commands, RowUnits,
+    testing::Values(At{"rigid-limit", "rigid_limit", {}},
+                    At{"samples", "uncertain_jeffcott", {"--set", "samples.count=4"}}),
+    [](const auto &at) { return std::string(at.param.command).substr(0, 5); });
 
 } // namespace units_test

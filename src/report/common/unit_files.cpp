@@ -68,6 +68,7 @@ const std::map<std::string, std::string> &key_quantities() {
                                                          {"kyy", "stiffness"},
                                                          {"shaft_stiffness", "stiffness"},
                                                          {"bearing_stiffness", "stiffness"},
+                                                         {"one_percent_stiffness", "stiffness"},
                                                          {"critical_cross_coupling", "stiffness"},
                                                          {"anticipated", "stiffness"},
                                                          {"q", "stiffness"},
@@ -95,11 +96,45 @@ void convert_words(Json &value) {
             convert_words(item);
 }
 
+/// Numbers of a row that says itself what they are: {"unit": "rad/s", "closed_form": 272, ..}.
+void scale_row(Json &row, double factor) {
+    for (const char *key : {"closed_form", "fe", "rigid_fe", "nominal", "mean", "mean_error",
+                            "deviation", "deviation_error", "values", "value", "interval"})
+        if (row.contains(key))
+            scale(row[key], factor);
+    if (row.contains("quantiles"))
+        for (Json &quantile : row["quantiles"])
+            scale_row(quantile, factor);
+}
+
+void convert_row(Json &row) {
+    static const std::map<std::string, std::string> quantities{
+        {"rad/s", "speed"},   {"m", "length"},      {"kg", "mass"},
+        {"kg m2", "inertia"}, {"N/m", "stiffness"}, {"N", "force"}};
+    const auto found = quantities.find(row["unit"].get<std::string>());
+    if (found == quantities.end())
+        return;
+    // The lengths among answers of samples are peaks.
+    const bool peak = found->first == "m" && row.contains("quantiles");
+    const std::string quantity = peak ? "amplitude" : found->second;
+    if (const auto factor = written_factor(quantity)) {
+        scale_row(row, *factor);
+        row["unit"] = unit_name(quantity, found->first);
+    }
+}
+
+bool says_its_unit(const Json &json) {
+    return json.is_object() && json.contains("unit") && json["unit"].is_string();
+}
+
 void convert(Json &json, std::map<std::string, std::string> &names) {
     if (!json.is_object() && !json.is_array())
         return;
+    if (says_its_unit(json))
+        convert_row(json);
     for (auto &[key, value] : json.items()) {
-        if (json.is_object() && (key == "notes" || key == "findings" || key == "evidence"))
+        if (json.is_object() &&
+            (key == "notes" || key == "findings" || key == "evidence" || key == "sentence"))
             convert_words(value);
         const auto found = json.is_object() ? key_quantities().find(key) : key_quantities().end();
         const bool numbers = value.is_number() || value.is_array();

@@ -1,5 +1,7 @@
 #include "report/common/units.h"
 
+#include "report/common/words.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -124,7 +126,7 @@ std::string converted_number(std::string_view number, double factor) {
     int digits = 0;
     for (const char letter : number.substr(0, number.find_first_of("eE")))
         digits += std::isdigit(static_cast<unsigned char>(letter)) != 0 ? 1 : 0;
-    return fmt::format("{:.{}g}", value * factor, std::max(4, digits));
+    return readable(value * factor, std::max(4, digits));
 }
 
 /// Length of a plain number at a place of a text; 0: none.
