@@ -198,6 +198,22 @@ void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
     }
 }
 
+/// Discs whose mass stands, in the mean, farther from their centre than the shaft is long: a moment
+/// of inertia a power of ten too large.
+void check_inertias(const model::Rotor &rotor, Remarks &remarks) {
+    for (std::size_t i = 0; i < rotor.discs.size(); ++i) {
+        const model::Disc &disc = rotor.discs[i];
+        const double inertia = std::max(disc.Id, disc.Ip);
+        const double gyration = std::sqrt(inertia / disc.mass);
+        if (disc.mass > 0 && gyration > rotor.shaft.length())
+            remarks.add(
+                fmt::format("disc[{}]: {:.6g} kg m2 of {:.6g} kg is a radius of gyration of "
+                            "{:.4g} m, more than the shaft is long ({:.4g} m); moments of "
+                            "inertia are in kg m2 unless they have a unit: \"70 kg cm2\"",
+                            i, inertia, disc.mass, gyration, rotor.shaft.length()));
+    }
+}
+
 /// Bearings in which the rotor would sink by more than its length while it turns far faster than it
 /// swings in them: stiffnesses in N/um or N/mm without their unit. (Slow ones are numbers without
 /// dimension, of a paper.)
@@ -241,6 +257,7 @@ void add_remarks(model::Case &scene, const Node &tree) {
     check_shaft(rotor.shaft, remarks);
     if (scene.remarks.size() == before) { // a mass that can be relied on
         check_imbalances(rotor, remarks);
+        check_inertias(rotor, remarks);
         check_stiffness(scene, remarks);
     }
     check_clearances(rotor, remarks);

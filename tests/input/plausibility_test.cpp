@@ -39,6 +39,8 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
          "modes.speed = 300 is in rad/s, 2864.79 rpm"},
         {{"bearing="}, "the rotor has no bearings"},
         {{"imbalance=[{z = 0.5, mr = 50}]"}, "an imbalance of 50 kg m moves"},
+        {{"disc=[{z = 0.5, mass = 10, Id = 70, Ip = 0.2}]"},
+         "disc[0]: 70 kg m2 of 10 kg is a radius of gyration of 2.646 m"},
         {{"bearing[0].k=100", "speeds.to=\"12000 rpm\""},
          "bearings of 100 N/m together let a rotor"},
         {{ball, "balancer[0].rolling_resistance=8"},
