@@ -67,8 +67,10 @@ results::CampbellMode mode_along(const tracking::Line &line,
                                &out.error, &out.residual})
                 list->emplace_back();
             out.error_parts.emplace_back();
-            if (rotating)
+            if (rotating) {
                 out.frequency_rotating.emplace_back();
+                out.other_frequency.emplace_back();
+            }
             out.whirl.push_back(results::Whirl::mixed);
             out.forward_fraction.push_back(0.5);
             continue;
@@ -76,8 +78,10 @@ results::CampbellMode mode_along(const tracking::Line &line,
         const modes::WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
         const results::Damping damping = results::damping_of(mode.eigenvalue);
         out.frequency.emplace_back(mode.eigenvalue.imag());
-        if (rotating)
+        if (rotating) {
             out.frequency_rotating.emplace_back(mode.frequency_rotating);
+            out.other_frequency.push_back(mode.other_frequency);
+        }
         out.real.emplace_back(mode.eigenvalue.real());
         out.damping_ratio.push_back(damping.ratio);
         out.log_dec.push_back(damping.log_dec);

@@ -269,8 +269,13 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
         turn = nu; // both whirls have this frequency: the whole motion
         mode.shape = constant;
     } else {
-        const bool first = _stations.deflection_energy(p) >= _stations.deflection_energy(r);
+        const double towards = _stations.deflection_energy(p);
+        const double against = _stations.deflection_energy(r);
+        const bool first = towards >= against;
         turn = speed + (first ? nu : -nu);
+        constexpr double seen = 0.01; // of the energy: a tenth of the deflections
+        if (nu != 0 && std::min(towards, against) >= seen * std::max(towards, against))
+            mode.other_frequency = std::abs(speed - (first ? nu : -nu));
         // w exp(i turn t) = x + i y with x = Re(w exp(i turn t)), y = Im: for a turn against the
         // positive sense x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
         const Eigen::VectorXcd w = first ? p : r;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace whirl::modes {
@@ -29,6 +30,9 @@ struct WhirlMode {
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only
+    /// Form rotating: of the two frequencies in the fixed frame the other one, rad/s, where the
+    /// deflections of that whirl are at least a tenth as large.
+    std::optional<double> other_frequency;
     /// What can be followed: forms rotating and hill, the eigenpair in rotating axes (over all
     /// terms of Hill's series); form planar_damped, the eigenvalue with the direction of whirl as
     /// the sign of its Im. In no other form.

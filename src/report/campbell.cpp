@@ -178,6 +178,8 @@ Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
         mode.absent, [](const std::string &why) { return why.empty() ? Json() : Json(why); });
     if (!mode.frequency_rotating.empty())
         json["frequency_rotating"] = mode.frequency_rotating;
+    if (!mode.other_frequency.empty())
+        json["other_frequency"] = mode.other_frequency;
     json.update(json_lists(mode_columns, over_speeds(result, mode)));
     return json;
 }

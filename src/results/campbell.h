@@ -24,6 +24,9 @@ struct CampbellMode {
     std::vector<std::optional<double>> error;    ///< relative estimate for |lambda|
     std::vector<std::optional<double>> residual; ///< relative, of the eigenpair
     std::vector<std::optional<double>> frequency_rotating; ///< rad/s; rotating forms only
+    /// Twice the spin speed less `frequency`, rad/s, where the motion has that one too: rotating
+    /// form only, none where its deflections are less than a tenth of the larger ones.
+    std::vector<std::optional<double>> other_frequency{};
     std::vector<std::optional<ErrorParts>> error_parts{};  ///< of `error`
 };
 

@@ -55,6 +55,7 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.residual);
         bytes.put(mode.rounding);
         bytes.put(mode.frequency_rotating);
+        bytes.put(mode.other_frequency);
         bytes.put(mode.rotating_value);
         for (const Eigen::VectorXcd *vector :
              {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
@@ -80,6 +81,7 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.residual = bytes.get<double>();
         mode.rounding = bytes.get<double>();
         mode.frequency_rotating = bytes.get<double>();
+        mode.other_frequency = bytes.get<std::optional<double>>();
         mode.rotating_value = bytes.get<std::complex<double>>();
         for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
             vector->resize(bytes.get<Eigen::Index>());

@@ -72,6 +72,17 @@ TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {
     EXPECT_EQ(lines[0].size(), 3U);
     EXPECT_EQ(lines[1].size(), 4U);
     EXPECT_EQ(lines[2].size(), 7U);
+    // Drawn apart, it goes on to where the first begins, and from where that ends.
+    result.modes[0].other_frequency = {73., 75., 77., 93.1, 95., 97., 99.};
+    const auto others = other_frequencies(panel, result);
+    ASSERT_EQ(others.size(), 2U);
+    ASSERT_EQ(others[0].size(), 4U);
+    EXPECT_EQ(others[0].back().y, lines[1].front().y);
+    ASSERT_EQ(others[1].size(), 5U);
+    EXPECT_EQ(others[1].front().y, lines[0].back().y);
+    result.modes[0].other_frequency = {{}, {}, 77., {}, {}, {}, {}};
+    ASSERT_EQ(other_frequencies(panel, result).size(), 1U);
+    EXPECT_TRUE(other_frequencies(Panel{"d", true, {0, 60}, {0, 1}}, result).empty());
 }
 
 // Between two speeds the curve of growth leaves zero at the end of the band, not at the speed

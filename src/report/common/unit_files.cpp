@@ -53,6 +53,7 @@ const std::map<std::string, std::string> &key_quantities() {
                                                          {"half_power", "speed"},
                                                          {"frequency", "frequency"},
                                                          {"frequency_rotating", "frequency"},
+                                                         {"other_frequency", "frequency"},
                                                          {"critical_frequency", "frequency"},
                                                          {"z", "length"},
                                                          {"length", "length"},

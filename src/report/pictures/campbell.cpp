@@ -59,7 +59,8 @@ std::string curve_data(const Panel &panel, const CampbellResult &result) {
                            }));
         data += data_block(name + "_points", {markers(panel, result, sense)});
     }
-    return data + data_block(panel.name + "lone", {lone_growth(panel, result)}) +
+    return data + data_block(panel.name + "other", other_frequencies(panel, result)) +
+           data_block(panel.name + "lone", {lone_growth(panel, result)}) +
            data_block(panel.name + "unstable",
                       stretches(panel, result, [](const auto &mode, std::size_t i) {
                           return grows(mode, i) && grows(mode, i + 1);
@@ -76,6 +77,12 @@ std::string curve_plots(const Panel &panel, const CampbellResult &result, bool k
                         panel.name);
         if (key)
             plots += "keyentry with lines lw 9 lc rgb '#60E0208A' title 'unstable', ";
+    }
+    if (!other_frequencies(panel, result).empty()) {
+        const std::string look = "lines lw 1.2 dt (2,3) lc rgb '#707070'";
+        plots += fmt::format("${}other with {} notitle, ", panel.name, look);
+        if (key)
+            plots += fmt::format("keyentry with {} title 'its other frequency', ", look);
     }
     for (const Whirl sense : senses) {
         if (!has_sense(result, sense))

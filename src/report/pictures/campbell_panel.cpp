@@ -104,6 +104,40 @@ stretches(const Panel &panel, const CampbellResult &result,
     return lines;
 }
 
+std::vector<std::vector<PlotPoint>> other_frequencies(const Panel &panel,
+                                                      const CampbellResult &result) {
+    std::vector<std::vector<PlotPoint>> lines;
+    for (const CampbellMode &mode : result.modes) {
+        if (panel.damping || mode.other_frequency.empty())
+            continue;
+        const std::vector<bool> changes = other_of_two(mode, result.speeds);
+        std::vector<PlotPoint> line;
+        const auto end_line = [&] {
+            if (line.size() > 1)
+                lines.push_back(line);
+            line.clear();
+        };
+        for (std::size_t i = 0; i < result.speeds.size(); ++i) {
+            const auto value = entry(mode.other_frequency, i);
+            if (!value)
+                end_line();
+            else
+                line.push_back({result.speeds[i] * rpm, *value * hertz});
+            if (!changes[i])
+                continue;
+            // There the frequency that was drawn becomes the other one: the lines meet.
+            if (const auto next = entry(mode.frequency, i + 1); value && next)
+                line.push_back({result.speeds[i + 1] * rpm, *next * hertz});
+            end_line();
+            if (const auto here = entry(mode.frequency, i);
+                here && entry(mode.other_frequency, i + 1))
+                line.push_back({result.speeds[i] * rpm, *here * hertz});
+        }
+        end_line();
+    }
+    return lines;
+}
+
 std::vector<PlotPoint> markers(const Panel &panel, const CampbellResult &result, Whirl sense) {
     std::vector<PlotPoint> points;
     const double highest = highest_frequency(result);

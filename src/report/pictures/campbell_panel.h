@@ -38,6 +38,10 @@ struct Panel {
 stretches(const Panel &panel, const results::CampbellResult &result,
           const std::function<bool(const results::CampbellMode &, std::size_t)> &belongs);
 
+/// Polylines of the other frequencies of motions that have two, in the fixed frame.
+[[nodiscard]] std::vector<std::vector<PlotPoint>>
+other_frequencies(const Panel &panel, const results::CampbellResult &result);
+
 /// Sparse markers, staggered from mode to mode; a lone point always gets one.
 [[nodiscard]] std::vector<PlotPoint>
 markers(const Panel &panel, const results::CampbellResult &result, results::Whirl sense);

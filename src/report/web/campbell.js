@@ -38,6 +38,21 @@ function stretches(mode, values, panel) {
     named[sense] = true; from = i;
   }
 }
+// The other frequency of motions that have two (campbell_panel.cpp); where the two change places the lines meet.
+const ox = [], oy = [], ot = [];
+result.modes.forEach(m => {
+  if (!m.other_frequency || m.other_frequency.every(f => f === null)) return;
+  const sprung = springs(m), put = (k, f) => { ox.push(speeds[k]); oy.push(f === null ? null : f * hertz); ot.push(f === null ? "" : `<b>${m.label}</b>, its other frequency<br>${short(f, 10)} rad/s = ${short(f * hertz, 10)} Hz`); };
+  speeds.forEach((_, i) => {
+    put(i, m.other_frequency[i]);
+    if (!sprung[i] || i + 1 >= speeds.length) return;
+    if (m.other_frequency[i] !== null) put(i + 1, m.frequency[i + 1]);
+    put(i, null);
+    if (m.other_frequency[i + 1] !== null) put(i, m.frequency[i]);
+  });
+  put(speeds.length - 1, null);
+});
+if (oy.some(y => y !== null)) traces.push({x: ox, y: oy, text: ot, hoverinfo: "text", mode: "lines", name: "its other frequency", line: {color: "#707070", dash: "dot", width: 1.5}});
 const notes = [];
 const last = speeds.length - 1;
 result.modes.forEach(m => {
