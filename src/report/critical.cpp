@@ -76,8 +76,8 @@ int row_of(results::Whirl whirl) {
 
 // The panel of the marks: pixels, and its axis.
 constexpr int figure_width = 1080;
-constexpr int figure_height = 380;
-constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.19, panel_top = 0.8;
+constexpr int figure_height = 400;
+constexpr double panel_left = 0.1, panel_right = 0.965, panel_bottom = 0.18, panel_top = 0.76;
 constexpr double rows_from = 0.4, rows_to = 3.9;
 
 /// Speeds of the marks, rpm. Logarithmic where the highest is so much higher than the lowest that
