@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/lanes/symmetric_factors.h"
+#include "linalg/lanes/vector_products.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -98,6 +99,26 @@ TEST(SymmetricFactors, AZeroPivotIsToldInItsLane) {
     for (int lane = 0; lane < lanes; ++lane)
         values[0].set(lane, lane == 2 ? 0 : 1);
     EXPECT_EQ(factors.factorize(values), (std::array<bool, lanes>{true, true, false, true}));
+}
+
+// Sizes that fill the lanes and sizes that do not, against sums entry by entry.
+TEST(VectorProducts, AreTheSumsEntryByEntry) {
+    const std::complex<double> f(0.3, -1.7);
+    for (const int size : {0, 1, 2, 3, 4, 7, 32}) {
+        Eigen::VectorXcd a(size);
+        Eigen::VectorXcd b(size);
+        std::complex<double> sum = 0;
+        for (int k = 0; k < size; ++k) {
+            a(k) = number(k, 1);
+            b(k) = number(2, k);
+            sum += std::conj(a(k)) * b(k);
+        }
+        EXPECT_NEAR(std::abs(dot(a, b) - sum), 0, 1e-15 * (1 + size));
+        Eigen::VectorXcd y = b;
+        add_multiple(f, a, y);
+        for (int k = 0; k < size; ++k)
+            EXPECT_NEAR(std::abs(y(k) - (b(k) + f * a(k))), 0, 4e-16 * 4);
+    }
 }
 
 } // namespace

@@ -1,13 +1,12 @@
 #include "modes/following/pair_guess.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/complex4.h"
+#include "linalg/lanes/vector_products.h"
 #include "modes/following/unmixed.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 namespace whirl::modes {
@@ -92,58 +91,8 @@ std::vector<double> best_factors(const Points &points, double speed, std::size_t
     return best;
 }
 
-/// a^H b
-Complex dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
-    linalg::Real4 along{};
-    linalg::Real4 across{}; // real times imaginary parts and the other way round, in turn
-    const auto *x = reinterpret_cast<const double *>(a.data());
-    const auto *y = reinterpret_cast<const double *>(b.data());
-    const Eigen::Index whole = 2 * a.size() / linalg::lanes * linalg::lanes;
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        linalg::Real4 one{};
-        linalg::Real4 other{};
-        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
-            linalg::Real4 p;
-            linalg::Real4 q;
-            std::memcpy(&p, x + k, sizeof p);
-            std::memcpy(&q, y + k, sizeof q);
-            one += p * q;
-            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
-        }
-        along = one;
-        across = other;
-    });
-    for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
-        along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
-        across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
-    }
-    return {along[0] + along[1] + along[2] + along[3],
-            across[0] - across[1] + across[2] - across[3]};
-}
-
-/// y += f x
-void add_multiple(Complex f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
-    const auto *in = reinterpret_cast<const double *>(x.data());
-    auto *out = reinterpret_cast<double *>(y.data());
-    const Eigen::Index whole = 2 * x.size() / linalg::lanes * linalg::lanes;
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const linalg::Real4 re{f.real(), f.real(), f.real(), f.real()};
-        const linalg::Real4 im{-f.imag(), f.imag(), -f.imag(), f.imag()};
-        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
-            linalg::Real4 p;
-            linalg::Real4 to;
-            std::memcpy(&p, in + k, sizeof p);
-            std::memcpy(&to, out + k, sizeof to);
-            to += re * p + im * __builtin_shufflevector(p, p, 1, 0, 3, 2);
-            std::memcpy(out + k, &to, sizeof to);
-        }
-    });
-    for (Eigen::Index k = whole / 2; k < x.size(); ++k)
-        y(k) += f * x(k);
-}
-
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
-    return std::norm(dot(a, b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
+    return std::norm(linalg::dot(a, b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
 }
 
 /// Two pairs have become one.
@@ -237,8 +186,8 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
         out.value += factors[k] * pair.value;
         // Vectors are known but for a factor: all have the same part along the nearest.
         if (k > 0)
-            add_multiple(factors[k] * length / dot(nearest.vector, pair.vector), pair.vector,
-                         out.vector);
+            linalg::add_multiple(factors[k] * length / linalg::dot(nearest.vector, pair.vector),
+                                 pair.vector, out.vector);
     }
     return found;
 }

@@ -1,0 +1,57 @@
+#include "linalg/lanes/vector_products.h"
+
+#include "linalg/lanes/complex4.h"
+
+#include <cstring>
+
+namespace whirl::linalg {
+
+std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+    Real4 along{};
+    Real4 across{}; // real times imaginary parts and the other way round, in turn
+    const auto *x = reinterpret_cast<const double *>(a.data());
+    const auto *y = reinterpret_cast<const double *>(b.data());
+    const Eigen::Index whole = 2 * a.size() / lanes * lanes;
+    in_lanes([&]() __attribute__((always_inline)) {
+        Real4 one{};
+        Real4 other{};
+        for (Eigen::Index k = 0; k < whole; k += lanes) {
+            Real4 p;
+            Real4 q;
+            std::memcpy(&p, x + k, sizeof p);
+            std::memcpy(&q, y + k, sizeof q);
+            one += p * q;
+            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
+        }
+        along = one;
+        across = other;
+    });
+    for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
+        along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
+        across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
+    }
+    return {along[0] + along[1] + along[2] + along[3],
+            across[0] - across[1] + across[2] - across[3]};
+}
+
+void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
+    const auto *in = reinterpret_cast<const double *>(x.data());
+    auto *out = reinterpret_cast<double *>(y.data());
+    const Eigen::Index whole = 2 * x.size() / lanes * lanes;
+    in_lanes([&]() __attribute__((always_inline)) {
+        const Real4 re{f.real(), f.real(), f.real(), f.real()};
+        const Real4 im{-f.imag(), f.imag(), -f.imag(), f.imag()};
+        for (Eigen::Index k = 0; k < whole; k += lanes) {
+            Real4 p;
+            Real4 to;
+            std::memcpy(&p, in + k, sizeof p);
+            std::memcpy(&to, out + k, sizeof to);
+            to += re * p + im * __builtin_shufflevector(p, p, 1, 0, 3, 2);
+            std::memcpy(out + k, &to, sizeof to);
+        }
+    });
+    for (Eigen::Index k = whole / 2; k < x.size(); ++k)
+        y(k) += f * x(k);
+}
+
+} // namespace whirl::linalg
