@@ -25,6 +25,8 @@ void prepare_single_process() {
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
+    // Which devices the machine has matters to processes that talk over them: 14 ms of 85.
+    setenv("HWLOC_COMPONENTS", "-linuxio,-pci,-opencl,-gl", 0);
     // Isolated processes would all use one session directory, and remove it under one another.
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }
