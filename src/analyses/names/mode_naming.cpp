@@ -80,6 +80,9 @@ std::optional<tracking::ModeNames> names_on_few_shapes(const model::Case &scene,
     return found && found->left_out() < allowed ? std::move(found) : std::nullopt;
 }
 
+/// The names come beside the answer: spectra of the whole rotor that may be solved for them alone.
+constexpr int most_more = 60;
+
 /// On few shapes where these describe the modes as well as names need it: not those that are in
 /// resonance far beyond the speeds of the case.
 std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::Form form, int order,
@@ -89,7 +92,10 @@ std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::F
         !(wanted.beyond_range && std::any_of(wanted.speeds.begin(), wanted.speeds.end(), beyond)))
         if (auto found = names_on_few_shapes(scene, order, wanted, near_lines))
             return found;
-    return names_by(modes::SpectrumSolver(scene.rotor, form, order), scene, wanted);
+    tracking::ModesToName of_whole = wanted;
+    if (form == results::Form::general)
+        of_whole.most_more = most_more;
+    return names_by(modes::SpectrumSolver(scene.rotor, form, order), scene, of_whole);
 }
 
 } // namespace
@@ -201,7 +207,6 @@ void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &sce
     const auto which = [&ends](const modes::Spectrum &spectrum, std::size_t place) {
         return at_an_end(spectrum.modes[place].eigenvalue, spectrum.speed, ends);
     };
-    constexpr int most_more = 60; // the names come beside the answer
     const auto names = names_beside(scene, *form, order, {speeds, false, which, most_more});
     if (!names)
         return;
