@@ -1,9 +1,11 @@
 // Four-pendulum balancers on rigid and flexible rotors.
 
 #include "analyses/balance.h"
+#include "analyses/stability.h"
 #include "closed_form/pendulum_small_motions.h"
 #include "criterion/pendulum_motion.h"
 #include "forced/forced_motion.h"
+#include "input/case_file.h"
 #include "model/errors.h"
 #include "results/formulation.h"
 #include "support/balancer_parts.h"
@@ -160,6 +162,22 @@ TEST(BalancePendulum, StabilityDoesNotDependOnHowManyModesAreKept) {
             EXPECT_NEAR(few.growth(speed, motion), growth, 1e-3 * (std::abs(growth) + 1)) << speed;
         }
     EXPECT_GT(growing, 0);
+}
+
+// Shaft motions that creep against strong internal damping stand beside fast ones in one matrix.
+// What grows is told by the whole rotor's motions in rotating axes, an equation of its own.
+TEST(BalancePendulum, StrongInternalDampingIsSolved) {
+    const model::Case scene = input::load_case(
+        WHIRL_ROOT "/cases/pendulum_centrifuge",
+        {"bearing[0].k=13729.6", "bearing[1].k=476285", "bearing[1].c=27557.3",
+         "disc[0].mass=358.496", "shaft.internal_damping=0.00408079", "speeds.count=7"});
+    const auto states = analyses::balance(scene).pendulum.at(0).states;
+    const std::vector<double> growth = analyses::stability(scene, {}).growth;
+    ASSERT_EQ(states.size(), growth.size());
+    for (std::size_t i = 0; i < growth.size(); ++i) {
+        ASSERT_FALSE(states[i].empty());
+        EXPECT_EQ(states[i].front().stable, growth[i] < 0) << i;
+    }
 }
 
 TEST(BalancePendulum, PivotOnTheAxisIsRefused) {
