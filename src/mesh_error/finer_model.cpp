@@ -99,7 +99,7 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coar
     std::vector<modes::WhirlMode> guesses = coarse.modes;
     for (modes::WhirlMode &mode : guesses) {
         mode.shape = embedded(mode.shape);
-        if (mode.rotating_vector.size() > 0)
+        if (_coarse.form() == results::Form::rotating)
             mode.rotating_vector = embedded(mode.rotating_vector);
     }
     const std::vector<modes::WhirlMode> fine = _fine->near(coarse.speed, guesses);
@@ -111,7 +111,7 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coar
 
 /// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
-    if (_coarse.follows() || _coarse.form() == results::Form::rotating)
+    if (_coarse.follows() || results::in_rotating_axes(_coarse.form()))
         if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
             return errors;
     constexpr double nearly = 0.5;
