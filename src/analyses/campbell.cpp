@@ -1,5 +1,6 @@
 #include "analyses/campbell.h"
 
+#include "analyses/notes/growing_lines.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -13,6 +14,7 @@
 #include "results/whirl.h"
 #include "tracking/crossings.h"
 #include "tracking/followed_lines.h"
+#include "tracking/hill/periodic_diagram.h"
 #include "tracking/line_errors.h"
 #include "tracking/line_names.h"
 #include "tracking/tracking.h"
@@ -122,10 +124,16 @@ void keep_places(std::vector<Item> &items, const std::vector<std::size_t> &place
     items = std::move(kept);
 }
 
-/// Leaves the lines that are among the `modes` lowest at some speed of the diagram, there.
-/// @returns their names
-std::vector<std::string> keep_lowest(tracking::FollowedLines &found, const model::SpeedRange &range,
-                                     int modes) {
+/// What is drawn: the lines that are among the `modes` lowest at some speed of the diagram, there.
+struct Drawn {
+    std::vector<std::string> labels;
+    std::vector<int> places; ///< of the lines that were found among these, or -1
+};
+
+/// Leaves the lines that are drawn, at the speeds of the diagram.
+/// @param all  lines that are among the lowest at other speeds are drawn too
+Drawn keep_lowest(tracking::FollowedLines &found, const model::SpeedRange &range, int modes,
+                  bool all) {
     std::vector<tracking::Line> &lines = found.tracking.lines;
     const std::vector<tracking::LineName> names = tracking::line_names(
         lines, found.spectra, places_of(tracking::naming_speeds(range), found.spectra), modes);
@@ -133,17 +141,27 @@ std::vector<std::string> keep_lowest(tracking::FollowedLines &found, const model
     keep_places(found.spectra, own);
     keep_places(found.tracking.rates, own);
     std::vector<tracking::Line> lowest;
-    std::vector<std::string> labels;
+    Drawn out;
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool anywhere = all && tracking::among_lowest(lines[i], modes);
         keep_places(lines[i].place, own);
         keep_places(lines[i].absence, own);
-        if (!tracking::among_lowest(lines[i], modes))
+        const bool drawn = anywhere || tracking::among_lowest(lines[i], modes);
+        out.places.push_back(drawn ? static_cast<int>(lowest.size()) : -1);
+        if (!drawn)
             continue;
-        labels.push_back(names[i].label);
+        out.labels.push_back(names[i].label);
         lowest.push_back(std::move(lines[i]));
     }
     lines = std::move(lowest);
-    return labels;
+    return out;
+}
+
+/// Of crossings and intervals of all lines those of the lines drawn.
+template <class Item> void keep_drawn(std::vector<Item> &items, const Drawn &drawn) {
+    for (Item &item : items)
+        item.mode = drawn.places[static_cast<std::size_t>(item.mode)];
+    std::erase_if(items, [](const Item &item) { return item.mode < 0; });
 }
 
 /// What the absence of modes at some speeds means.
@@ -204,35 +222,6 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
         "in {} short stretches between {:.6g} and {:.6g} rad/s {} (frequencies from {:.6g} to "
         "{:.6g} rad/s)",
         gaps.size(), all.from, all.to, what, all.frequency, highest));
-}
-
-/// Lines on which motion grows, in one note.
-void note_growing(results::CampbellResult &result) {
-    std::vector<std::string> lines;
-    for (const results::CampbellMode &mode : result.modes) {
-        std::vector<double> at;
-        for (std::size_t k = 0; k < mode.real.size(); ++k) {
-            constexpr double always = 1e-9; // of the frequency: rounding
-            if (!mode.real[k] || !mode.frequency[k])
-                continue;
-            const double noise = (always + 10 * mode.residual[k].value_or(0)) *
-                                 std::max(*mode.frequency[k], std::abs(result.speeds[k]));
-            if (*mode.real[k] > noise)
-                at.push_back(result.speeds[k]);
-        }
-        if (!at.empty())
-            lines.push_back(
-                fmt::format("{} ({:.6g} to {:.6g} rad/s)", mode.label, at.front(), at.back()));
-    }
-    constexpr std::size_t listed = 4;
-    if (lines.empty())
-        return;
-    const std::size_t more = lines.size() - std::min(listed, lines.size());
-    lines.resize(std::min(listed, lines.size()));
-    result.model.notes.push_back(fmt::format(
-        "unstable: motion grows (negative damping) at speeds of {}{}; `stability` finds where it "
-        "begins",
-        fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more modes", more) : ""));
 }
 
 /// Speeds so far apart that lines exchange their places between them.
@@ -303,9 +292,11 @@ void note_no_peaks(results::CampbellResult &result) {
                         fmt::join(speeds, ", ")));
 }
 
-/// Of a Hill series ends of such intervals are looked for in the steps that show a change.
-void note_short_bands(results::ModelSummary &model) {
-    if (model.formulation.form == results::Form::hill)
+/// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
+/// change.
+/// @param by_steps  so it was
+void note_short_bands(results::ModelSummary &model, bool by_steps) {
+    if (by_steps)
         model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
                               "leaves it again within one step of the speeds may not be listed");
 }
@@ -339,11 +330,19 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.model.unknowns = solver.unknowns();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
-    tracking::FollowedLines found = tracking::followed_lines(
-        solver, with_naming_speeds(*scene.speeds), scene.campbell.modes, scene.reduction);
+    std::optional<tracking::PeriodicDiagram> periodic;
+    if (scene.reduction && solver.form() == results::Form::hill)
+        periodic = tracking::periodic_diagram(solver, result.speeds,
+                                              tracking::naming_speeds(*scene.speeds),
+                                              scene.campbell.modes, scene.campbell.multiples);
+    tracking::FollowedLines found =
+        periodic ? std::move(periodic->found)
+                 : tracking::followed_lines(solver, with_naming_speeds(*scene.speeds),
+                                            scene.campbell.modes, scene.reduction);
     if (process::process_rank() != 0)
         return result;
-    const std::vector<std::string> labels = keep_lowest(found, *scene.speeds, scene.campbell.modes);
+    const Drawn drawn =
+        keep_lowest(found, *scene.speeds, scene.campbell.modes, periodic.has_value());
     const tracking::Tracking &tracking = found.tracking;
     const std::vector<modes::Spectrum> &spectra = found.spectra;
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);
@@ -353,11 +352,16 @@ results::CampbellResult campbell(const model::Case &scene) {
         result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
                                           solver.follows()));
-        result.modes.back().label = labels[i];
+        result.modes.back().label = drawn.labels[i];
     }
     stage.emplace("crossings", 0.75, 1.0);
     tracking::Crossings crossed =
-        tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
+        periodic ? std::move(periodic->crossed)
+                 : tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
+    if (periodic) {
+        keep_drawn(crossed.found, drawn);
+        keep_drawn(crossed.locked, drawn);
+    }
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     note_absent(result, tracking.lines);
@@ -365,7 +369,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     note_far_apart(result);
     note_real(result, spectra);
     note_no_peaks(result);
-    note_short_bands(result.model);
+    note_short_bands(result.model, solver.form() == results::Form::hill && !periodic);
     note_few(result.model, spectra, scene.campbell.modes);
     note_gaps(result.model, tracking.gaps, "a mode could not be followed");
     note_gaps(result.model, crossed.unsettled,

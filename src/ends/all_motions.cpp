@@ -1,5 +1,6 @@
 #include "ends/all_motions.h"
 
+#include "assembly/frequency_scales.h"
 #include "balancers/linear_element.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
@@ -44,7 +45,7 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
                  : std::vector<balancers::BalancerElement>{}),
       _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
                                            borders(discretization.rotor(), from, to))),
-      _slow(modes::support_scale(discretization)), _from(from), _to(to) {
+      _slow(assembly::support_scale(discretization)), _from(from), _to(to) {
     if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;

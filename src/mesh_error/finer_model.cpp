@@ -94,24 +94,23 @@ std::vector<double> FinerModel::errors_by_place(const modes::Spectrum &coarse) c
     return errors;
 }
 
-/// The modes of the finer model that those of the coarse one become; empty where that is not sure.
-std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &coarse) const {
-    std::vector<modes::WhirlMode> guesses = coarse.modes;
+std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &some) const {
+    std::vector<modes::WhirlMode> guesses = some.modes;
     for (modes::WhirlMode &mode : guesses) {
         mode.shape = embedded(mode.shape);
-        if (mode.rotating_vector.size() > 0)
+        if (_coarse.form() == results::Form::rotating)
             mode.rotating_vector = embedded(mode.rotating_vector);
     }
-    const std::vector<modes::WhirlMode> fine = _fine->near(coarse.speed, guesses);
+    const std::vector<modes::WhirlMode> fine = _fine->near(some.speed, guesses);
     std::vector<double> errors;
     for (std::size_t i = 0; i < fine.size(); ++i)
-        errors.push_back(relative(coarse.modes[i].eigenvalue, fine[i].eigenvalue));
+        errors.push_back(relative(some.modes[i].eigenvalue, fine[i].eigenvalue));
     return errors;
 }
 
 /// Modes of the finer model that resemble a mode nearly as much as the one most like it count.
 std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) const {
-    if (_coarse.follows() || _coarse.form() == results::Form::rotating)
+    if (_coarse.follows() || results::in_rotating_axes(_coarse.form()))
         if (std::vector<double> errors = errors_by_refinement(coarse); !errors.empty())
             return errors;
     constexpr double nearly = 0.5;

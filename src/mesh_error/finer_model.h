@@ -22,6 +22,9 @@ class FinerModel {
     /// model's, with safety. Modes are matched by their place among those of their sense in the
     /// symmetric forms (min-max: none can be lower than it should), by their shapes in the others.
     [[nodiscard]] std::vector<double> errors(const modes::Spectrum &coarse) const;
+    /// The same of some of the modes of a spectrum alone, from each of which its finer one is
+    /// found; empty where that is not sure.
+    [[nodiscard]] std::vector<double> errors_by_refinement(const modes::Spectrum &some) const;
 
     [[nodiscard]] const modes::SpectrumSolver &solver() const { return *_fine; }
 
@@ -32,7 +35,6 @@ class FinerModel {
     Eigen::SparseMatrix<double> _mass;
 
     [[nodiscard]] std::vector<double> errors_by_place(const modes::Spectrum &coarse) const;
-    [[nodiscard]] std::vector<double> errors_by_refinement(const modes::Spectrum &coarse) const;
     [[nodiscard]] std::vector<double> errors_by_shape(const modes::Spectrum &coarse) const;
     [[nodiscard]] Eigen::VectorXcd embedded(const Eigen::VectorXcd &shape) const;
 };

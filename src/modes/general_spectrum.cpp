@@ -1,5 +1,6 @@
 #include "modes/general_spectrum.h"
 
+#include "assembly/frequency_scales.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
@@ -40,7 +41,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors e
     options.condition = errors == Errors::with_left_vectors;
     options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);
     if (zeros.eigenvalues > 0)
-        options.shift = 0.3 * elastic_scale(_discretization);
+        options.shift = 0.3 * assembly::elastic_scale(_discretization);
     linalg::QuadraticResult found;
     try {
         found = linalg::solve_quadratic(_system.M, D, K, options);
@@ -49,7 +50,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors e
         // others drown beside them; a shift towards the others brings both to one size.
         if (options.shift != 0)
             throw;
-        options.shift = 0.3 * elastic_scale(_discretization);
+        options.shift = 0.3 * assembly::elastic_scale(_discretization);
         options.wanted = std::min(D.size(), options.wanted + 4);
         found = linalg::solve_quadratic(_system.M, D, K, options);
     }

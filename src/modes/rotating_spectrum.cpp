@@ -1,10 +1,10 @@
 #include "modes/rotating_spectrum.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/quadratic/quadratic_problem.h"
-#include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"
 
@@ -17,9 +17,6 @@ namespace whirl::modes {
 namespace {
 
 constexpr std::complex<double> i_unit(0, 1);
-
-/// Share of the copy whose centre must be largest; equal shares may differ by rounding.
-constexpr double equal_share = 1 - 1e-6;
 
 /// @throws linalg::SolverError where those found are not all up to the radius
 const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalues &found,
@@ -190,9 +187,9 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
     const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
     const double slow =
-        0.31 *
-        (near_zero ? std::abs(speed) : std::max(std::abs(speed), support_scale(_discretization)));
-    const double fast = 0.31 * std::max(std::abs(speed), elastic_scale(_discretization));
+        0.31 * (near_zero ? std::abs(speed)
+                          : std::max(std::abs(speed), assembly::support_scale(_discretization)));
+    const double fast = 0.31 * std::max(std::abs(speed), assembly::elastic_scale(_discretization));
     try {
         return up_to(speed, radius, least, keep, slow);
     } catch (const linalg::SolverError &) {

@@ -52,6 +52,9 @@ class RotatingSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Eigenvalues copies(double speed, double radius, int least) const;
 
+    /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
+    [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
+
     /// Number k of the harmonic 2 k speed of Hill's series in which a motion is largest.
     [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
 
@@ -90,6 +93,10 @@ class RotatingSpectrum {
     [[nodiscard]] assembly::SystemAtSpeed hill_system(double speed) const;
     [[nodiscard]] int harmonics() const { return _harmonics; }
 
+    /// Share of the largest term of a series that another one must have to be as large; equal ones
+    /// may differ by rounding.
+    static constexpr double equal_share = 1 - 1e-6;
+
   private:
     const assembly::Discretization &_discretization;
     int _harmonics;
@@ -126,8 +133,6 @@ class RotatingSpectrum {
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
                                    linalg::ComplexPair &pair);
-    /// Of deflections along the shaft, in x and y: a measure that no unit or mesh changes.
-    [[nodiscard]] double motion_energy(const Eigen::VectorXcd &xy) const;
     /// Residual and rounding by left vectors of the motions up to a modulus as seen from the fixed
     /// frame, 1/s, and of all that grow: a factorisation each.
     void judge(Eigenvalues &found, double speed, double highest) const;

@@ -1,15 +1,20 @@
 #include "modes/spectrum.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "model/errors.h"
+#include "modes/bases/real_basis.h"
 #include "modes/degenerate.h"
 #include "modes/following/continuation.h"
 #include "modes/following/followed_modes.h"
 #include "modes/form_matrices.h"
 #include "modes/general_spectrum.h"
+#include "modes/hill/floquet_shapes.h"
+#include "modes/hill/floquet_spectrum.h"
 #include "modes/hill/series_basis.h"
+#include "modes/hill/series_modes_near.h"
 #include "modes/orbits.h"
 #include "modes/planar_damped.h"
 #include "modes/reduced/few_shapes.h"
@@ -18,7 +23,6 @@
 #include "modes/turning/few_turning.h"
 #include "modes/turning/turning_basis.h"
 #include "modes/turning/turning_pencil.h"
-#include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
 
@@ -26,18 +30,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace whirl::modes {
 
 namespace {
-
-/// v of the problem: signed and real in the symmetric forms.
-double real_value(const WhirlMode &mode, results::Form form, double speed) {
-    const bool negative =
-        form == results::Form::planar && (mode.whirl == results::Whirl::forward) != (speed >= 0);
-    return negative ? -mode.eigenvalue.imag() : mode.eigenvalue.imag();
-}
 
 bool all_followed(const Spectrum &spectrum) {
     return std::all_of(spectrum.modes.begin(), spectrum.modes.end(),
@@ -67,6 +65,9 @@ struct SpectrumSolver::Data {
     std::unique_ptr<TurningPencil> pencil;          ///< form rotating
     std::unique_ptr<SpectrumSolver> on_few;         ///< the rotor on those shapes
     std::shared_ptr<const Eigen::MatrixXd> shapes;  ///< this rotor is one on these
+    std::unique_ptr<FloquetSpectrum> floquet;       ///< form hill; none: by Hill's series
+    std::unique_ptr<periodic::WholeRotor> series;   ///< form hill: single motions
+    std::map<double, Spectrum> beside;              ///< with floquet: next to some speeds
     int refinement;
     std::unique_ptr<Continuation> following; ///< none before follow()
     std::unique_ptr<FewShapes> few;          ///< none: the whole rotor
@@ -79,9 +80,10 @@ struct SpectrumSolver::Data {
             balancers =
                 balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
             rotating = std::make_unique<RotatingSpectrum>(
-                shapes ? RotatingSpectrum::rough(d, balancers, *shapes)
-                       : RotatingSpectrum(d, 0, balancers,
-                                          form == results::Form::hill ? harmonics : 0));
+                shapes && form == results::Form::rotating
+                    ? RotatingSpectrum::rough(d, balancers, *shapes)
+                    : RotatingSpectrum(d, 0, balancers, form == results::Form::hill ? harmonics : 0,
+                                       shapes.get()));
         }
     }
 
@@ -218,6 +220,20 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
     _data->following->follow(speeds, wanted);
 }
 
+std::unique_ptr<SpectrumSolver> SpectrumSolver::by_monodromy(double from, double to,
+                                                             int wanted) const {
+    const int harmonics = _data->rotating->harmonics();
+    Data::made(_data->series, _data->d, _data->balancers);
+    auto few = std::make_unique<Data>(
+        _data->d.rotor(), _data->form, _data->d.order(), _data->refinement, harmonics,
+        floquet_shapes(_data->d, _data->balancers, *_data->series, from, to, wanted));
+    few->floquet =
+        std::make_unique<FloquetSpectrum>(few->d, *few->rotating, few->balancers, few->shapes);
+    return std::unique_ptr<SpectrumSolver>(new SpectrumSolver(std::move(few)));
+}
+
+bool SpectrumSolver::by_matrix() const { return _data->floquet != nullptr; }
+
 bool SpectrumSolver::follows() const { return _data->following != nullptr; }
 
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
@@ -225,9 +241,14 @@ std::vector<WhirlMode> SpectrumSolver::near(double speed,
     if (_data->form == results::Form::rotating && !_data->tables) {
         const RotatingSpectrum &rotating = *_data->rotating;
         return turning_modes_near(
-            rotating, Data::made(_data->pencil, rotating.system(), support_scale(_data->d)), speed,
+            rotating,
+            Data::made(_data->pencil, rotating.system(), assembly::support_scale(_data->d)), speed,
             guesses);
     }
+    if (_data->form == results::Form::hill)
+        return series_modes_near(*_data->rotating,
+                                 Data::made(_data->series, _data->d, _data->balancers), speed,
+                                 guesses);
     const SymmetricProblem *problem = _data->symmetric_matrices();
     return problem == nullptr ? std::vector<WhirlMode>() : modes_near(*problem, speed, guesses);
 }
@@ -239,6 +260,8 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const
             if (std::optional<RotatingSpectrum::Modes> found = _data->turning->modes(speed, wanted))
                 return spectrum_of(speed, *std::move(found));
     }
+    if (_data->floquet)
+        return spectrum_of(speed, _data->floquet->modes(speed, wanted));
     RotatingSpectrum::Modes found =
         _data->tables
             ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
@@ -290,27 +313,6 @@ Spectrum SpectrumSolver::at(double speed, int wanted, Errors errors) const {
     }
 }
 
-namespace {
-
-/// Of modes whose shapes and values are real.
-ModeBasis real_basis(const QuadraticAt &problem, const Spectrum &spectrum, results::Form form) {
-    const auto count = std::ssize(spectrum.modes);
-    Eigen::VectorXd values(count);
-    Eigen::MatrixXd X(problem.M.rows(), count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
-        values(i) = real_value(mode, form, spectrum.speed);
-        X.col(i) = mode.shape.real();
-    }
-    ModeBasis out = basis_of(problem, values, X);
-    for (Eigen::VectorXcd *rates : {&out.rate_below, &out.rate_above})
-        for (Eigen::Index i = 0; i < count; ++i)
-            (*rates)(i) = {0, values(i) < 0 ? -(*rates)(i).real() : (*rates)(i).real()};
-    return out;
-}
-
-} // namespace
-
 ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     const results::Form form = _data->form;
     const auto count = std::ssize(spectrum.modes);
@@ -325,7 +327,7 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     if (form == results::Form::planar || form == results::Form::hyperbolic)
         return real_basis(_data->matrices().at(spectrum.speed), spectrum, form);
     if (form == results::Form::hill)
-        return series_basis(_data->matrices().mass(), 2 * _data->d.planar_size(), spectrum);
+        return hill_basis(spectrum);
     if (form == results::Form::rotating)
         return turning_basis(_data->matrices().at(spectrum.speed), spectrum,
                              _data->matrices().mirrored());
@@ -347,39 +349,25 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     return basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
 }
 
+Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
+    const double beside = rate_step * std::abs(spectrum.speed);
+    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
+    if (is_new || known->second.modes.size() < spectrum.modes.size())
+        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
+    return rates_between(spectrum, known->second);
+}
+
+ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
+    const auto &shapes = _data->shapes;
+    ModeBasis out = series_basis(_data->matrices().mass(),
+                                 2 * (shapes ? shapes->cols() : _data->d.planar_size()), spectrum);
+    if (!_data->floquet || spectrum.speed == 0)
+        return out;
+    out.rate_below = rates(spectrum);
+    out.rate_above = out.rate_below;
+    return out;
+}
+
 QuadraticAt SpectrumSolver::problem_at(double speed) const { return _data->matrices().at(speed); }
-
-Eigen::VectorXcd SpectrumSolver::planar_x(const WhirlMode &mode) const {
-    if (_data->form == results::Form::planar)
-        return mode.shape;
-    if (_data->form == results::Form::planar_damped) // w exp(l t) with Im l < 0 is as seen by
-        return mode.rotating_value.imag() < 0        // x = Re(conj(w) exp(conj(l) t))
-                   ? Eigen::VectorXcd(mode.shape.conjugate())
-                   : mode.shape;
-    return assembly::Planes(mode.shape).x;
-}
-
-Eigen::VectorXcd SpectrumSolver::planar_y(const WhirlMode &mode) const {
-    const std::complex<double> i(0, 1);
-    if (_data->form == results::Form::planar) {
-        // w exp(i s t): y(t) = Re(-i w exp(i s t)) for s > 0, Re(+i w exp(i |s| t)) for s < 0.
-        // A forward mode turns with the spin; the planar form is used with both signs of it.
-        return mode.whirl == results::Whirl::forward ? Eigen::VectorXcd(-i * mode.shape)
-                                                     : Eigen::VectorXcd(i * mode.shape);
-    }
-    if (_data->form == results::Form::planar_damped)
-        return mode.rotating_value.imag() < 0 ? Eigen::VectorXcd(i * mode.shape.conjugate())
-                                              : Eigen::VectorXcd(-i * mode.shape);
-    const Eigen::VectorXcd y = assembly::Planes(mode.shape).y;
-    return _data->form == results::Form::hyperbolic ? Eigen::VectorXcd(i * y) : y;
-}
-
-Eigen::VectorXcd SpectrumSolver::x_at(const WhirlMode &mode, const Stations &stations) const {
-    return stations.deflections(planar_x(mode));
-}
-
-Eigen::VectorXcd SpectrumSolver::y_at(const WhirlMode &mode, const Stations &stations) const {
-    return stations.deflections(planar_y(mode));
-}
 
 } // namespace whirl::modes

@@ -69,11 +69,24 @@ class SpectrumSolver {
     /// Of such a rotor its planar shapes, N x r; null of a whole one.
     [[nodiscard]] const Eigen::MatrixXd *shapes() const;
 
+    /// Form hill: this rotor on the few shapes that its motions have over a range of speeds, its
+    /// modes by monodromy matrices (hill/floquet_spectrum.h) and over the amplitudes of these
+    /// shapes; near() makes them those of this rotor.
+    /// @param from,to  rad/s
+    [[nodiscard]] std::unique_ptr<SpectrumSolver> by_monodromy(double from, double to,
+                                                               int wanted) const;
+    /// This is such a rotor: a speed costs little.
+    [[nodiscard]] bool by_matrix() const;
+    /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
+    /// beside; not a number where it is not clear which one a mode becomes.
+    [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;
+
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;
 
     /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
-    /// found from these.
+    /// found from these. Form hill: guesses over any unknowns, at speeds other than 0, by as many
+    /// harmonics as each needs.
     [[nodiscard]] std::vector<WhirlMode> near(double speed,
                                               const std::vector<WhirlMode> &guesses) const;
 
@@ -110,6 +123,7 @@ class SpectrumSolver {
     [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
+    [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum) const;
     void classify(Spectrum &spectrum) const;
 };
 

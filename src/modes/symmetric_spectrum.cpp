@@ -1,5 +1,6 @@
 #include "modes/symmetric_spectrum.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/shifted_pencil.h"
@@ -77,7 +78,7 @@ std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) c
     linalg::ShiftedOptions options;
     options.null_space = zeros.motions;
     options.s = speed;
-    options.shift = 0.3 * elastic_scale(_discretization);
+    options.shift = 0.3 * assembly::elastic_scale(_discretization);
     options.wanted = std::min(2 * _M.size() - 1, (_planar ? wanted : 2 * wanted) + 2);
     const auto pairs = linalg::solve_shifted(_K, _M, _S, options);
     for (auto i = static_cast<std::size_t>(zeros.eigenvalues); i < pairs.size(); ++i) {

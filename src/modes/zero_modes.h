@@ -29,11 +29,4 @@ struct ZeroModes {
 [[nodiscard]] ZeroModes zero_modes(const assembly::Discretization &discretization,
                                    results::Form form, double bearing_speed, double spin_speed);
 
-/// A frequency of the order of the first one of the rigid rotor on its supports, rad/s;
-/// elastic_scale where no support resists a translation.
-[[nodiscard]] double support_scale(const assembly::Discretization &discretization);
-
-/// A frequency of the order of the first bending one of the free shaft, rad/s; never zero.
-[[nodiscard]] double elastic_scale(const assembly::Discretization &discretization);
-
 } // namespace whirl::modes

@@ -37,8 +37,24 @@ struct FloquetMotion {
 [[nodiscard]] std::vector<FloquetMotion> floquet_motions(const System &system, double speed,
                                                          int steps);
 
-/// The same of equations with constant coefficients: at rest (Im l of any size) that of the
-/// supports as they stand, else of what of them is the same from every direction.
+/// A free motion exp(l t) sum_k u_k exp(2 i k speed t) with its terms.
+struct FloquetSeries {
+    std::complex<double> value; ///< l, 1/s, 0 <= Im l <= |speed|
+    double noise = 0;           ///< of l by rounding, 1/s
+    /// Over the unknowns (or amplitudes of shapes) of the system before it scaled them, u_-K, ...,
+    /// u_K: n x (2K + 1).
+    Eigen::MatrixXcd terms;
+};
+
+/// The motions of a period, one of each conjugate pair, whose rate is on average over it no more
+/// than `fastest` times the displacement, both measured by M; terms of exponents up to three times
+/// that rate, or as many as the steps resolve.
+/// @throws linalg::SolverError
+[[nodiscard]] std::vector<FloquetSeries> floquet_series(const System &system, double speed,
+                                                        int steps, double fastest);
+
+/// As floquet_motions() of equations with constant coefficients: at rest (Im l of any size) that of
+/// the supports as they stand, else of what of them is the same from every direction.
 /// @throws linalg::SolverError
 [[nodiscard]] std::vector<FloquetMotion> steady_motions(const System &system, double speed);
 

@@ -1,8 +1,8 @@
 #include "periodic/system.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/rotating_system.h"
 #include "linalg/unit_scales.h"
-#include "modes/zero_modes.h"
 #include "reduction/projection.h"
 
 #include <cmath>
@@ -70,10 +70,11 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
                     : every;
     _root_K_whole = Sparse(system.K.view()).diagonal().cwiseAbs().cwiseSqrt();
     _root_M_whole = Sparse(system.M.view()).diagonal().cwiseAbs().cwiseSqrt();
-    scale(linalg::scales_at(modes::support_scale(discretization), _M.diagonal(), _K.diagonal()));
+    scale(linalg::scales_at(assembly::support_scale(discretization), _M.diagonal(), _K.diagonal()));
 }
 
 void System::scale(const Eigen::VectorXd &d) {
+    _scales = d;
     for (Eigen::MatrixXd *A : {&_M, &_C, &_Cs, &_K, &_Ks, &_Kss})
         *A = (d.asDiagonal() * *A * d.asDiagonal()).eval();
     _places = (d.asDiagonal() * _places).eval();

@@ -41,6 +41,8 @@ class System {
 
     [[nodiscard]] int size() const { return static_cast<int>(_M.rows()); }
     [[nodiscard]] const Eigen::MatrixXd &places() const { return _places; } ///< P, n x m
+    /// Unknowns (or amplitudes of the shapes) over those here.
+    [[nodiscard]] const Eigen::VectorXd &scales() const { return _scales; }
 
     /// What (q, q') are as displacements and rates of all unknowns, entries made comparable.
     [[nodiscard]] Eigen::VectorXcd whole(const Eigen::VectorXcd &shape, double speed) const;
@@ -48,6 +50,7 @@ class System {
   private:
     Eigen::MatrixXd _unknowns; ///< all unknowns, N x n
     Eigen::VectorXd _root_K_whole, _root_M_whole;
+    Eigen::VectorXd _scales;
     Eigen::MatrixXd _M, _C, _Cs, _K, _Ks, _Kss;
     Eigen::MatrixXd _places;
     struct Pair {

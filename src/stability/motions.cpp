@@ -1,5 +1,6 @@
 #include "stability/motions.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
@@ -221,7 +222,7 @@ struct MotionSolver::Data {
         options.fewest = 1; // enough where they are all up to the reach
         if (shapes)
             options.method = linalg::QuadraticMethod::dense;
-        options.shift = zeros > 0 ? 0.3 * modes::elastic_scale(d) : 0;
+        options.shift = zeros > 0 ? 0.3 * assembly::elastic_scale(d) : 0;
         const double reach = radius(speed) + options.shift;
         for (int wanted = fewest + zeros;; wanted += wanted / 2) {
             options.wanted = std::min(wanted, s.M.size());

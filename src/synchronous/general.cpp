@@ -1,5 +1,6 @@
 #include "synchronous/general.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
 #include "assembly/rotating_system.h"
 #include "linalg/check.h"
@@ -112,7 +113,7 @@ GeneralSynchronous::Modes GeneralSynchronous::fixed(double bearing_speed, int wa
     linalg::QuadraticOptions options;
     options.zeros = 2 * zeros.eigenvalues;
     if (zeros.eigenvalues > 0)
-        options.shift = 0.3 * modes::elastic_scale(_d);
+        options.shift = 0.3 * assembly::elastic_scale(_d);
     Modes out;
     // Each mode of the complex problem brings a conjugate partner into the doubled one.
     for (int ask = std::max(_ask, 5 * wanted / 2 + 6 + 2 * zeros.eigenvalues);; ask = ask * 7 / 5) {
@@ -124,7 +125,7 @@ GeneralSynchronous::Modes GeneralSynchronous::fixed(double bearing_speed, int wa
             // As in GeneralSpectrum: creeping motions against strong dampers want a shift.
             if (options.shift != 0)
                 throw;
-            options.shift = 0.3 * modes::elastic_scale(_d);
+            options.shift = 0.3 * assembly::elastic_scale(_d);
             found = linalg::solve_quadratic(M, D, K, options);
         }
         out.modes.clear();
@@ -154,7 +155,7 @@ GeneralSynchronous::Modes GeneralSynchronous::rotating(double bearing_speed, int
     const assembly::RotatingSystem system = held_in_rotating_axes(_d, bearing_speed);
     const Weights weights(system.K, system.Kss);
     linalg::QuadraticOptions options;
-    options.shift = 0.3 * modes::support_scale(_d);
+    options.shift = 0.3 * assembly::support_scale(_d);
     options.fewest = 1;
     Modes out;
     for (int ask = 2 * wanted + 4;; ask *= 2) {

@@ -1,5 +1,6 @@
 #include "synchronous/symmetric.h"
 
+#include "assembly/frequency_scales.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/quadratic/quadratic_eigen.h"
@@ -43,7 +44,7 @@ void sort_ascending(std::vector<CrossingPair> &list) {
 /// rotor is a long one: its roots are sqrt(W^2 + t). @throws linalg::SolverError for others.
 std::vector<linalg::RealPair> lifted_roots(const Discretization &d, const Matrix &K,
                                            const Matrix &A, int wanted) {
-    const double t = std::pow(0.3 * modes::elastic_scale(d), 2);
+    const double t = std::pow(0.3 * assembly::elastic_scale(d), 2);
     std::vector<linalg::RealPair> out;
     for (linalg::RealPair pair :
          linalg::DefinitePair(Matrix::sum(1, K, t, A), A).smallest(wanted)) {
@@ -105,8 +106,8 @@ SymmetricSynchronous::Passages SymmetricSynchronous::about_a_shift(const Matrix 
     const Matrix none = Matrix::sum(0, _A, 0, _A);
     const Sparse A = _A.view();
     linalg::QuadraticOptions options;
-    options.shift = 0.3 * (_form == results::Form::rotating ? modes::support_scale(_d)
-                                                            : modes::elastic_scale(_d));
+    options.shift = 0.3 * (_form == results::Form::rotating ? assembly::support_scale(_d)
+                                                            : assembly::elastic_scale(_d));
     options.zeros = zeros;
     options.fewest = 1;
     // Roots of zero come as +-sqrt(rounding) on either axis, others far above.

@@ -35,6 +35,12 @@ bool inside(const Locked &interval, double a, double b) {
     return interval.from <= std::min(a, b) && interval.to >= std::max(a, b);
 }
 
+bool same_band(const Locked &a, const Locked &b) {
+    constexpr double same = 1e-9;
+    return std::abs(a.from - b.from) <= same * std::abs(a.from) &&
+           std::abs(a.to - b.to) <= same * std::abs(a.to);
+}
+
 bool overlap_of(const Locked &interval, double a, double b) {
     return interval.from <= std::max(a, b) && interval.to >= std::min(a, b);
 }
@@ -62,6 +68,8 @@ class Sweep {
         if (bands) {
             const std::vector<Locked> standing =
                 standing_intervals(_nodes, search.band_ends(), wanted);
+            for (const Locked &band : standing)
+                drop_ride_in_place_of(band, out);
             out.locked.insert(out.locked.end(), standing.begin(), standing.end());
         }
     }
@@ -110,6 +118,32 @@ class Sweep {
         });
     }
 
+    /// A band that opens and closes within a step may have been met in both ways.
+    static void drop_ride_in_place_of(const Locked &band, Crossings &out) {
+        const auto ride =
+            std::find_if(out.locked.begin(), out.locked.end(), [&](const Locked &other) {
+                return other.multiple == band.multiple && same_band(other, band);
+            });
+        if (ride == out.locked.end())
+            return;
+        for (const auto &[of_ride, end] :
+             {std::pair(ride->from, band.from), std::pair(ride->to, band.to)}) {
+            const auto at = [&](double speed) {
+                return std::find_if(out.found.begin(), out.found.end(), [&](const auto &c) {
+                    return c.multiple == band.multiple && c.speed == speed;
+                });
+            };
+            const auto crossing = at(of_ride);
+            if (crossing == out.found.end() || of_ride == end)
+                continue;
+            if (at(end) == out.found.end())
+                crossing->speed = end;
+            else
+                out.found.erase(crossing);
+        }
+        out.locked.erase(ride);
+    }
+
     /// The line goes through a band of periodic equations in this step, or begins or ends in it.
     [[nodiscard]] bool passes(const Locked &band, const Link &link, std::size_t k) const {
         if (!overlap_of(band, _nodes.speed(k), _nodes.speed(k + 1)))
@@ -155,16 +189,22 @@ class Sweep {
         return wanted;
     }
 
-    /// Of a Hill series, where speeds cost most: in the steps over which the number changes.
+    /// Of a Hill series: in the steps over which the number changes, or, where speeds cost little,
+    /// may change for a while.
     [[nodiscard]] std::vector<LockEnd> lock_ends_by_steps(int wanted) const {
         std::vector<LockEnd> ends;
         for (std::size_t k = 0; k + 1 < _nodes.count(); ++k) {
             const double from = _nodes.speed(k);
             const double to = _nodes.speed(k + 1);
-            if (from * to <= 0 ||
-                locked_motions(_nodes.spectrum(k)) == locked_motions(_nodes.spectrum(k + 1)))
+            if (from * to <= 0)
                 continue;
-            const std::vector<LockEnd> more = lock_ends(_nodes.solver(), from, to, 1, wanted);
+            const modes::Spectrum &here = _nodes.spectrum(k);
+            const modes::Spectrum &next = _nodes.spectrum(k + 1);
+            std::vector<LockEnd> more;
+            if (_nodes.solver().by_matrix())
+                more = lock_ends(_nodes.solver(), here, next);
+            else if (locked_motions(here) != locked_motions(next))
+                more = lock_ends(_nodes.solver(), from, to, 1, wanted);
             ends.insert(ends.end(), more.begin(), more.end());
         }
         return ends;
@@ -208,6 +248,9 @@ class Sweep {
                 continue;
             const Absence why = l.absence[first ? k + 1 : k];
             const std::size_t present = first ? k : k + 1;
+            // At rest every multiple is zero too; of a series speeds next to it cost most.
+            if (hill() && _nodes.speed(first ? k + 1 : k) == 0)
+                continue;
             const auto place = static_cast<std::size_t>(l.place[present]);
             const StepEnd end =
                 end_of(_nodes.spectrum(present), _nodes.rates(present), place, multiple, first);

@@ -48,15 +48,18 @@ bool among_lowest(const Line &line, int modes) {
                        [modes](int place) { return place != Line::absent && place < modes; });
 }
 
-FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
-                             int modes, bool follow) {
+int modes_to_follow(const model::Rotor &rotor, int modes) {
     // With balancers some of the slowest modes are the balls', of each unknown two, but not at
     // rest.
-    const model::Rotor &rotor = solver.discretization().rotor();
-    const int more_modes = std::max(4, modes / 2);
     const int of_balls = 2 * balancers::unknowns_of(balancers::balancer_elements(
                                  rotor, balancers::arrangement_at_balance(rotor)));
-    int computed = modes + (rotor.balancers.empty() ? 2 : std::max(more_modes, of_balls));
+    return modes + (rotor.balancers.empty() ? 2 : std::max({4, modes / 2, of_balls}));
+}
+
+FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vector<double> &speeds,
+                             int modes, bool follow) {
+    const int more_modes = std::max(4, modes / 2);
+    int computed = modes_to_follow(solver.discretization().rotor(), modes);
     constexpr int attempts = 4;
     FollowedLines out;
     std::vector<char> again(speeds.size(), 1);

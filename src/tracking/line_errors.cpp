@@ -82,6 +82,29 @@ std::vector<double> along(std::size_t count, const std::function<double(std::siz
     return out;
 }
 
+/// Of the modes of a spectrum; of a Hill series, where finding all of the finer model costs most,
+/// of those on lines alone.
+std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
+                              const modes::Spectrum &spectrum, std::size_t k, bool series) {
+    if (!series)
+        return finer.errors(spectrum);
+    std::vector<std::size_t> places;
+    modes::Spectrum on_lines = spectrum;
+    on_lines.modes.clear();
+    for (const Line &line : lines)
+        if (line.place[k] != Line::absent) {
+            places.push_back(static_cast<std::size_t>(line.place[k]));
+            on_lines.modes.push_back(spectrum.modes[places.back()]);
+        }
+    const std::vector<double> some = finer.errors_by_refinement(on_lines);
+    if (some.empty())
+        return finer.errors(spectrum);
+    std::vector<double> all(spectrum.modes.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        all[places[i]] = some[i];
+    return all;
+}
+
 } // namespace
 
 LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &solver,
@@ -101,7 +124,7 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     if (series && spectra.size() > 1)
         probes.insert(1); // slow, but not at rest: needs most harmonics
     for (const std::size_t k : probes) {
-        const std::vector<double> all = finer.errors(spectra[k]);
+        const std::vector<double> all = errors_at(finer, lines, spectra[k], k, series);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
                 errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];

@@ -1,6 +1,7 @@
 // Motions that no support resists: how many there are of known constraints, counted by hand, and
 // that they are what they should be.
 
+#include "assembly/frequency_scales.h"
 #include "modes/zero_modes.h"
 
 #include "assembly/assemble.h"
@@ -240,13 +241,14 @@ TEST(Scales, OfTheRigidRotorOnItsSupportsAndOfTheShaft) {
     const double shaft = 7800 * std::numbers::pi / 4 * 0.05 * 0.05;
     const double I = std::numbers::pi / 64 * std::pow(0.05, 4);
     const double bending = std::pow(std::numbers::pi, 2) * std::sqrt(2e11 * I / (shaft + 12));
-    EXPECT_NEAR(elastic_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
-    EXPECT_NEAR(support_scale(assembly::Discretization(rotor, 4)) / std::sqrt(4e3 / (shaft + 12)),
+    EXPECT_NEAR(assembly::elastic_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
+    EXPECT_NEAR(assembly::support_scale(assembly::Discretization(rotor, 4)) /
+                    std::sqrt(4e3 / (shaft + 12)),
                 1, 1e-12);
     rotor.bearings.clear();
-    EXPECT_NEAR(support_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
+    EXPECT_NEAR(assembly::support_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
     rotor.bearings = {support(0, 1e12), support(1, 1e12)}; // rigid supports say nothing
-    EXPECT_NEAR(support_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
+    EXPECT_NEAR(assembly::support_scale(assembly::Discretization(rotor, 4)) / bending, 1, 1e-12);
 }
 
 } // namespace whirl::modes

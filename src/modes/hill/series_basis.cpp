@@ -5,8 +5,10 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::modes {
 
@@ -133,6 +135,34 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     out.rate_below = Eigen::VectorXcd::Constant(count, unknown);
     out.rate_above = out.rate_below;
+    return out;
+}
+
+Eigen::VectorXcd rates_between(const Spectrum &spectrum, const Spectrum &beside) {
+    constexpr double steepest = 100;
+    constexpr double clearly = 0.1; // of the distance of the next one
+    const double step = beside.speed - spectrum.speed;
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    Eigen::VectorXcd out =
+        Eigen::VectorXcd::Constant(std::ssize(spectrum.modes), Complex(unknown, unknown));
+    for (std::size_t i = 0; i < spectrum.modes.size(); ++i) {
+        const WhirlMode &mode = spectrum.modes[i];
+        double nearest = std::numeric_limits<double>::infinity();
+        double next = nearest;
+        Complex change;
+        for (const WhirlMode &other : beside.modes) {
+            const Complex difference = other.eigenvalue - mode.eigenvalue;
+            const double distance = std::abs(difference);
+            if (distance < nearest) {
+                next = std::exchange(nearest, distance);
+                change = difference;
+            } else {
+                next = std::min(next, distance);
+            }
+        }
+        if (nearest < clearly * next && nearest < steepest * std::abs(step))
+            out(static_cast<Eigen::Index>(i)) = change / step;
+    }
     return out;
 }
 

@@ -1,9 +1,9 @@
 #include "modes/turning/few_turning.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/symmetric_eigen.h"
-#include "modes/zero_modes.h"
 #include "reduction/planar_pair.h"
 #include "reduction/planar_shapes.h"
 
@@ -127,7 +127,7 @@ FewTurning::FewTurning(const assembly::Discretization &d,
                        const RotatingSpectrum &whole, Eigen::MatrixXd shapes, const Range &range)
     : _whole(whole), _range(range), _shapes(std::move(shapes)),
       _few(RotatingSpectrum::rough(d, balancers, _shapes)),
-      _pencil(whole.system(), support_scale(d)) {}
+      _pencil(whole.system(), assembly::support_scale(d)) {}
 
 std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
                                            const std::vector<balancers::BalancerElement> &balancers,

@@ -1,15 +1,16 @@
 #include "tracking/bands/locked_whirl.h"
 
+#include "assembly/frequency_scales.h"
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "model/errors.h"
-#include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
-#include "tracking/bands/branch_point.h"
 #include "tracking/bands/double_root.h"
+#include "tracking/bands/lock_count.h"
+#include "tracking/bands/series_lock_ends.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>
@@ -22,28 +23,6 @@
 namespace whirl::tracking {
 
 namespace {
-
-/// A speed, how many motions are locked there, and the others, those that turn least first.
-struct Count {
-    double speed = 0;
-    std::ptrdiff_t motions = 0;
-    std::vector<modes::WhirlMode> others;
-};
-
-Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
-    Count out{speed, 0, solver.at(speed, wanted, modes::Errors::of_right_vectors).modes};
-    const auto others =
-        std::partition(out.others.begin(), out.others.end(),
-                       [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
-    out.motions = std::distance(others, out.others.end());
-    out.others.erase(others, out.others.end());
-    const auto turn = [&](const modes::WhirlMode &mode) {
-        return turn_in_rotor(mode, speed, solver.form());
-    };
-    std::sort(out.others.begin(), out.others.end(),
-              [&](const auto &a, const auto &b) { return turn(a) < turn(b); });
-    return out;
-}
 
 /// The locked motion at an end still counts as whirl.
 bool whirls(const DoubleRoot &end) {
@@ -109,58 +88,6 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
     return true;
 }
 
-/// Beside a branch point the frequency seen from the rotor grows with the square root of the
-/// distance: four times as far away some motion has twice of it, at the same damping. The real part
-/// at the branch point, or none where there is no such motion: it is smooth on the outer side.
-std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, const LockEnd &end,
-                                           int wanted) {
-    const double step = end.outside - end.speed;
-    const modes::Spectrum near = solver.at(end.outside, wanted, modes::Errors::of_right_vectors);
-    const modes::Spectrum far =
-        solver.at(end.speed + 4 * step, wanted, modes::Errors::of_right_vectors);
-    const double size = std::abs(end.speed);
-    const auto turn = [&](const modes::WhirlMode &mode, const modes::Spectrum &spectrum) {
-        return turn_in_rotor(mode, spectrum.speed, solver.form());
-    };
-    const auto parts_there = [&](const modes::WhirlMode &a, const modes::WhirlMode &b) {
-        const double from = turn(a, near);
-        return from != 0 && from < 0.01 * size && std::abs(turn(b, far) / from - 2) < 0.05 &&
-               std::abs(a.eigenvalue.real() - b.eigenvalue.real()) < 1e-4 * size;
-    };
-    for (const modes::WhirlMode &a : near.modes)
-        for (const modes::WhirlMode &b : far.modes)
-            if (parts_there(a, b))
-                return (4 * a.eigenvalue.real() - b.eigenvalue.real()) / 3;
-    return std::nullopt;
-}
-
-/// In a part over which the number changes, for a Hill series: its motions have no vectors over
-/// the equations of one speed to begin a double root with. Of several ends in it one is found.
-std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
-                                     const Count &to, int wanted) {
-    const bool leaves = from.motions > to.motions;
-    const Count &inside = leaves ? from : to;
-    const Count &outside = leaves ? to : from;
-    const std::optional<BranchPoint> found = branch_point(
-        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
-            const Count here = count_at(solver, speed, wanted);
-            if (here.motions > outside.motions)
-                return std::nullopt;
-            const double turn = here.others.empty() ? speed
-                                                    : turn_in_rotor(here.others.front(), speed,
-                                                                    results::Form::hill);
-            return turn * turn;
-        });
-    if (!found)
-        return std::nullopt;
-    LockEnd end = end_of({found->inside, 0, inside.speed > outside.speed});
-    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
-    if (!real)
-        return std::nullopt;
-    end.real = *real;
-    return end;
-}
-
 /// All ends in a part over which the number changes: halved until the roots in it account for that.
 void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
               int halves, std::vector<LockEnd> &ends) {
@@ -208,7 +135,7 @@ std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wan
     if (solver.shapes() != nullptr)
         system = reduction::Projection(*solver.shapes()).of(system);
     linalg::QuadraticOptions options;
-    options.shift = 0.3 * modes::support_scale(d);
+    options.shift = 0.3 * assembly::support_scale(d);
     options.fewest = 1;
     options.wanted = std::min(2 * wanted, 2 * system.K.size());
     std::vector<double> speeds;

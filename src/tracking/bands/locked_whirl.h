@@ -44,6 +44,12 @@ struct BandEnd {
 [[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from,
                                              double to, int parts, int wanted);
 
+/// The same for a solver by_matrix() between two of its spectra, of speeds of one sign: also bands
+/// that open and close between them.
+[[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver,
+                                             const modes::Spectrum &from,
+                                             const modes::Spectrum &to);
+
 /// The same over a whole range, which may hold 0, in 200 parts, and closely about each speed near
 /// which the rotor without damping would have a motion stand still: a narrow band lies about one of
 /// these. (Without such speeds, as with bearing tables, bands narrower than a part are left to

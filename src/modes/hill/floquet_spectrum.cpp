@@ -1,0 +1,173 @@
+#include "modes/hill/floquet_spectrum.h"
+
+#include "modes/hill/series_pair.h"
+#include "periodic/collocation.h"
+#include "periodic/monodromy.h"
+#include "reduction/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace whirl::modes {
+
+namespace {
+
+/// Motions that lose more than exp(-20) of themselves in half a turn beside those that lose least
+/// are lost in the rounding of the monodromy matrix.
+constexpr double drowned = 20;
+/// With more steps in time Hill's series costs less.
+constexpr int most_steps = 800;
+/// For as many terms as are followed.
+constexpr int fewest_steps = 16;
+/// Motions on bearings that differ are as fast as on their mean, and this much faster at most.
+constexpr double of_average = 1.5;
+/// Over the speed, what the turning of the bearings adds to the rate of a motion.
+constexpr double turning = 4;
+
+/// Modes of a system over amplitudes of shapes: shapes in the fixed frame over all unknowns.
+RotatingSpectrum::Modes lifted(RotatingSpectrum::Modes found, const Eigen::MatrixXd *shapes) {
+    if (shapes != nullptr)
+        for (WhirlMode &mode : found.modes)
+            mode.shape = reduction::Projection(*shapes).lifted(mode.shape);
+    return found;
+}
+
+} // namespace
+
+FloquetSpectrum::FloquetSpectrum(const assembly::Discretization &discretization,
+                                 const RotatingSpectrum &rotor,
+                                 std::vector<balancers::BalancerElement> balancers,
+                                 std::shared_ptr<const Eigen::MatrixXd> shapes)
+    : _discretization(discretization), _rotor(rotor), _balancers(std::move(balancers)),
+      _shapes(std::move(shapes)), _tables(discretization.rotor().bearings_depend_on_speed()) {}
+
+const periodic::System &FloquetSpectrum::system(double speed) const {
+    if (!_system || (_tables && speed != _system_speed))
+        _system = std::make_unique<periodic::System>(_discretization, _tables ? speed : 0,
+                                                     _balancers, _shapes.get());
+    _system_speed = speed;
+    return *_system;
+}
+
+/// At one speed of those that differ by no more than a fifth.
+const FloquetSpectrum::Steady &FloquetSpectrum::steady(double speed) const {
+    const int power = static_cast<int>(std::lround(std::log(std::abs(speed)) / std::log(1.2)));
+    const auto known = _steady.find(speed < 0 ? -power - 100000 : power);
+    if (known != _steady.end())
+        return known->second;
+    Steady &out = _steady[speed < 0 ? -power - 100000 : power];
+    for (const periodic::FloquetMotion &motion : periodic::steady_motions(system(speed), speed)) {
+        out.values.push_back(motion.value);
+        out.fastest = std::max(out.fastest, std::abs(motion.value));
+    }
+    return out;
+}
+
+/// Motions up to a modulus as seen from the rotor; nothing where the monodromy matrix cannot tell.
+/// @param all  there are none beyond
+std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
+                                                              bool all) const {
+    const double half_turn = std::numbers::pi / std::abs(speed);
+    double growth = 0;
+    double damping = 0;
+    for (const std::complex<double> &value : steady(speed).values) {
+        growth = std::max(growth, value.real());
+        if (std::abs(value) <= of_average * reach)
+            damping = std::max(damping, -value.real());
+    }
+    const double angle = half_turn * (reach + turning * std::abs(speed));
+    const double steps =
+        std::max<double>(fewest_steps, std::ceil(angle / periodic::resolved_angle));
+    if ((growth + damping) * half_turn > drowned || !(steps <= most_steps))
+        return std::nullopt;
+    RotatingSpectrum::Eigenvalues found;
+    found.complete_radius = all ? std::numeric_limits<double>::infinity() : reach;
+    for (const periodic::FloquetSeries &motion : periodic::floquet_series(
+             system(speed), speed, static_cast<int>(steps), of_average * reach))
+        for (const Eigen::Index place : shown_places(_rotor, motion.value, motion.terms, speed)) {
+            found.pairs.push_back(series_pair(_rotor, speed, motion.value, motion.terms, place));
+            linalg::ComplexPair &pair = found.pairs.back();
+            pair.rounding = motion.noise / std::max(std::abs(pair.value), 1e-300);
+        }
+    std::sort(found.pairs.begin(), found.pairs.end(),
+              [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
+    return _rotor.modes_of(found, speed);
+}
+
+std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_monodromy(double speed,
+                                                                     int wanted) const {
+    constexpr double more = 1.5;
+    constexpr double margin = 1.15;
+    const double size = std::abs(speed);
+    const double all = of_average * steady(speed).fastest + turning * size;
+    double &usual = _usual[wanted];
+    double reach = std::min(all, std::max(usual, 2 * size));
+    while (true) {
+        std::optional<RotatingSpectrum::Modes> found = up_to(speed, reach, reach >= all);
+        if (!found)
+            return std::nullopt;
+        std::vector<double> moduli;
+        for (const WhirlMode &mode : found->modes)
+            moduli.push_back(std::abs(mode.eigenvalue));
+        std::sort(moduli.begin(), moduli.end());
+        const auto last = static_cast<std::size_t>(wanted) - 1;
+        if (moduli.size() > last && moduli[last] <= found->complete_radius) {
+            usual = margin * (moduli[last] + size);
+            return found;
+        }
+        if (reach >= all)
+            return found;
+        reach = std::min(all, moduli.size() > last
+                                  ? std::max(more * reach, margin * (moduli[last] + size))
+                                  : more * reach);
+    }
+}
+
+const RotatingSpectrum &FloquetSpectrum::series(double speed, int harmonics) const {
+    if (harmonics == _rotor.harmonics() && !_tables)
+        return _rotor;
+    if (_tables && speed != _series_speed)
+        _series.clear();
+    _series_speed = speed;
+    auto &known = _series[harmonics];
+    if (!known)
+        known = std::make_unique<RotatingSpectrum>(_discretization, _tables ? speed : 0, _balancers,
+                                                   harmonics, _shapes.get());
+    return *known;
+}
+
+/// With as few harmonics as leave hardly anything at the ends.
+RotatingSpectrum::Modes FloquetSpectrum::by_series(double speed, int wanted) const {
+    constexpr int fewest = 2;
+    constexpr double hardly = 1e-4; // its square is what eigenvalues are off by
+    const Eigen::Index n = _rotor.system().M.size();
+    for (int harmonics = std::min(fewest, _rotor.harmonics());; ++harmonics) {
+        RotatingSpectrum::Modes out =
+            series(speed, harmonics).modes(speed, wanted, Errors::of_right_vectors);
+        const bool last = harmonics == _rotor.harmonics();
+        const bool enough = std::all_of(out.modes.begin(), out.modes.end(), [&](const auto &mode) {
+            const Eigen::VectorXcd &x = mode.rotating_vector;
+            return x.tail(2 * n).norm() <= hardly * x.norm();
+        });
+        if (!last && !enough)
+            continue;
+        for (WhirlMode &mode : out.modes)
+            mode.rotating_vector.conservativeResizeLike(
+                Eigen::VectorXcd::Zero(n * (2 * _rotor.harmonics() + 1)));
+        return out;
+    }
+}
+
+RotatingSpectrum::Modes FloquetSpectrum::modes(double speed, int wanted) const {
+    std::optional<RotatingSpectrum::Modes> found;
+    if (speed != 0)
+        found = by_monodromy(speed, wanted);
+    if (!found) {
+        found = by_series(speed, wanted);
+    }
+    return lifted(*std::move(found), _shapes.get());
+}
+
+} // namespace whirl::modes

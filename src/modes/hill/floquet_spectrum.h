@@ -1,0 +1,65 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/linear_element.h"
+#include "modes/rotating_spectrum.h"
+#include "periodic/system.h"
+#include "periodic/whole_root.h"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace whirl::modes {
+
+/// Whirl modes of a rotor whose equations stay periodic in time (form hill) by its monodromy matrix
+/// (periodic/): all motions of a speed at once, each shown by the copy that Hill's series would
+/// show (series_pair.h). Of motions that die out within half a turn the matrix knows nothing;
+/// there, as at rest, modes are those of Hill's series.
+class FloquetSpectrum {
+  public:
+    /// @param rotor      of form hill, on the same shapes; kept by reference
+    /// @param balancers  at their balanced positions
+    /// @param shapes     planar shapes, N x r, or none
+    FloquetSpectrum(const assembly::Discretization &discretization, const RotatingSpectrum &rotor,
+                    std::vector<balancers::BalancerElement> balancers,
+                    std::shared_ptr<const Eigen::MatrixXd> shapes);
+
+    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all; shapes
+    /// over the planar unknowns of the discretization, vectors over those of the rotor.
+    /// @throws linalg::SolverError
+    [[nodiscard]] RotatingSpectrum::Modes modes(double speed, int wanted) const;
+
+  private:
+    const assembly::Discretization &_discretization;
+    const RotatingSpectrum &_rotor;
+    std::vector<balancers::BalancerElement> _balancers;
+    std::shared_ptr<const Eigen::MatrixXd> _shapes;
+    bool _tables;
+    mutable std::unique_ptr<periodic::System> _system;
+    mutable double _system_speed = 0; ///< with tables: whose bearings it has
+    mutable std::map<int, std::unique_ptr<RotatingSpectrum>> _series; ///< by harmonics
+    mutable double _series_speed = 0;     ///< with tables: whose bearings they have
+    mutable std::map<int, double> _usual; ///< by modes: reach that was enough last time, rad/s
+
+    /// Of the motions with the bearings' mean over the directions.
+    struct Steady {
+        std::vector<std::complex<double>> values;
+        double fastest = 0; ///< rad/s
+    };
+    mutable std::map<int, Steady> _steady; ///< by powers of a speed's size
+
+    [[nodiscard]] const periodic::System &system(double speed) const;
+    [[nodiscard]] const Steady &steady(double speed) const;
+    [[nodiscard]] std::optional<RotatingSpectrum::Modes> up_to(double speed, double reach,
+                                                               bool all) const;
+    [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_monodromy(double speed,
+                                                                      int wanted) const;
+    [[nodiscard]] const RotatingSpectrum &series(double speed, int harmonics) const;
+    [[nodiscard]] RotatingSpectrum::Modes by_series(double speed, int wanted) const;
+};
+
+} // namespace whirl::modes

@@ -1,0 +1,76 @@
+#include "modes/hill/series_modes_near.h"
+
+#include "modes/hill/series_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <optional>
+
+namespace whirl::modes {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A whole multiple of the spin speed, up to rounding.
+bool on_multiple(double frequency, double speed) {
+    return std::abs(std::remainder(frequency, std::abs(speed))) <= 1e-11 * std::abs(speed);
+}
+
+std::optional<linalg::ComplexPair> pair_near(const RotatingSpectrum &rotor,
+                                             const periodic::WholeRotor &whole, double speed,
+                                             Complex guess) {
+    constexpr double farthest = 0.03; // of a mode that the guesses' mesh hardly resolves
+    const auto root = whole.next_to(speed, guess, 0);
+    if (!root)
+        return std::nullopt;
+    const double size = std::max(std::abs(root->value), 1e-300);
+    if (!(std::abs(root->value - guess) <= farthest * std::max(size, std::abs(speed))))
+        return std::nullopt;
+    Complex value = root->value;
+    if (on_multiple(guess.imag(), speed)) {
+        if (std::abs(value.imag() - guess.imag()) > 1e-9 * std::abs(speed) + 10 * root->noise)
+            return std::nullopt;
+        value.imag(guess.imag());
+    }
+    const Eigen::Index n = rotor.system().M.size();
+    const Eigen::Map<const Eigen::MatrixXcd> terms(root->terms.data(), n, root->terms.size() / n);
+    linalg::ComplexPair pair = series_pair(rotor, speed, value, terms, terms.cols() / 2);
+    pair.rounding = root->noise / size;
+    return pair;
+}
+
+/// Two that were apart have come to the same eigenvalue.
+bool one_met_twice(const std::vector<WhirlMode> &before, const std::vector<WhirlMode> &after) {
+    const auto apart = [](Complex a, Complex b) { return std::abs(a - b) > 1e-8 * std::abs(a); };
+    for (std::size_t i = 0; i < after.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!apart(after[i].rotating_value, after[j].rotating_value) &&
+                apart(before[i].rotating_value, before[j].rotating_value)) {
+                return true;
+            }
+    return false;
+}
+
+} // namespace
+
+std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
+                                         const periodic::WholeRotor &whole, double speed,
+                                         const std::vector<WhirlMode> &guesses) {
+    if (speed == 0)
+        return {};
+    std::vector<WhirlMode> out;
+    for (const WhirlMode &guess : guesses) {
+        const auto pair = pair_near(rotor, whole, speed, guess.rotating_value);
+        if (!pair)
+            return {};
+        out.push_back(rotor.in_fixed_frame(*pair, speed));
+        out.back().eigenvalue = determined_value(out.back());
+        if (out.back().whirl != guess.whirl)
+            return {};
+    }
+    return one_met_twice(guesses, out) ? std::vector<WhirlMode>() : out;
+}
+
+} // namespace whirl::modes

@@ -1,0 +1,87 @@
+#include "tracking/hill/periodic_diagram.h"
+
+#include "linalg/check.h"
+#include "model/errors.h"
+#include "process/processes.h"
+#include "tracking/hill/of_whole_rotor.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+
+namespace whirl::tracking {
+
+namespace {
+
+using Speeds = std::vector<double>;
+
+Speeds with(const Speeds &some, const Speeds &others) {
+    Speeds out;
+    std::set_union(some.begin(), some.end(), others.begin(), others.end(), std::back_inserter(out));
+    return out;
+}
+
+/// With others, evenly spread over the range, so closely that few bands open and close between two
+/// of them.
+Speeds with_search_speeds(const Speeds &own) {
+    constexpr int parts = 200;
+    constexpr double same = 1e-6; // of a part
+    const double width = (own.back() - own.front()) / parts;
+    Speeds out;
+    for (int i = 0; width > 0 && i <= parts; ++i) {
+        const double speed = own.front() + width * i;
+        const auto above = std::lower_bound(own.begin(), own.end(), speed - same * width);
+        if (above == own.end() || *above > speed + same * width)
+            out.push_back(speed);
+    }
+    return with(own, out);
+}
+
+/// On process 0. @returns nothing where a mode of the whole rotor is not found
+std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
+                                   const modes::SpectrumSolver &few, const Speeds &speeds,
+                                   int modes, const Speeds &multiples, FollowedLines &found) try {
+    const OfWholeRotor whole(solver, few, modes_to_follow(solver.discretization().rotor(), modes));
+    const double low = found.spectra.front().speed;
+    const double high = found.spectra.back().speed;
+    Crossings crossed = crossings(few, found.tracking, found.spectra, multiples);
+    whole.improve(crossed, low, high);
+    for (std::size_t k = 0; k < found.spectra.size(); ++k) {
+        if (!std::binary_search(speeds.begin(), speeds.end(), found.spectra[k].speed))
+            continue;
+        std::vector<int> drawn;
+        for (const Line &line : found.tracking.lines)
+            if (line.place[k] != Line::absent && among_lowest(line, modes))
+                drawn.push_back(line.place[k]);
+        if (!whole.improve(found.spectra[k], drawn))
+            return std::nullopt;
+    }
+    return crossed;
+} catch (const model::AnalysisFailure &) {
+    return std::nullopt;
+}
+
+} // namespace
+
+std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &solver,
+                                                const Speeds &speeds, const Speeds &naming,
+                                                int modes, const Speeds &multiples) try {
+    const Speeds all = with_search_speeds(with(speeds, naming));
+    const std::unique_ptr<modes::SpectrumSolver> few = solver.by_monodromy(
+        all.front(), all.back(), modes_to_follow(solver.discretization().rotor(), modes));
+    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}};
+    std::vector<char> good(1, 1);
+    if (process::process_rank() == 0) {
+        std::optional<Crossings> crossed =
+            completed(solver, *few, speeds, modes, multiples, out.found);
+        good[0] = crossed ? 1 : 0;
+        if (crossed)
+            out.crossed = *std::move(crossed);
+    }
+    process::broadcast(good);
+    return good[0] != 0 ? std::optional(std::move(out)) : std::nullopt;
+} catch (const linalg::SolverError &) { // no shapes
+    return std::nullopt;
+}
+
+} // namespace whirl::tracking
