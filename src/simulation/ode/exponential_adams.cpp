@@ -49,7 +49,7 @@ WHIRL_INLINED void add_products(const double *w, const double *z, Eigen::Index c
 
 ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
     : _problem(problem), _half(problem.axes.count),
-      _modes(linalg::ComplexProduct::whole(problem.axes.linear.eigenvalues.size())),
+      _modes(linalg::whole_vectors(problem.axes.linear.eigenvalues.size())),
       _vectors(problem.axes.linear.vectors), _inverse(problem.axes.linear.inverse),
       _eigenvalues(parts_of(problem.axes.linear.eigenvalues, _modes)),
       _reach(adams_reach / problem.axes.linear.eigenvalues.cwiseAbs().maxCoeff()) {
@@ -72,7 +72,7 @@ ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
         n->setZero(entries);
     for (Eigen::VectorXd *y : {&_rates, &_allowed, &_error})
         y->setZero(problem.size);
-    _stack.setZero(linalg::ComplexProduct::whole(axes.linear.vectors.rows()), 2);
+    _stack.setZero(linalg::whole_vectors(axes.linear.vectors.rows()), 2);
     _modal_sum.setZero(2 * _modes);
 }
 

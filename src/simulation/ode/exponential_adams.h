@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linalg/lanes/complex_product.h"
+#include "linalg/lanes/small_products.h"
 #include "simulation/ode/adams_weights.h"
 #include "simulation/ode/ode_problem.h"
 
