@@ -57,7 +57,7 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.frequency_rotating);
         bytes.put(mode.rotating_value);
         for (const Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
             bytes.put(vector->size());
             bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
         }
@@ -81,7 +81,8 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.rounding = bytes.get<double>();
         mode.frequency_rotating = bytes.get<double>();
         mode.rotating_value = bytes.get<std::complex<double>>();
-        for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
+        for (Eigen::VectorXcd *vector :
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
             vector->resize(bytes.get<Eigen::Index>());
             bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
         }

@@ -22,7 +22,7 @@ struct QuadraticOptions {
     int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
-    /// Residual and rounding of each pair follow from its left vector, for a factorisation a pair.
+    /// Left vectors are found, for a factorisation a pair; residual and rounding follow from them.
     /// Else the first is an estimate, and in the second the right vector stands for the left one.
     bool condition = false;
 };

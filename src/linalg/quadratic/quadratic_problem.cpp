@@ -8,12 +8,13 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::linalg {
 
 QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
     : _M(M), _D(D), _K(K), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
-      _shift(shift) {
+      _shift(shift), _on_pattern(_M, _D, _K) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
     if (!_lu.factorize(Q))
         throw SolverError("the matrix at the shift is singular");
@@ -33,6 +34,20 @@ double rounding_over(const Columns &x, const Columns &slope, double entries) {
                                           x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
     const double size = std::abs(derivative);
     return size > 0 ? std::numeric_limits<double>::epsilon() * entries / size : 0;
+}
+
+Columns columns_of(const Eigen::VectorXcd &x) {
+    Columns out(x.size(), 2);
+    out.col(0) = x.real();
+    out.col(1) = x.imag();
+    return out;
+}
+
+Eigen::VectorXcd vector_of(const Columns &x) {
+    Eigen::VectorXcd out(x.rows());
+    out.real() = x.col(0);
+    out.imag() = x.col(1);
+    return out;
 }
 
 /// Adds c v to a complex vector.
@@ -91,42 +106,67 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
     }
 }
 
-void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) const {
-    using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
+std::optional<Eigen::VectorXcd> QuadraticProblem::left_vector(std::complex<double> l,
+                                                              const Eigen::VectorXcd &start) {
     // Beside the eigenvalue by so much: of those that are nearer together, which rounding tells
     // apart by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
     constexpr double beside = 1e-8;
+    // Of the matrix, a hundred times its rounding.
+    constexpr double solved = 2e-14;
+    const auto &Q = _on_pattern.at(l * (1 + beside));
+    for (const bool own_pivots : {false, true}) {
+        if (own_pivots)
+            _beside.forget_pivots();
+        if (!_beside.factorize(Q))
+            continue;
+        Eigen::VectorXcd y = start;
+        _beside.solve_transposed(y);
+        y.normalize();
+        const Columns columns = columns_of(y);
+        Columns next = _D.transpose() * columns;
+        add(2.0 * l, _M * columns, next);
+        const Eigen::VectorXcd right_side = vector_of(next);
+        y = right_side;
+        _beside.solve_transposed(y);
+        // Pivots of the matrix before may let entries grow: as much as is lost shows here.
+        const double lost = (Q.transpose() * y - right_side).norm();
+        if (lost <= solved * Q.norm() * y.norm() || (own_pivots && y.allFinite()))
+            return y.normalized();
+    }
+    return std::nullopt;
+}
+
+void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
     // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
     constexpr double unit = std::numeric_limits<double>::epsilon();
-    SparseFactor<std::complex<double>> lu;
     for (ComplexPair &pair : pairs) {
         if (std::abs(pair.value) < blurred * std::abs(_shift))
             continue; // assess() has used both vectors
         const std::complex<double> l = pair.value;
-        const std::complex<double> near = l * (1 + beside);
-        const SparseComplex Q = near * near * _M + near * _D + _K.cast<std::complex<double>>();
-        if (!lu.factorize(Q))
+        const Columns x = columns_of(pair.vector);
+        const Columns Mx = _M * x;
+        const Columns Dx = _D * x;
+        Columns r = _K * x;
+        Columns slope = Columns::Zero(x.rows(), 2); // Q'(l) x
+        add(2.0 * l, Mx, slope);
+        add(1, Dx, slope);
+        add(l * l, Mx, r);
+        add(l, Dx, r);
+        std::optional<Eigen::VectorXcd> found = left_vector(l, vector_of(slope).conjugate());
+        if (!found)
             continue; // nothing is known beyond what the right vector says
-        const Eigen::VectorXcd slope = 2.0 * l * (_M * pair.vector) + _D * pair.vector;
-        Eigen::VectorXcd left = slope.conjugate();
-        for (int k = 0; k < 2; ++k) {
-            lu.solve_transposed(left);
-            left.normalize();
-            if (k == 0)
-                left = (2.0 * l * (_M * left) + _D.transpose() * left).eval();
-        }
-        const double derivative = std::abs(l * (left.transpose() * slope).value());
-        if (!left.allFinite() || !(derivative > 0))
+        Eigen::VectorXcd &left = *found;
+        const double derivative = std::abs(l * (left.transpose() * vector_of(slope)).value());
+        if (!(derivative > 0))
             continue;
-        const Eigen::VectorXd x = pair.vector.cwiseAbs();
+        const Eigen::VectorXd a = pair.vector.cwiseAbs();
         const double size = std::abs(l);
         const double entries =
-            left.cwiseAbs().dot(_absK * x + size * (_absD * x) + size * size * (_absM * x));
+            left.cwiseAbs().dot(_absK * a + size * (_absD * a) + size * size * (_absM * a));
         pair.rounding = std::max(pair.rounding, unit * entries / derivative);
-        const Eigen::VectorXcd r =
-            l * (l * (_M * pair.vector) + _D * pair.vector) + _K * pair.vector;
-        pair.residual =
-            std::max(pair.residual, std::abs((left.transpose() * r).value()) / derivative);
+        pair.residual = std::max(pair.residual,
+                                 std::abs((left.transpose() * vector_of(r)).value()) / derivative);
+        pair.left = *std::move(found);
     }
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
+#include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
 #include <Eigen/SparseCore>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace whirl::linalg {
@@ -28,10 +30,10 @@ class QuadraticProblem {
     /// Normalises the vectors of the pairs and fills in their residuals and rounding, the latter
     /// with the right vectors in place of the left ones.
     void assess(std::vector<ComplexPair> &pairs) const;
-    /// Residual and rounding of pairs once more, with their left vectors: by what the eigenvalue is
-    /// off to first order, and its condition. Double ones, which any vectors of a plane belong to,
-    /// get the condition of the plane.
-    void assess_condition(std::vector<ComplexPair> &pairs) const;
+    /// Left vectors, where they can be found, and with them residual and rounding of pairs once
+    /// more: by what the eigenvalue is off to first order, and its condition. Double ones, which
+    /// any vectors of a plane belong to, get the condition of the plane.
+    void assess_condition(std::vector<ComplexPair> &pairs);
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
@@ -42,7 +44,14 @@ class QuadraticProblem {
     using Sparse = Eigen::SparseMatrix<double>;
     Sparse _M, _D, _K, _absM, _absD, _absK;
     double _shift;
+    QuadraticPattern _on_pattern;
     SparseFactor<double> _lu;
+    SparseFactor<std::complex<double>> _beside{true}; ///< next to the last eigenvalue looked at
+
+    /// By two steps of inverse iteration with the transposed problem, of length 1; nothing where it
+    /// cannot be found.
+    [[nodiscard]] std::optional<Eigen::VectorXcd> left_vector(std::complex<double> l,
+                                                              const Eigen::VectorXcd &start);
 
     /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is
