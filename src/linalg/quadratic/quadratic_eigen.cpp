@@ -180,10 +180,10 @@ QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOpti
     return result;
 }
 
-/// Where not all are resolved, by another decomposition too, and the better of both.
+/// Where not enough are resolved, by another decomposition too, and the better of both.
 QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
     QuadraticResult result = solve_dense(problem, options, false);
-    if (std::isinf(result.complete_radius))
+    if (result.complete_radius >= options.enough)
         return result;
     QuadraticResult other = solve_dense(problem, options, true);
     if (other.complete_radius > result.complete_radius)
