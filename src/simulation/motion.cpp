@@ -23,9 +23,11 @@ template <class A, class B> double turning(const A &a, const B &b) {
 template <int planes>
 void solve_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
                   Eigen::MatrixXd &y, int columns) {
-    const reduction::PlaneSystem<planes> system(products, coupling);
-    for (int column = 0; column < columns; ++column)
-        system.solve(y.col(column).data());
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const reduction::PlaneSystem<planes> system(products, coupling);
+        for (int column = 0; column < columns; ++column)
+            system.solve(y.col(column).data());
+    });
 }
 
 void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,

@@ -1,10 +1,11 @@
 #include "simulation/ode/exponential_adams.h"
 
 #include "linalg/check.h"
-#include "linalg/lanes/complex4.h"
+#include "simulation/ode/modal_parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace whirl::simulation {
@@ -23,27 +24,6 @@ constexpr double worth_a_change = 1.3;
 constexpr double far_too_large = 5;
 /// Steps between two looks at the neighbouring orders.
 constexpr int order_every = 3;
-
-/// Real parts, filled up to `whole` entries, above the imaginary ones.
-template <class Numbers> Eigen::VectorXd parts_of(const Numbers &numbers, Eigen::Index whole) {
-    Eigen::VectorXd out = Eigen::VectorXd::Zero(2 * whole);
-    for (Eigen::Index i = 0; i < numbers.size(); ++i) {
-        out(i) = numbers(i).real();
-        out(whole + i) = numbers(i).imag();
-    }
-    return out;
-}
-
-/// sum += sign w z, each `count` real parts above as many imaginary ones.
-template <int sign>
-WHIRL_INLINED void add_products(const double *w, const double *z, Eigen::Index count, double *sum) {
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double along = w[i] * z[i] - w[count + i] * z[count + i];
-        const double across = w[i] * z[count + i] + w[count + i] * z[i];
-        sum[i] += sign * along;
-        sum[count + i] += sign * across;
-    }
-}
 
 } // namespace
 
@@ -219,15 +199,22 @@ void ExponentialAdams::advance(const Weights &w, int count, const Point &from, P
     const auto own = std::ssize(_own);
     double *sum = _sum.data();
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        std::fill_n(to.modal.data(), 2 * _modes, 0.0);
-        add_products<1>(w.growth.data(), from.modal.data(), _modes, to.modal.data());
+        for (Eigen::Index i = 0; i < _modes; i += linalg::lanes) {
+            linalg::Complex4 modal;
+            set_product(modal, four_at(w.growth.data() + i, _modes),
+                        four_at(from.modal.data() + i, _modes));
+            for (int j = 0; j < count; ++j)
+                add_product(modal, four_at(w.modal.col(j).data() + i, _modes),
+                            four_at(_differences.col(j).data() + i, _modes));
+            std::memcpy(to.modal.data() + i, &modal.re, sizeof modal.re);
+            std::memcpy(to.modal.data() + _modes + i, &modal.im, sizeof modal.im);
+        }
         std::fill_n(sum, own, 0.0);
         for (int j = 0; j < count; ++j) {
-            const double *column = _differences.col(j).data();
-            add_products<1>(w.modal.col(j).data(), column, _modes, to.modal.data());
+            const double *column = _differences.col(j).data() + 2 * _modes;
             const double weight = w.own[static_cast<std::size_t>(j)];
             for (Eigen::Index i = 0; i < own; ++i)
-                sum[i] += weight * column[2 * _modes + i];
+                sum[i] += weight * column[i];
         }
     });
     for (const int i : _own)
