@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,7 +15,7 @@ namespace whirl::linalg {
 
 QuadraticProblem::QuadraticProblem(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
     : _M(M), _D(D), _K(K), _absM(_M.cwiseAbs()), _absD(_D.cwiseAbs()), _absK(_K.cwiseAbs()),
-      _shift(shift), _on_pattern(_M, _D, _K) {
+      _shift(shift) {
     const Sparse Q = shift * shift * _M + shift * _D + _K;
     if (!_lu.factorize(Q))
         throw SolverError("the matrix at the shift is singular");
@@ -106,67 +107,99 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
     }
 }
 
-std::optional<Eigen::VectorXcd> QuadraticProblem::left_vector(std::complex<double> l,
-                                                              const Eigen::VectorXcd &start) {
-    // Beside the eigenvalue by so much: of those that are nearer together, which rounding tells
-    // apart by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
-    constexpr double beside = 1e-8;
-    // Of the matrix, a hundred times its rounding.
-    constexpr double solved = 2e-14;
-    const auto &Q = _on_pattern.at(l * (1 + beside));
-    for (const bool own_pivots : {false, true}) {
-        if (own_pivots)
-            _beside.forget_pivots();
-        if (!_beside.factorize(Q))
-            continue;
-        Eigen::VectorXcd y = start;
-        _beside.solve_transposed(y);
-        y.normalize();
-        const Columns columns = columns_of(y);
-        Columns next = _D.transpose() * columns;
-        add(2.0 * l, _M * columns, next);
-        const Eigen::VectorXcd right_side = vector_of(next);
-        y = right_side;
-        _beside.solve_transposed(y);
-        // Pivots of the matrix before may let entries grow: as much as is lost shows here.
-        const double lost = (Q.transpose() * y - right_side).norm();
-        if (lost <= solved * Q.norm() * y.norm() || (own_pivots && y.allFinite()))
-            return y.normalized();
+namespace {
+
+/// Beside the eigenvalue by so much: of those that are nearer together, which rounding tells apart
+/// by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
+constexpr double beside = 1e-8;
+/// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
+/// rounding.
+constexpr double solved = 2e-14;
+
+} // namespace
+
+Eigen::VectorXcd QuadraticProblem::left_vector(std::complex<double> l, Eigen::VectorXcd start) {
+    SparseFactor<std::complex<double>> lu;
+    if (!lu.factorize(_on_pattern->at(l * (1 + beside))))
+        return {};
+    lu.solve_transposed(start);
+    const Columns y = columns_of(start.normalized());
+    Columns next = _D.transpose() * y;
+    add(2.0 * l, _M * y, next);
+    Eigen::VectorXcd out = vector_of(next);
+    lu.solve_transposed(out);
+    out.normalize();
+    return out.allFinite() ? out : Eigen::VectorXcd();
+}
+
+/// Products and left vectors of at most four pairs, without exchanges of rows.
+void QuadraticProblem::look_beside(std::span<ComplexPair *const> pairs) {
+    if (!_on_pattern) {
+        _on_pattern.emplace(_M, _D, _K);
+        _four.factors.emplace(_on_pattern->pattern());
     }
-    return std::nullopt;
+    QuadraticPattern::Four l;
+    QuadraticPattern::Four near;
+    std::array<const Eigen::VectorXcd *, lanes> vectors{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) { // the last one fills those that are left
+        const ComplexPair &pair = *pairs[std::min(lane, pairs.size() - 1)];
+        l[lane] = pair.value;
+        near[lane] = pair.value * (1 + beside);
+        vectors[lane] = &pair.vector;
+    }
+    _on_pattern->set_slopes(l, _four.slopes);
+    set(_four.x, vectors);
+    _on_pattern->multiply(_four.slopes, _four.x, _four.slope);
+    _on_pattern->set_values(l, _four.Q);
+    _on_pattern->multiply(_four.Q, _four.x, _four.residual);
+    _on_pattern->set_values(near, _four.Q);
+    _four.sound = _four.factors->factorize(_four.Q);
+    _four.left = _four.slope;
+    for (Complex4 &entry : _four.left)
+        entry.im = -entry.im;
+    _four.factors->solve_transposed(_four.left);
+    _on_pattern->multiply_transposed(_four.slopes, _four.left, _four.start);
+    _four.left = _four.start;
+    _four.factors->solve_transposed(_four.left);
+    _on_pattern->multiply_transposed(_four.Q, _four.left, _four.lost);
+}
+
+/// By what look_beside() left in a lane.
+void QuadraticProblem::take_condition(ComplexPair &pair, int lane) {
+    // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
+    constexpr double unit = std::numeric_limits<double>::epsilon();
+    const Eigen::VectorXcd slope = vector_of(_four.slope, lane);
+    Eigen::VectorXcd left = vector_of(_four.left, lane);
+    const double lost = (vector_of(_four.lost, lane) - vector_of(_four.start, lane)).norm();
+    const double entries = vector_of(_four.Q, lane).norm();
+    if (_four.sound[static_cast<std::size_t>(lane)] && lost <= solved * entries * left.norm())
+        left.normalize();
+    else
+        left = left_vector(pair.value, slope.conjugate());
+    if (left.size() == 0)
+        return; // nothing is known beyond what the right vector says
+    const double size = std::abs(pair.value);
+    const double derivative = size * std::abs((left.transpose() * slope).value());
+    if (!(derivative > 0))
+        return;
+    pair.rounding =
+        std::max(pair.rounding, unit * _on_pattern->size(left, size, pair.vector) / derivative);
+    const double off = std::abs((left.transpose() * vector_of(_four.residual, lane)).value());
+    pair.residual = std::max(pair.residual, off / derivative);
+    pair.left = std::move(left);
 }
 
 void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
-    // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
-    constexpr double unit = std::numeric_limits<double>::epsilon();
-    for (ComplexPair &pair : pairs) {
-        if (std::abs(pair.value) < blurred * std::abs(_shift))
-            continue; // assess() has used both vectors
-        const std::complex<double> l = pair.value;
-        const Columns x = columns_of(pair.vector);
-        const Columns Mx = _M * x;
-        const Columns Dx = _D * x;
-        Columns r = _K * x;
-        Columns slope = Columns::Zero(x.rows(), 2); // Q'(l) x
-        add(2.0 * l, Mx, slope);
-        add(1, Dx, slope);
-        add(l * l, Mx, r);
-        add(l, Dx, r);
-        std::optional<Eigen::VectorXcd> found = left_vector(l, vector_of(slope).conjugate());
-        if (!found)
-            continue; // nothing is known beyond what the right vector says
-        Eigen::VectorXcd &left = *found;
-        const double derivative = std::abs(l * (left.transpose() * vector_of(slope)).value());
-        if (!(derivative > 0))
-            continue;
-        const Eigen::VectorXd a = pair.vector.cwiseAbs();
-        const double size = std::abs(l);
-        const double entries =
-            left.cwiseAbs().dot(_absK * a + size * (_absD * a) + size * size * (_absM * a));
-        pair.rounding = std::max(pair.rounding, unit * entries / derivative);
-        pair.residual = std::max(pair.residual,
-                                 std::abs((left.transpose() * vector_of(r)).value()) / derivative);
-        pair.left = *std::move(found);
+    std::vector<ComplexPair *> asked; // of those beside zero assess() has used both vectors
+    for (ComplexPair &pair : pairs)
+        if (std::abs(pair.value) >= blurred * std::abs(_shift))
+            asked.push_back(&pair);
+    for (std::size_t i = 0; i < asked.size(); i += lanes) {
+        const std::span four =
+            std::span(asked).subspan(i, std::min<std::size_t>(lanes, asked.size() - i));
+        look_beside(four);
+        for (std::size_t k = 0; k < four.size(); ++k)
+            take_condition(*four[k], static_cast<int>(k));
     }
 }
 

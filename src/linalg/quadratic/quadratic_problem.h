@@ -1,13 +1,16 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
+#include "linalg/lanes/general_factors.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace whirl::linalg {
@@ -44,14 +47,24 @@ class QuadraticProblem {
     using Sparse = Eigen::SparseMatrix<double>;
     Sparse _M, _D, _K, _absM, _absD, _absK;
     double _shift;
-    QuadraticPattern _on_pattern;
     SparseFactor<double> _lu;
-    SparseFactor<std::complex<double>> _beside{true}; ///< next to the last eigenvalue looked at
 
-    /// By two steps of inverse iteration with the transposed problem, of length 1; nothing where it
+    /// At work on four pairs: Q next to their eigenvalues, Q'(l), x, Q'(l) x, Q(l) x, right side
+    /// and left vector of the last step of inverse iteration, and their product.
+    struct Four {
+        std::optional<GeneralFactors> factors; ///< made when first asked for
+        std::array<bool, lanes> sound{};
+        Vector4 Q, slopes, x, slope, residual, start, left, lost;
+    } _four;
+
+    std::optional<QuadraticPattern> _on_pattern; ///< likewise
+
+    void look_beside(std::span<ComplexPair *const> pairs);
+    void take_condition(ComplexPair &pair, int lane);
+    /// By two steps of inverse iteration with the transposed problem, of length 1; empty where it
     /// cannot be found.
-    [[nodiscard]] std::optional<Eigen::VectorXcd> left_vector(std::complex<double> l,
-                                                              const Eigen::VectorXcd &start);
+    /// @param start  Q'(l) x, conjugate
+    [[nodiscard]] Eigen::VectorXcd left_vector(std::complex<double> l, Eigen::VectorXcd start);
 
     /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is
