@@ -317,18 +317,19 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
     Eigen::Vector2d torque(0, 0);
     for (std::size_t i = 0; i < _free_equations.size(); ++i) {
         const balancers::MassEquation &e = _free_equations[i];
-        torque += e.torque;
-        torque(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
         const bool resists = !_dry.resists.empty() && _dry.resists[i];
         const double lever = resists ? _dry.slip[i] * e.lever : 0;
+        Eigen::Vector2d own = e.torque;
+        own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
         if (resists)
-            torque(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
+            own(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
         for (Index column = 0; column < columns; ++column) {
-            const auto y = _planes.col(column).segment<4>(4 * _plane_of[i]);
-            torque(column) += y(1) * e.offset(0) - y(0) * e.offset(1);
+            const double *y = _planes.col(column).data() + 4 * _plane_of[i];
+            own(column) += y[1] * e.offset(0) - y[0] * e.offset(1);
             if (resists)
-                torque(column) -= lever * y.dot(e.normal_y);
+                own(column) -= lever * Eigen::Map<const Eigen::Vector4d>(y).dot(e.normal_y);
         }
+        torque += own;
     }
     return torque;
 }

@@ -62,7 +62,7 @@ struct RowOfProduct {
     }
 };
 
-void multiply(const RowsIn &A, const RowsIn &B, bool add, RowsOut out) {
+void multiply(const RowsIn &A, const RowsIn &B, bool add, RowsOut &out) {
     in_lanes([&]() __attribute__((always_inline)) {
         for (Index row = 0; row < A.rows(); ++row) {
             const RowOfProduct work{A.data() + row * A.outerStride(), B, add,
