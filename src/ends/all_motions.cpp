@@ -33,6 +33,9 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
 /// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
 constexpr double same_root = 1e-3;
 
+/// Numbers in all spectra that are remembered: some 60 MB.
+constexpr double most_remembered = 8e6;
+
 } // namespace
 
 AllMotions::AllMotions(const assembly::Discretization &discretization, results::Form form,
@@ -70,6 +73,18 @@ double AllMotions::reach() const {
 Spectrum AllMotions::at(double speed, int piece) const {
     const double shift = 0.31 * std::max(std::abs(speed), _slow);
     return all_roots(_rotor->at(speed, piece), speed, shift, _zeros);
+}
+
+Spectrum AllMotions::remembered_at(double speed, int piece) const {
+    const auto known = _remembered.find({piece, speed});
+    if (known != _remembered.end())
+        return known->second;
+    Spectrum out = at(speed, piece);
+    // Each root has two complex vectors of half as many entries as there are roots; and matrices.
+    const auto numbers = static_cast<double>(4 * out.roots.size() * out.roots.size());
+    if (static_cast<double>(_remembered.size()) * numbers < most_remembered)
+        _remembered.emplace(std::pair(piece, speed), out);
+    return out;
 }
 
 WholeMotion AllMotions::lifted(const Root &root, double speed) const {

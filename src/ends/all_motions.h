@@ -7,8 +7,10 @@
 #include "modes/form_matrices.h"
 #include "results/formulation.h"
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::ends {
@@ -29,6 +31,8 @@ class AllMotions {
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor->piece_of(speed)); }
+    /// As at(), remembered for another search through the same speeds as far as there is room.
+    [[nodiscard]] Spectrum remembered_at(double speed, int piece) const;
 
     /// A root as a motion of the whole rotor to begin with.
     [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
@@ -61,6 +65,7 @@ class AllMotions {
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
+    mutable std::map<std::pair<int, double>, Spectrum> _remembered; ///< of a piece and a speed
 
     [[nodiscard]] double least_reach() const;
 };

@@ -53,7 +53,9 @@ class EndSearch {
         : _motions(motions) {
         const double top = std::max(std::abs(from), std::abs(to));
         for (int piece = 0; piece < motions.pieces(); ++piece) {
-            const SpectrumAt at = [&, piece](double speed) { return motions.at(speed, piece); };
+            const SpectrumAt at = [&, piece](double speed) {
+                return motions.remembered_at(speed, piece);
+            };
             const double low = motions.rotor().from(piece);
             const double high = motions.rotor().to(piece);
             const auto speeds = base_speeds(low, high, looks, top, (to - from) / steps);

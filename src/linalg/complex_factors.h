@@ -63,6 +63,7 @@ class SymmetricFactor {
   private:
     friend class RealEnergy;
     friend class SymmetricFactors;
+    friend class GeneralFactors;
     using Complex = std::complex<double>;
     /// An entry of the upper triangle in the order of elimination, and its place in the matrix.
     struct Entry {

@@ -1,5 +1,6 @@
 #include "modes/biorthogonal.h"
 
+#include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
 #include <Eigen/Dense>
@@ -86,16 +87,12 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
 /// steps from a shift 1e-7 off leave (1e-7 over the relative gap)^2 of the other modes.
 Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd &values,
                               const Eigen::MatrixXcd &X) {
-    using ComplexSparse = Eigen::SparseMatrix<Complex>;
-    const ComplexSparse M = problem.M.cast<Complex>();
-    const ComplexSparse D = problem.D.cast<Complex>();
-    const ComplexSparse K = problem.K.cast<Complex>();
+    linalg::QuadraticPattern Q(problem.M, problem.D, problem.K);
     Eigen::MatrixXcd Y = times(problem.M, Eigen::MatrixXcd(X.conjugate()));
     linalg::SparseFactor<Complex> lu;
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const Complex v = values(i) * (1 + 1e-7);
-        const ComplexSparse Q = v * v * M + v * D + K;
-        if (v == 0.0 || !lu.factorize(Q)) {
+        if (v == 0.0 || !lu.factorize(Q.at(v))) {
             Y.col(i).setZero(); // not followed by this vector
             continue;
         }

@@ -72,6 +72,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors e
             WhirlMode mode;
             mode.eigenvalue = pair.value;
             mode.shape = pair.vector;
+            mode.left = pair.left;
             mode.residual = pair.residual;
             mode.rounding = pair.rounding;
             out.modes.push_back(std::move(mode));

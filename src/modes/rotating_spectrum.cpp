@@ -142,8 +142,8 @@ void RotatingSpectrum::take_standing_copy(double speed, std::vector<linalg::Comp
         }
 }
 
-RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double shift,
-                                                      Keep keep) const {
+RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, double radius,
+                                                      double shift, Keep keep) const {
     linalg::QuadraticOptions options;
     options.shift = shift;
     options.fewest = 1;
@@ -156,6 +156,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
     } else if (_harmonics == 0) {
         options.wanted = std::min(wanted, _system.M.size());
         options.method = _method;
+        options.enough = radius + shift;
         found = linalg::solve_quadratic(_M, _C + speed * _Cs,
                                         _K + speed * _Ks + speed * speed * _Kss, options);
     } else {
@@ -182,7 +183,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep) const {
+                                                      Keep keep, Reach reach) const {
     // The shift is no eigenvalue, and of the size of what is looked for: the motions on the
     // supports, or, where those are far slower than the elastic ones wanted besides, these.
     const bool near_zero = keep == Keep::accurate && speed != 0; // every motion has a copy there
@@ -191,16 +192,16 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
                           : std::max(std::abs(speed), assembly::support_scale(_discretization)));
     const double fast = 0.31 * std::max(std::abs(speed), assembly::elastic_scale(_discretization));
     try {
-        return up_to(speed, radius, least, keep, slow);
+        return up_to(speed, radius, least, keep, reach, slow);
     } catch (const linalg::SolverError &) {
         if (fast == slow)
             throw;
-        return up_to(speed, radius, least, keep, fast);
+        return up_to(speed, radius, least, keep, reach, fast);
     }
 }
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radius, int least,
-                                                      Keep keep, double shift) const {
+                                                      Keep keep, Reach reach, double shift) const {
     if (_exhausted_speed != speed)
         _exhausted.clear();
     _exhausted_speed = speed;
@@ -208,14 +209,23 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
     const int all = _system.M.size() * terms;
     const int first = std::min(all, std::max(least, _usual));
     const double needed = first < all ? radius : 0; // of all asked for, those that are resolved
-    for (const Exhausted &known : _exhausted)
-        if (known.shift == shift && known.keep == keep)
+    const double sought =
+        reach == Reach::asked && first < all ? radius : std::numeric_limits<double>::infinity();
+    for (const Exhausted &known : _exhausted) {
+        // What fell short of what was sought is all there is.
+        const double radius_of_it = known.found.complete_radius;
+        const bool final = known.sought >= sought || radius_of_it < known.sought;
+        if (known.shift == shift && known.keep == keep && (final || radius_of_it >= sought))
             return reaching(known.found, needed);
+    }
     double reached = 0;
     for (int wanted = first;; wanted = std::min(all, wanted + std::max(4, wanted / 2))) {
-        Eigenvalues out = solve(speed, wanted, shift, keep);
+        Eigenvalues out = solve(speed, wanted, sought, shift, keep);
         if (out.exhausted) {
-            _exhausted.push_back({shift, keep, out});
+            std::erase_if(_exhausted, [&](const Exhausted &known) {
+                return known.shift == shift && known.keep == keep;
+            });
+            _exhausted.push_back({shift, keep, out, sought});
             return reaching(out, needed);
         }
         // No more can be resolved beside those found: enough where they reach as far as asked.
@@ -234,7 +244,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::up_to(double speed, double radiu
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double radius,
                                                             int least) const {
-    Eigenvalues out = up_to(speed, radius, least, Keep::best);
+    Eigenvalues out = up_to(speed, radius, least, Keep::best, Reach::asked);
     for (linalg::ComplexPair &pair : out.pairs)
         pair.vector.conservativeResize(_system.M.size());
     return out;
@@ -242,7 +252,7 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::eigenvalues(double speed, double
 
 RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radius,
                                                        int least) const {
-    return up_to(speed, radius, least, Keep::accurate);
+    return up_to(speed, radius, least, Keep::accurate, Reach::asked);
 }
 
 /// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
@@ -349,7 +359,7 @@ RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) cons
     bool any = false;
     for (int attempt = 0; attempt <= 12; ++attempt) {
         try {
-            out.found = up_to(speed, radius, wanted, Keep::best);
+            out.found = up_to(speed, radius, wanted, Keep::best, Reach::farthest);
         } catch (const linalg::SolverError &) {
             if (!any)
                 throw;

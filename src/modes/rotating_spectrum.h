@@ -118,18 +118,27 @@ class RotatingSpectrum {
         best,    ///< the one whose constant part is largest
         accurate ///< those whose largest term has neighbours on both sides in the series
     };
-    /// What a shift gives from which no more can be had, however much is asked for.
+    /// Complete up to where.
+    enum class Reach {
+        asked,   ///< the radius
+        farthest ///< as far as double precision goes: modes beyond are known to be missing
+    };
+    /// What a shift gives from which no more can be had, however many are asked for.
     struct Exhausted {
         double shift = 0;
         Keep keep = Keep::best;
         Eigenvalues found;
+        double sought = 0; ///< radius up to which a more complete answer was sought
     };
     mutable double _exhausted_speed = 0;
     mutable std::vector<Exhausted> _exhausted; ///< at that speed
-    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep) const;
     [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep,
+                                    Reach reach) const;
+    [[nodiscard]] Eigenvalues up_to(double speed, double radius, int least, Keep keep, Reach reach,
                                     double shift) const;
-    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double shift, Keep keep) const;
+    /// @param radius  needed, as far as double precision goes
+    [[nodiscard]] Eigenvalues solve(double speed, int wanted, double radius, double shift,
+                                    Keep keep) const;
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
                                    linalg::ComplexPair &pair);

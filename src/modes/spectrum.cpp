@@ -346,7 +346,15 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
                     (*rates)(i) = std::conj((*rates)(i));
         return out;
     }
-    return basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
+    const QuadraticAt problem = _data->matrices().at(spectrum.speed);
+    const bool known = std::ranges::all_of(
+        spectrum.modes, [n](const WhirlMode &one) { return one.left.size() == n; });
+    if (!known || _data->matrices().mirrored())
+        return basis_of(problem, values, X, _data->matrices().mirrored());
+    Eigen::MatrixXcd Y(n, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        Y.col(i) = mode(i).left;
+    return basis_of(problem, values, X, Y);
 }
 
 Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {

@@ -27,6 +27,7 @@ struct WhirlMode {
     /// `whirl`. Planar damped: complex w with w(t) = w exp(rotating_value t). Hyperbolic: real
     /// (x, y') with y = i y'. General: complex (x, y).
     Eigen::VectorXcd shape;
+    Eigen::VectorXcd left; ///< form general: left vector of the eigenvalue; empty: not known
     results::Whirl whirl = results::Whirl::mixed;
     double forward_fraction = 0.5;
     double frequency_rotating = 0; ///< seen in rotating axes, rad/s; in rotating forms only

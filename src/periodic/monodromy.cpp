@@ -1,8 +1,9 @@
 #include "periodic/monodromy.h"
 
 #include "linalg/check.h"
-#include "linalg/dense/blas.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/lanes/row_products.h"
+#include "linalg/lanes/small_products.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "periodic/collocation.h"
 
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace whirl::periodic {
@@ -22,7 +24,29 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-using Blocks = std::vector<MatrixXd>; ///< one for each stage
+using linalg::Rows;
+
+/// Matrices n x c of all stages, a row each: their rows one after another.
+class Blocks {
+  public:
+    Blocks(Eigen::Index rows, Eigen::Index columns)
+        : _rows(rows), _columns(columns), _all(Rows::Zero(stages, rows * columns)) {}
+
+    [[nodiscard]] Eigen::Index rows() const { return _rows; }
+    [[nodiscard]] Eigen::Index columns() const { return _columns; }
+    [[nodiscard]] const Rows &all() const { return _all; }
+    [[nodiscard]] Rows &all() { return _all; }
+    [[nodiscard]] Eigen::Map<Rows> at(Eigen::Index stage) {
+        return {_all.row(stage).data(), _rows, _columns};
+    }
+    [[nodiscard]] Eigen::Map<const Rows> at(Eigen::Index stage) const {
+        return {_all.row(stage).data(), _rows, _columns};
+    }
+
+  private:
+    Eigen::Index _rows, _columns;
+    Rows _all;
+};
 
 /// The collocation equations of the steady part over one step, U_i the change of q from its
 /// beginning to point i, B the inverse of the method's matrix over the length of the step:
@@ -31,56 +55,53 @@ using Blocks = std::vector<MatrixXd>; ///< one for each stage
 class StageSystem {
   public:
     StageSystem(const System::Steady &steady, double length)
-        : _steady(steady), _B(collocation().inverse / length) {
+        : _M(-steady.M), _D(-steady.D), _K(-steady.K), _B(collocation().inverse / length),
+          _left(stages, stages), _T(stages, stages) {
+        const Collocation &points = collocation();
         for (Eigen::Index pair = 0; pair < stages / 2; ++pair) {
-            const Complex root = collocation().roots(pair) / length;
+            const Complex root = points.roots(pair) / length;
             _factors.emplace_back(root * root * steady.M + root * steady.D +
                                   steady.K.cast<Complex>());
+            _left.row(2 * pair) = points.left.row(pair).real();
+            _left.row(2 * pair + 1) = points.left.row(pair).imag();
+            _T.col(2 * pair) = 2 * points.T.col(pair).real();
+            _T.col(2 * pair + 1) = -2 * points.T.col(pair).imag();
         }
     }
 
-    [[nodiscard]] const MatrixXd &B() const { return _B; }
+    /// sum_k B_ik of each i
+    [[nodiscard]] Eigen::VectorXd start() const { return _B.rowwise().sum(); }
 
+    /// @param right  of as many columns as fill whole vectors of the machine
     [[nodiscard]] Blocks solve(const Blocks &right) const {
         Blocks out = transformed(right);
         // The transformation costs four digits: they come back.
-        const Blocks correction = transformed(rest(right, out));
-        for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] += correction[i];
+        out.all() += transformed(rest(right, out)).all();
         return out;
     }
 
     /// sum_k B_ik X_k
     [[nodiscard]] Blocks rates(const Blocks &X) const {
-        Blocks out;
-        for (Eigen::Index i = 0; i < stages; ++i) {
-            out.push_back(_B(i, 0) * X.front());
-            for (Eigen::Index k = 1; k < stages; ++k)
-                out.back() += _B(i, k) * X[static_cast<std::size_t>(k)];
-        }
+        Blocks out(X.rows(), X.columns());
+        linalg::set_product(_B, X.all(), out.all());
         return out;
     }
 
   private:
-    const System::Steady &_steady;
-    MatrixXd _B;
-    std::vector<Eigen::PartialPivLU<MatrixXcd>> _factors; ///< of one root of each pair
+    Rows _M, _D, _K; ///< all with a minus
+    Rows _B;
+    Rows _left, _T;                          ///< of the pairs, real and imaginary parts
+    std::vector<linalg::RowSolver> _factors; ///< of one root of each pair
 
     /// The transformation makes one system of each root.
     [[nodiscard]] Blocks transformed(const Blocks &right) const {
-        const Collocation &points = collocation();
-        Blocks out(stages, MatrixXd::Zero(right.front().rows(), right.front().cols()));
-        for (Eigen::Index pair = 0; pair < stages / 2; ++pair) {
-            MatrixXcd sum = points.left(pair, 0) * right.front();
-            for (Eigen::Index k = 1; k < stages; ++k)
-                sum += points.left(pair, k) * right[static_cast<std::size_t>(k)];
-            const MatrixXcd solved = _factors[static_cast<std::size_t>(pair)].solve(sum);
-            for (Eigen::Index i = 0; i < stages; ++i) {
-                const Complex weight = 2.0 * points.T(i, pair);
-                out[static_cast<std::size_t>(i)] +=
-                    weight.real() * solved.real() - weight.imag() * solved.imag();
-            }
-        }
+        Blocks sums(right.rows(), right.columns()); // two parts of each pair
+        linalg::set_product(_left, right.all(), sums.all());
+        for (Eigen::Index pair = 0; pair < stages / 2; ++pair)
+            _factors[static_cast<std::size_t>(pair)].solve(sums.at(2 * pair),
+                                                           sums.at(2 * pair + 1));
+        Blocks out(right.rows(), right.columns());
+        linalg::set_product(_T, sums.all(), out.all());
         return out;
     }
 
@@ -88,8 +109,11 @@ class StageSystem {
         const Blocks V = rates(U);
         const Blocks W = rates(V);
         Blocks out = right;
-        for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] -= _steady.M * W[i] + _steady.D * V[i] + _steady.K * U[i];
+        for (Eigen::Index i = 0; i < stages; ++i) {
+            linalg::add_product(_M, W.at(i), out.at(i));
+            linalg::add_product(_D, V.at(i), out.at(i));
+            linalg::add_product(_K, U.at(i), out.at(i));
+        }
         return out;
     }
 };
@@ -98,10 +122,10 @@ class StageSystem {
 /// and rates at the places and points (or displacements alone) Y x + Z f, of the state x at its
 /// beginning and forces -f at places and points (points one after the other).
 struct StepMaps {
-    MatrixXd R; ///< 2n x 2n
-    MatrixXd L; ///< 2n x sm
-    MatrixXd Y; ///< 2sm x 2n, or sm x 2n
-    MatrixXd Z; ///< 2sm x sm, or sm x sm
+    Rows R; ///< 2n x 2n
+    Rows L; ///< 2n x sm
+    Rows Y; ///< 2sm x 2n, or sm x 2n
+    Rows Z; ///< 2sm x sm, or sm x sm
 
     StepMaps(const System &system, double speed, double length) {
         const System::Steady steady = system.steady(speed);
@@ -109,30 +133,31 @@ struct StepMaps {
         const Eigen::Index n = system.size();
         const MatrixXd &P = system.places();
         const Eigen::Index m = P.cols();
-        const Eigen::VectorXd start = equations.B().rowwise().sum();
-        Blocks right(stages, MatrixXd::Zero(n, 2 * n + stages * m));
+        const Eigen::Index columns = 2 * n + stages * m;
+        const Eigen::VectorXd start = equations.start();
+        Blocks right(n, linalg::whole_vectors(columns));
         for (Eigen::Index i = 0; i < stages; ++i) {
-            MatrixXd &here = right[static_cast<std::size_t>(i)];
+            auto here = right.at(i);
             here.leftCols(n) = -steady.K;
             here.middleCols(n, n) = start(i) * steady.M;
             here.middleCols(2 * n + i * m, m) = -P;
         }
         Blocks q = equations.solve(right);
         const Blocks v = equations.rates(q);
-        for (MatrixXd &here : q)
-            here.leftCols(n).diagonal().array() += 1;
-        MatrixXd last(2 * n, 2 * n + stages * m);
-        last << q.back(), v.back();
+        for (Eigen::Index i = 0; i < stages; ++i)
+            q.at(i).leftCols(n).diagonal().array() += 1;
+        Rows last(2 * n, columns);
+        last << q.at(stages - 1).leftCols(columns), v.at(stages - 1).leftCols(columns);
         if (!last.allFinite())
             throw linalg::SolverError("a step in time meets a singular matrix");
         R = last.leftCols(2 * n);
         L = last.rightCols(stages * m);
         const Eigen::Index rows = system.turning(speed, 0).cols(); // at each point
-        MatrixXd seen(stages * rows, last.cols());
+        Rows seen(stages * rows, columns);
         for (Eigen::Index i = 0; i < stages; ++i) {
-            seen.middleRows(i * rows, m) = P.transpose() * q[static_cast<std::size_t>(i)];
+            seen.middleRows(i * rows, m) = P.transpose() * q.at(i).leftCols(columns);
             if (rows > m)
-                seen.middleRows(i * rows + m, m) = P.transpose() * v[static_cast<std::size_t>(i)];
+                seen.middleRows(i * rows + m, m) = P.transpose() * v.at(i).leftCols(columns);
         }
         Y = seen.leftCols(2 * n);
         Z = seen.rightCols(stages * m);
@@ -140,24 +165,22 @@ struct StepMaps {
 };
 
 /// How displacements and rates at the places act back at each point of one step: S_i (y, y').
-Blocks forces(const System &system, double speed, double from, double length) {
-    Blocks out;
+std::vector<Rows> forces(const System &system, double speed, double from, double length) {
+    std::vector<Rows> out;
     for (int i = 0; i < stages; ++i) {
         const double time = from + collocation().nodes(i) * length;
-        out.push_back(system.turning(speed, 2 * speed * time));
+        out.emplace_back(system.turning(speed, 2 * speed * time));
     }
     return out;
 }
 
 /// S A, S with these blocks on its diagonal.
-MatrixXd times(const Blocks &S, const MatrixXd &A) {
+void set_product(const std::vector<Rows> &S, const Rows &A, linalg::RowsOut out) {
     const Eigen::Index m = S.front().rows();
     const Eigen::Index seen = S.front().cols();
-    MatrixXd out(stages * m, A.cols());
-    for (Eigen::Index i = 0; i < stages; ++i) // so small: without blocks
-        out.middleRows(i * m, m).noalias() =
-            S[static_cast<std::size_t>(i)].lazyProduct(A.middleRows(i * seen, seen));
-    return out;
+    for (Eigen::Index i = 0; i < stages; ++i)
+        linalg::set_product(S[static_cast<std::size_t>(i)], A.middleRows(i * seen, seen),
+                            out.middleRows(i * m, m));
 }
 
 double period(double speed) { return std::numbers::pi / std::abs(speed); }
@@ -206,19 +229,25 @@ MatrixXd half_turn(const System &system, double speed, int steps, Blocks *along)
     const double length = period(speed) / steps;
     const StepMaps maps(system, speed, length);
     const Eigen::Index forces_at_once = maps.Z.cols();
-    MatrixXd state = MatrixXd::Identity(2 * system.size(), 2 * system.size());
+    const Rows away = -maps.Z;
+    Rows state = Rows::Identity(2 * system.size(), 2 * system.size());
+    Rows next = state;
+    Rows step_map = maps.R;
+    Rows acting(forces_at_once, forces_at_once + state.cols()); // beside what acts back on itself
     for (int step = 0; step < steps; ++step) {
         if (along != nullptr)
             along->push_back(state);
-        if (forces_at_once == 0) { // the supports are the same from every direction
-            state = linalg::product(maps.R, state);
-            continue;
+        if (forces_at_once > 0) { // the supports are not the same from every direction
+            const std::vector<Rows> S = forces(system, speed, step * length, length);
+            set_product(S, away, acting.leftCols(forces_at_once));
+            acting.leftCols(forces_at_once).diagonal().array() += 1;
+            set_product(S, maps.Y, acting.rightCols(state.cols()));
+            linalg::solve_beside(acting);
+            step_map = maps.R;
+            linalg::add_product(maps.L, acting.rightCols(state.cols()), step_map);
         }
-        const Blocks S = forces(system, speed, step * length, length);
-        MatrixXd own = -times(S, maps.Z);
-        own.diagonal().array() += 1;
-        const MatrixXd acting = linalg::solution(std::move(own), times(S, maps.Y));
-        state = linalg::product(linalg::sum_with_product(maps.R, maps.L, acting), state);
+        linalg::set_product(step_map, state, next);
+        std::swap(state, next);
     }
     if (!state.allFinite())
         throw linalg::SolverError("the motion over half a turn cannot be found");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "linalg/lanes/complex4.h"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -14,12 +16,13 @@ using PlaneBlocks = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 /// (1 + B Q) y = b: B couples the planes by the shapes of the rotor, Q is of the masses in each
 /// plane. Of so few unknowns a general solver spends most of its time on finding out how many there
-/// are: the compiler knows it here.
+/// are: the compiler knows it here, and all of it is inlined for the instructions of one machine
+/// (linalg::in_lanes).
 template <int planes> class PlaneSystem {
   public:
     /// @param products  2P x 2P: B is this, alike in both directions
     /// @param coupling  Q
-    PlaneSystem(const Eigen::MatrixXd &products, const PlaneBlocks &coupling) {
+    WHIRL_INLINED PlaneSystem(const Eigen::MatrixXd &products, const PlaneBlocks &coupling) {
         for (int plane = 0; plane < planes; ++plane)
             for (int c = 0; c < 4; ++c) {
                 const double *q = &coupling(0, 4 * plane + c);
@@ -31,20 +34,20 @@ template <int planes> class PlaneSystem {
             }
         for (int k = 0; k < size; ++k)
             _A[k][k] += 1;
-        each([&]<int k>() { eliminate<k>(); });
+        each([&]<int k>() __attribute__((always_inline)) { eliminate<k>(); });
     }
 
     /// y of a column b, in its place.
-    void solve(double *b) const {
+    WHIRL_INLINED void solve(double *b) const {
         std::array<double, size> y;
         std::copy(b, b + size, y.begin());
         for (int k = 0; k < size; ++k)
             std::swap(y[k], y[_pivots[k]]);
-        each([&]<int k>() {
+        each([&]<int k>() __attribute__((always_inline)) {
             for (int i = k + 1; i < size; ++i)
                 y[i] -= y[k] * _A[k][i];
         });
-        each([&]<int from_last>() {
+        each([&]<int from_last>() __attribute__((always_inline)) {
             constexpr int k = size - 1 - from_last;
             y[k] *= _A[k][k];
             for (int i = 0; i < k; ++i)
@@ -59,13 +62,15 @@ template <int planes> class PlaneSystem {
     std::array<int, size> _pivots;
 
     /// f(0), ..., f(size - 1), each known to the compiler.
-    template <class F> static void each(const F &f) {
-        [&]<int... k>(std::integer_sequence<int, k...>) { (f.template operator()<k>(), ...); }
+    template <class F> WHIRL_INLINED static void each(const F &f) {
+        [&]<int... k>(std::integer_sequence<int, k...>) __attribute__((always_inline)) {
+            (f.template operator()<k>(), ...);
+        }
         (std::make_integer_sequence<int, size>());
     }
 
     /// Elimination with row pivoting, a column.
-    template <int k> void eliminate() {
+    template <int k> WHIRL_INLINED void eliminate() {
         int pivot = k;
         for (int i = k + 1; i < size; ++i)
             pivot = std::abs(_A[k][i]) > std::abs(_A[k][pivot]) ? i : pivot;

@@ -29,7 +29,7 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
         loss += v.dot(at.damping * v) - p.dot(slope.stiffness * p) * spin.acceleration / 2;
         loss += (v.dot(at.stiffness * p) - p.dot(at.stiffness * v)) / 2;
     } else {
-        loss += v.dot(_drag);
+        loss += v.dot(_by_velocity.head(2 * r));
         if (_circulating)
             loss += (v.dot(_stiffness * p) - p.dot(_stiffness * v)) / 2;
     }

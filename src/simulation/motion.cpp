@@ -23,9 +23,11 @@ template <class A, class B> double turning(const A &a, const B &b) {
 template <int planes>
 void solve_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
                   Eigen::MatrixXd &y, int columns) {
-    const reduction::PlaneSystem<planes> system(products, coupling);
-    for (int column = 0; column < columns; ++column)
-        system.solve(y.col(column).data());
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const reduction::PlaneSystem<planes> system(products, coupling);
+        for (int column = 0; column < columns; ++column)
+            system.solve(y.col(column).data());
+    });
 }
 
 void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBlocks &coupling,
@@ -39,6 +41,16 @@ void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBl
                 products(i, k) * coupling.block<2, 4>(2 * (k % 2), block);
         }
     y.leftCols(columns) = A.partialPivLu().solve(y.leftCols(columns)).eval();
+}
+
+/// A matrix over the gyroscopic one in both directions: both on the real form of r unknowns.
+Eigen::MatrixXd above_turned(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &gyroscopic) {
+    const Index r = gyroscopic.rows();
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(4 * r, 2 * r);
+    out.topRows(2 * r) = matrix;
+    out.block(2 * r, 0, r, r) = gyroscopic;
+    out.block(3 * r, r, r, r) = gyroscopic;
+    return out;
 }
 
 } // namespace
@@ -63,7 +75,9 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _stiffness = rotor.supports.front().stiffness;
     _stiffness.topLeftCorner(r, r) += rotor.elastic;
     _stiffness.bottomRightCorner(r, r) += rotor.elastic;
-    _damping = rotor.supports.front().damping;
+    _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
+    _of_velocity =
+        linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     _fixed_equations.resize(_parts.fixed.size());
@@ -71,8 +85,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _planes.setZero(4 * planes, 2);
     _loads.resize(4 * planes, 2);
     _coupling.resize(4, 4 * planes);
-    _turned.resize(r, 2);
-    _drag.resize(2 * r);
+    _by_place.resize(linalg::whole_vectors(4 * r));
+    _by_velocity.resize(linalg::whole_vectors(4 * r));
     _push.resize(2 * r);
     _external.setZero(2 * r);
     for (const FreeParts &free : _parts.free)
@@ -137,27 +151,24 @@ Eigen::Vector2d RotorMotion::deflection(const reduction::Row &row, const double 
 void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const double *v) const {
     const reduction::ReducedRotor &rotor = _parts.rotor;
     const Index r = rotor.size();
-    const ConstPair x(p, r, 2);
-    const ConstPair u(v, r, 2);
     Pair f(_forces.col(0).data(), r, 2);
     Pair per_spin(_forces.col(1).data(), r, 2);
-    _push.noalias() = _stiffness * ConstMap(p, 2 * r);
-    _drag.noalias() = _damping * ConstMap(v, 2 * r);
-    _push += _drag;
+    _of_place(p, _by_place.data());
+    _of_velocity(v, _by_velocity.data());
+    _push = _by_place.head(2 * r) + _by_velocity.head(2 * r);
     if (_tables) {
         const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
         const reduction::ReducedRotor::Supports &first = rotor.supports.front();
         _push.noalias() += (at.stiffness - first.stiffness) * ConstMap(p, 2 * r) +
                            (at.damping - first.damping) * ConstMap(v, 2 * r);
     }
-    _forces.col(0) = -_push;
-    // The gyroscopic matrix is symmetric: by its columns, which lie in one piece.
-    f.col(0).noalias() -= spin.speed * rotor.gyroscopic.transpose().lazyProduct(u.col(1));
-    f.col(1).noalias() += spin.speed * rotor.gyroscopic.transpose().lazyProduct(u.col(0));
-    _turned.noalias() = rotor.gyroscopic.transpose().lazyProduct(x);
-    per_spin.col(0) = -0.5 * _turned.col(1);
-    per_spin.col(1) = 0.5 * _turned.col(0);
+    f.col(0) = -_push.head(r) - spin.speed * _by_velocity.segment(3 * r, r);
+    f.col(1) = spin.speed * _by_velocity.segment(2 * r, r) - _push.tail(r);
+    per_spin.col(0) = -0.5 * _by_place.segment(3 * r, r);
+    per_spin.col(1) = 0.5 * _by_place.segment(2 * r, r);
     if (_internal) {
+        const ConstPair x(p, r, 2);
+        const ConstPair u(v, r, 2);
         f.col(0).noalias() -= rotor.internal * (u.col(0) + spin.speed * x.col(1));
         f.col(1).noalias() -= rotor.internal * (u.col(1) - spin.speed * x.col(0));
     }
@@ -191,9 +202,10 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
             e.b += e.u.head<2>().dot(_base);
             const auto i = static_cast<std::size_t>(equation - _free_equations.data());
             add_sliding(i, e);
-            _loads.col(0).segment<4>(at) += e.force + e.u * (e.b / e.a);
+            const balancers::PlaneVector per_torque = e.u / e.a;
+            _loads.col(0).segment<4>(at) += e.force + per_torque * e.b;
             _loads.col(1).segment<4>(at) += e.per_spin;
-            _coupling.middleCols<4>(at).noalias() -= e.u * _friction[i].row.transpose() / e.a;
+            _coupling.middleCols<4>(at).noalias() -= per_torque * _friction[i].row.transpose();
             _coupling.block<2, 2>(2, at + 2) += e.tilt;
         }
     }
@@ -278,8 +290,9 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
     const int n = coordinates();
     const ConstPair x(state, r, 2);
     Eigen::Vector2d torque(0, _parts.polar_inertia);
+    const ConstPair turned(_by_place.data() + 2 * r, r, 2);
     for (Index column = 0; column < columns; ++column)
-        torque(column) -= turning(_turned, ConstPair(_forces.col(column).data(), r, 2)) / 2;
+        torque(column) -= turning(turned, ConstPair(_forces.col(column).data(), r, 2)) / 2;
     if (_internal) {
         Eigen::Matrix<double, Eigen::Dynamic, 2> slip = ConstPair(state + n, r, 2);
         slip.col(0) += spin.speed * x.col(1);
@@ -304,17 +317,19 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
     Eigen::Vector2d torque(0, 0);
     for (std::size_t i = 0; i < _free_equations.size(); ++i) {
         const balancers::MassEquation &e = _free_equations[i];
-        const Eigen::Matrix<double, 4, 2> y = _planes.block<4, 2>(4 * _plane_of[i], 0);
-        torque += e.torque;
-        torque(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
-        torque.head(columns) +=
-            (y.row(1) * e.offset(0) - y.row(0) * e.offset(1)).transpose().head(columns);
-        if (_dry.resists.empty() || !_dry.resists[i])
-            continue;
-        const double lever = _dry.slip[i] * e.lever;
-        torque(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
-        const Eigen::Vector2d along = y.transpose() * e.normal_y;
-        torque.head(columns) -= lever * along.head(columns);
+        const bool resists = !_dry.resists.empty() && _dry.resists[i];
+        const double lever = resists ? _dry.slip[i] * e.lever : 0;
+        Eigen::Vector2d own = e.torque;
+        own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
+        if (resists)
+            own(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
+        for (Index column = 0; column < columns; ++column) {
+            const double *y = _planes.col(column).data() + 4 * _plane_of[i];
+            own(column) += y[1] * e.offset(0) - y[0] * e.offset(1);
+            if (resists)
+                own(column) -= lever * Eigen::Map<const Eigen::Vector4d>(y).dot(e.normal_y);
+        }
+        torque += own;
     }
     return torque;
 }

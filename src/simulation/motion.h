@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linalg/lanes/small_products.h"
 #include "reduction/plane_system.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/moving_parts.h"
@@ -79,7 +80,8 @@ class RotorMotion {
     Eigen::MatrixXd _rows;                        ///< r x 2P: w, phi of each plane
     Eigen::MatrixXd _products;                    ///< _rows^T _rows
     Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports
-    Eigen::MatrixXd _damping;                     ///< of the supports
+    linalg::RealProduct _of_place;                ///< p to K p, then the gyroscopic matrix times p
+    linalg::RealProduct _of_velocity;             ///< v to C v, then the same of v
     bool _tables = false;                         ///< supports depend on speed
     bool _circulating = false;                    ///< the supports' stiffness is not symmetric
     bool _internal = false;
@@ -92,8 +94,8 @@ class RotorMotion {
     mutable Eigen::MatrixXd _planes;          ///< 4P x 2: accelerations of the planes
     mutable Eigen::MatrixXd _loads;           ///< 4P x 2
     mutable reduction::PlaneBlocks _coupling; ///< Q
-    mutable Eigen::MatrixXd _turned;          ///< r x 2: gyroscopic matrix times p
-    mutable Eigen::VectorXd _drag;            ///< 2r: C v with constant supports
+    mutable Eigen::VectorXd _by_place;        ///< of `_of_place`, with constant supports
+    mutable Eigen::VectorXd _by_velocity;     ///< of `_of_velocity`, likewise
     mutable Eigen::VectorXd _push;            ///< 2r: K p + C v
     mutable Eigen::VectorXd _external;        ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation

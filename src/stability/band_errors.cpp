@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace whirl::stability {
@@ -107,13 +108,16 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt
     if (elastic && periodic != nullptr && model.rotor.damped() && !bands.empty())
         whole.emplace(model, arrangement);
     std::optional<MotionSolver> finer;
+    std::map<double, std::vector<Motion>> known; // of the finer model: the same speeds come again
     const MotionsAt finer_at = [&](double speed) {
+        if (const auto found = known.find(speed); found != known.end())
+            return found->second;
         if (!finer) {
             StabilityModel finer_model = model;
             finer_model.order = mesh_error::finer_order(model.order);
             finer.emplace(finer_model, arrangement);
         }
-        return finer->at(speed);
+        return known.emplace(speed, finer->at(speed)).first->second;
     };
     const auto error_of = [&](const End &end) {
         if (whole)

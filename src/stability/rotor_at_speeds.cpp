@@ -151,6 +151,7 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
     options.wanted = 1;
     for (int tries = 1;; ++tries)
         try {
+            options.enough = top - options.shift;
             auto found = linalg::solve_quadratic(system.Kss, system.Ks, system.K, options);
             if (found.complete_radius < top - options.shift)
                 throw linalg::SolverError("roots in the range are not resolved beside the others");

@@ -58,7 +58,7 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.other_frequency);
         bytes.put(mode.rotating_value);
         for (const Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
             bytes.put(vector->size());
             bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
         }
@@ -83,7 +83,8 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.frequency_rotating = bytes.get<double>();
         mode.other_frequency = bytes.get<std::optional<double>>();
         mode.rotating_value = bytes.get<std::complex<double>>();
-        for (Eigen::VectorXcd *vector : {&mode.shape, &mode.rotating_vector, &mode.rotating_left}) {
+        for (Eigen::VectorXcd *vector :
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
             vector->resize(bytes.get<Eigen::Index>());
             bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
         }

@@ -62,6 +62,20 @@ QuadraticResult solve(const System &s, const linalg::QuadraticOptions &options) 
                            options);
 }
 
+TEST(QuadraticEigen, LeftVectorsSolveTheTransposedProblem) {
+    const int n = 30;
+    const System s = rotor_like(n);
+    const QuadraticResult found =
+        solve(s, {.wanted = 6, .shift = 1, .method = QuadraticMethod::toar, .condition = true});
+    ASSERT_GE(found.pairs.size(), 6U); // more than the lanes of a machine
+    for (const ComplexPair &pair : found.pairs) {
+        ASSERT_EQ(pair.left.size(), n);
+        const std::complex<double> l = pair.value;
+        const Eigen::MatrixXcd Q = l * l * s.M + l * s.D + s.K;
+        EXPECT_LT((Q.transpose() * pair.left).norm(), 1e-11 * Q.norm() * pair.left.norm());
+    }
+}
+
 TEST(QuadraticEigen, DenseAndArnoldiFindTheSame) {
     const System s = rotor_like(90);
     for (const double shift : {0.0, -3.0}) {

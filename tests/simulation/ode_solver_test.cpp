@@ -199,6 +199,17 @@ TEST(AdamsWeights, AreThoseOfTheTextbooks) {
     EXPECT_NEAR(std::abs(w.modal(1, 1) - 0.5 * (std::exp(z) - 1. - z) / (z * z)), 0, 1e-14);
 }
 
+// The integrals by hand on both sides of the |h a| at which the quadrature changes, and at the last.
+TEST(AdamsWeights, HoldUpToTheirReach) {
+    for (const double size : {7.9, 8.1, 29.9})
+        for (const double angle : {1.6, 2.2, 3.1}) {
+            const std::complex<double> z = std::polar(size, angle);
+            const AdamsWeights w = adams_weights(Eigen::VectorXcd::Constant(1, z), 1, 2);
+            EXPECT_NEAR(std::abs(w.modal(0, 0) - (std::exp(z) - 1.) / z), 0, 1e-15);
+            EXPECT_NEAR(std::abs(w.modal(0, 1) - (std::exp(z) - 1. - z) / (z * z)), 0, 1e-15);
+        }
+}
+
 // Of t^3 at steps of 1 and of 0.4: differences of its values.
 TEST(AdamsWeights, DifferencesAtOtherSteps) {
     const auto differences = [](double h) {

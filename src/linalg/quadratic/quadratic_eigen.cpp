@@ -180,10 +180,10 @@ QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOpti
     return result;
 }
 
-/// Where not all are resolved, by another decomposition too, and the better of both.
+/// Where not enough are resolved, by another decomposition too, and the better of both.
 QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
     QuadraticResult result = solve_dense(problem, options, false);
-    if (std::isinf(result.complete_radius))
+    if (result.complete_radius >= options.enough)
         return result;
     QuadraticResult other = solve_dense(problem, options, true);
     if (other.complete_radius > result.complete_radius)
@@ -252,7 +252,7 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
 QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
                                 const QuadraticOptions &options) {
     const Scaled scaled(M, D, K, options.shift);
-    const QuadraticProblem problem(scaled.M, scaled.D, scaled.K, options.shift);
+    QuadraticProblem problem(scaled.M, scaled.D, scaled.K, options.shift);
     QuadraticResult result = solve_problem(problem, scaled.M, scaled.D, scaled.K, options);
     if (options.condition)
         problem.assess_condition(result.pairs);
@@ -261,6 +261,8 @@ QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &
         Eigen::Index largest = 0;
         pair.vector.cwiseAbs2().maxCoeff(&largest);
         pair.vector /= pair.vector(largest);
+        if (pair.left.size() > 0)
+            pair.left = scaled.d.asDiagonal() * pair.left;
     }
     return result;
 }

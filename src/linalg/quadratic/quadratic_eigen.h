@@ -3,6 +3,7 @@
 #include "linalg/eigenpair.h"
 #include "linalg/matrix.h"
 
+#include <limits>
 #include <vector>
 
 namespace whirl::linalg {
@@ -22,7 +23,10 @@ struct QuadraticOptions {
     int zeros = 0;         ///< eigenvalues known to be zero: they need not be resolved
     double negligible = 0; ///< nor those of less modulus than this
     QuadraticMethod method = QuadraticMethod::automatic;
-    /// Residual and rounding of each pair follow from its left vector, for a factorisation a pair.
+    /// Of the dense way: the distance from the shift up to which all are wanted. Complete that far,
+    /// no other decomposition is tried for more.
+    double enough = std::numeric_limits<double>::infinity();
+    /// Left vectors are found, for a factorisation a pair; residual and rounding follow from them.
     /// Else the first is an estimate, and in the second the right vector stands for the left one.
     bool condition = false;
 };

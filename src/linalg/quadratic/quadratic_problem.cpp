@@ -6,8 +6,10 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace whirl::linalg {
 
@@ -33,6 +35,20 @@ double rounding_over(const Columns &x, const Columns &slope, double entries) {
                                           x.col(0).dot(slope.col(1)) - x.col(1).dot(slope.col(0)));
     const double size = std::abs(derivative);
     return size > 0 ? std::numeric_limits<double>::epsilon() * entries / size : 0;
+}
+
+Columns columns_of(const Eigen::VectorXcd &x) {
+    Columns out(x.size(), 2);
+    out.col(0) = x.real();
+    out.col(1) = x.imag();
+    return out;
+}
+
+Eigen::VectorXcd vector_of(const Columns &x) {
+    Eigen::VectorXcd out(x.rows());
+    out.real() = x.col(0);
+    out.imag() = x.col(1);
+    return out;
 }
 
 /// Adds c v to a complex vector.
@@ -91,42 +107,99 @@ void QuadraticProblem::assess(std::vector<ComplexPair> &pairs) const {
     }
 }
 
-void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) const {
-    using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
-    // Beside the eigenvalue by so much: of those that are nearer together, which rounding tells
-    // apart by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
-    constexpr double beside = 1e-8;
+namespace {
+
+/// Beside the eigenvalue by so much: of those that are nearer together, which rounding tells apart
+/// by chance alone, one inverse iteration takes all parts alike, and hardly any of others.
+constexpr double beside = 1e-8;
+/// What may be lost by pivots that are not the largest, of the matrix: a hundred times its
+/// rounding.
+constexpr double solved = 2e-14;
+
+} // namespace
+
+Eigen::VectorXcd QuadraticProblem::left_vector(std::complex<double> l, Eigen::VectorXcd start) {
+    SparseFactor<std::complex<double>> lu;
+    if (!lu.factorize(_on_pattern->at(l * (1 + beside))))
+        return {};
+    lu.solve_transposed(start);
+    const Columns y = columns_of(start.normalized());
+    Columns next = _D.transpose() * y;
+    add(2.0 * l, _M * y, next);
+    Eigen::VectorXcd out = vector_of(next);
+    lu.solve_transposed(out);
+    out.normalize();
+    return out.allFinite() ? out : Eigen::VectorXcd();
+}
+
+/// Products and left vectors of at most four pairs, without exchanges of rows.
+void QuadraticProblem::look_beside(std::span<ComplexPair *const> pairs) {
+    if (!_on_pattern) {
+        _on_pattern.emplace(_M, _D, _K);
+        _four.factors.emplace(_on_pattern->pattern());
+    }
+    QuadraticPattern::Four l;
+    QuadraticPattern::Four near;
+    std::array<const Eigen::VectorXcd *, lanes> vectors{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) { // the last one fills those that are left
+        const ComplexPair &pair = *pairs[std::min(lane, pairs.size() - 1)];
+        l[lane] = pair.value;
+        near[lane] = pair.value * (1 + beside);
+        vectors[lane] = &pair.vector;
+    }
+    _on_pattern->set_slopes(l, _four.slopes);
+    set(_four.x, vectors);
+    _on_pattern->multiply(_four.slopes, _four.x, _four.slope);
+    _on_pattern->set_values(l, _four.Q);
+    _on_pattern->multiply(_four.Q, _four.x, _four.residual);
+    _on_pattern->set_values(near, _four.Q);
+    _four.sound = _four.factors->factorize(_four.Q);
+    _four.left = _four.slope;
+    for (Complex4 &entry : _four.left)
+        entry.im = -entry.im;
+    _four.factors->solve_transposed(_four.left);
+    _on_pattern->multiply_transposed(_four.slopes, _four.left, _four.start);
+    _four.left = _four.start;
+    _four.factors->solve_transposed(_four.left);
+    _on_pattern->multiply_transposed(_four.Q, _four.left, _four.lost);
+}
+
+/// By what look_beside() left in a lane.
+void QuadraticProblem::take_condition(ComplexPair &pair, int lane) {
     // An entry is a sum of some four terms, rounded by half an epsilon each and in its product.
     constexpr double unit = std::numeric_limits<double>::epsilon();
-    SparseFactor<std::complex<double>> lu;
-    for (ComplexPair &pair : pairs) {
-        if (std::abs(pair.value) < blurred * std::abs(_shift))
-            continue; // assess() has used both vectors
-        const std::complex<double> l = pair.value;
-        const std::complex<double> near = l * (1 + beside);
-        const SparseComplex Q = near * near * _M + near * _D + _K.cast<std::complex<double>>();
-        if (!lu.factorize(Q))
-            continue; // nothing is known beyond what the right vector says
-        const Eigen::VectorXcd slope = 2.0 * l * (_M * pair.vector) + _D * pair.vector;
-        Eigen::VectorXcd left = slope.conjugate();
-        for (int k = 0; k < 2; ++k) {
-            lu.solve_transposed(left);
-            left.normalize();
-            if (k == 0)
-                left = (2.0 * l * (_M * left) + _D.transpose() * left).eval();
-        }
-        const double derivative = std::abs(l * (left.transpose() * slope).value());
-        if (!left.allFinite() || !(derivative > 0))
-            continue;
-        const Eigen::VectorXd x = pair.vector.cwiseAbs();
-        const double size = std::abs(l);
-        const double entries =
-            left.cwiseAbs().dot(_absK * x + size * (_absD * x) + size * size * (_absM * x));
-        pair.rounding = std::max(pair.rounding, unit * entries / derivative);
-        const Eigen::VectorXcd r =
-            l * (l * (_M * pair.vector) + _D * pair.vector) + _K * pair.vector;
-        pair.residual =
-            std::max(pair.residual, std::abs((left.transpose() * r).value()) / derivative);
+    const Eigen::VectorXcd slope = vector_of(_four.slope, lane);
+    Eigen::VectorXcd left = vector_of(_four.left, lane);
+    const double lost = (vector_of(_four.lost, lane) - vector_of(_four.start, lane)).norm();
+    const double entries = vector_of(_four.Q, lane).norm();
+    if (_four.sound[static_cast<std::size_t>(lane)] && lost <= solved * entries * left.norm())
+        left.normalize();
+    else
+        left = left_vector(pair.value, slope.conjugate());
+    if (left.size() == 0)
+        return; // nothing is known beyond what the right vector says
+    const double size = std::abs(pair.value);
+    const double derivative = size * std::abs((left.transpose() * slope).value());
+    if (!(derivative > 0))
+        return;
+    pair.rounding =
+        std::max(pair.rounding, unit * _on_pattern->size(left, size, pair.vector) / derivative);
+    const double off = std::abs((left.transpose() * vector_of(_four.residual, lane)).value());
+    pair.residual = std::max(pair.residual, off / derivative);
+    pair.left = std::move(left);
+}
+
+void QuadraticProblem::assess_condition(std::vector<ComplexPair> &pairs) {
+    std::vector<ComplexPair *> asked; // of those beside zero assess() has used both vectors
+    for (ComplexPair &pair : pairs)
+        if (std::abs(pair.value) >= blurred * std::abs(_shift))
+            asked.push_back(&pair);
+    for (std::size_t i = 0; i < asked.size(); i += lanes) {
+        const std::span four =
+            std::span(asked).subspan(i, std::min<std::size_t>(lanes, asked.size() - i));
+        look_beside(four);
+        for (std::size_t k = 0; k < four.size(); ++k)
+            take_condition(*four[k], static_cast<int>(k));
     }
 }
 

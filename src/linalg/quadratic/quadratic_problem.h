@@ -1,11 +1,16 @@
 #pragma once
 
 #include "linalg/eigenpair.h"
+#include "linalg/lanes/general_factors.h"
+#include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <complex>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace whirl::linalg {
@@ -28,10 +33,10 @@ class QuadraticProblem {
     /// Normalises the vectors of the pairs and fills in their residuals and rounding, the latter
     /// with the right vectors in place of the left ones.
     void assess(std::vector<ComplexPair> &pairs) const;
-    /// Residual and rounding of pairs once more, with their left vectors: by what the eigenvalue is
-    /// off to first order, and its condition. Double ones, which any vectors of a plane belong to,
-    /// get the condition of the plane.
-    void assess_condition(std::vector<ComplexPair> &pairs) const;
+    /// Left vectors, where they can be found, and with them residual and rounding of pairs once
+    /// more: by what the eigenvalue is off to first order, and its condition. Double ones, which
+    /// any vectors of a plane belong to, get the condition of the plane.
+    void assess_condition(std::vector<ComplexPair> &pairs);
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
@@ -43,6 +48,23 @@ class QuadraticProblem {
     Sparse _M, _D, _K, _absM, _absD, _absK;
     double _shift;
     SparseFactor<double> _lu;
+
+    /// At work on four pairs: Q next to their eigenvalues, Q'(l), x, Q'(l) x, Q(l) x, right side
+    /// and left vector of the last step of inverse iteration, and their product.
+    struct Four {
+        std::optional<GeneralFactors> factors; ///< made when first asked for
+        std::array<bool, lanes> sound{};
+        Vector4 Q, slopes, x, slope, residual, start, left, lost;
+    } _four;
+
+    std::optional<QuadraticPattern> _on_pattern; ///< likewise
+
+    void look_beside(std::span<ComplexPair *const> pairs);
+    void take_condition(ComplexPair &pair, int lane);
+    /// By two steps of inverse iteration with the transposed problem, of length 1; empty where it
+    /// cannot be found.
+    /// @param start  Q'(l) x, conjugate
+    [[nodiscard]] Eigen::VectorXcd left_vector(std::complex<double> l, Eigen::VectorXcd start);
 
     /// An eigenvalue next to zero is known to a part of the shift: a Newton step with both vectors.
     /// @returns its rounding by the left vector too: 1, nothing known of it, for a zero that is

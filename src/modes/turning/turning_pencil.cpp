@@ -171,6 +171,15 @@ double TurningPencil::entries(double l, const Eigen::VectorXcd &y,
 
 std::optional<linalg::ComplexPair> TurningPencil::refined(const linalg::ComplexPair &guess,
                                                           double farthest) {
+    if (std::optional<linalg::ComplexPair> found = iterated(guess, farthest))
+        return found;
+    _complex.forget_pivots(); // those of another matrix may not have been good for this one
+    _real.forget_pivots();
+    return iterated(guess, farthest);
+}
+
+std::optional<linalg::ComplexPair> TurningPencil::iterated(const linalg::ComplexPair &guess,
+                                                           double farthest) {
     constexpr int most_steps = 6;
     const bool real = guess.value.imag() == 0;
     linalg::ComplexPair pair = guess;

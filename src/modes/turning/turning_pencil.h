@@ -45,8 +45,9 @@ class TurningPencil {
     double _shift = 0;
     Eigen::VectorXd _scales;
     Eigen::VectorXd _M, _D, _K; ///< at the speed, scaled
-    linalg::SparseFactor<double> _shifted, _real;
-    linalg::SparseFactor<Complex> _complex;
+    linalg::SparseFactor<double> _shifted;
+    linalg::SparseFactor<double> _real{true}; ///< with the pivots of the matrix before
+    linalg::SparseFactor<Complex> _complex{true};
     Sparse _real_Q;
     Eigen::SparseMatrix<Complex> _complex_Q;
 
@@ -59,6 +60,8 @@ class TurningPencil {
     /// Factors of Q(l), real ones of a real l.
     [[nodiscard]] bool factorize(Complex l);
     void solve(bool real, bool transposed, Eigen::VectorXcd &b) const;
+    [[nodiscard]] std::optional<linalg::ComplexPair> iterated(const linalg::ComplexPair &guess,
+                                                              double farthest);
     [[nodiscard]] bool iterate(Complex l, bool first, linalg::ComplexPair &pair);
     [[nodiscard]] double shifted_norm(const Eigen::VectorXcd &b) const;
     [[nodiscard]] double entries(double l, const Eigen::VectorXcd &y,

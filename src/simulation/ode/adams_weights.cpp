@@ -6,9 +6,18 @@
 
 namespace whirl::simulation {
 
+namespace {
+
+/// Of the quadrature of the weights: so many hold fourteen digits up to |h a| = adams_reach, and so
+/// many up to 8, which takes a series of the exponential of 26 terms.
+constexpr int points = 40;
+constexpr int points_of_slow = 20;
+
+} // namespace
+
 AdamsWeights adams_weights(const Eigen::VectorXcd &a, double h, int count, double share) {
-    constexpr int points = 40;
-    const elements::Quadrature &rule = elements::gauss_legendre(points);
+    const bool slow = std::abs(h) * a.cwiseAbs().maxCoeff() < 8;
+    const elements::Quadrature &rule = elements::gauss_legendre(slow ? points_of_slow : points);
     AdamsWeights out;
     const double from = share < 1 ? -1 : 0;
     const double way = share * h;

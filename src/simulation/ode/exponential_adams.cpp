@@ -1,10 +1,11 @@
 #include "simulation/ode/exponential_adams.h"
 
 #include "linalg/check.h"
+#include "simulation/ode/modal_parts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <cstring>
 #include <limits>
 
 namespace whirl::simulation {
@@ -27,7 +28,10 @@ constexpr int order_every = 3;
 } // namespace
 
 ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
-    : _problem(problem), _half(problem.axes.count), _modes(problem.axes.linear.eigenvalues.size()),
+    : _problem(problem), _half(problem.axes.count),
+      _modes(linalg::whole_vectors(problem.axes.linear.eigenvalues.size())),
+      _vectors(problem.axes.linear.vectors), _inverse(problem.axes.linear.inverse),
+      _eigenvalues(parts_of(problem.axes.linear.eigenvalues, _modes)),
       _reach(adams_reach / problem.axes.linear.eigenvalues.cwiseAbs().maxCoeff()) {
     const TurningAxes &axes = problem.axes;
     std::vector<bool> of_vectors(static_cast<std::size_t>(problem.size), false);
@@ -39,7 +43,7 @@ ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
     const Eigen::Index entries = 2 * _modes + static_cast<Eigen::Index>(_own.size());
     for (Point *point : {&_now, &_next, &_between}) {
         point->y.setZero(problem.size);
-        point->modal.setZero(_modes);
+        point->modal.setZero(2 * _modes);
         point->n.setZero(entries);
     }
     _differences.setZero(entries, kept);
@@ -48,27 +52,34 @@ ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
         n->setZero(entries);
     for (Eigen::VectorXd *y : {&_rates, &_allowed, &_error})
         y->setZero(problem.size);
-    _stack.setZero(_modes);
-    _modal_sum.setZero(_modes);
+    _stack.setZero(linalg::whole_vectors(axes.linear.vectors.rows()), 2);
+    _modal_sum.setZero(2 * _modes);
 }
 
-/// The vectors of y by their modal coordinates.
-void ExponentialAdams::compose(Point &at) {
-    _stack.noalias() = _problem.axes.linear.vectors * at.modal;
+ExponentialAdams::Weights ExponentialAdams::weights_of(const AdamsWeights &weights) const {
+    Weights out{weights.h, parts_of(weights.growth, _modes),
+                Eigen::MatrixXd(2 * _modes, weights.modal.cols()), weights.own};
+    for (Eigen::Index j = 0; j < weights.modal.cols(); ++j)
+        out.modal.col(j) = parts_of(weights.modal.col(j), _modes);
+    return out;
+}
+
+void ExponentialAdams::compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y) {
+    _vectors(modal.data(), modal.data() + _modes, _stack.col(0).data(), _stack.col(1).data());
     for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
-        const auto vectors = _stack.segment(static_cast<Eigen::Index>(i) * _half, _half);
-        at.y.segment(_problem.axes.first[i], _half) = vectors.real();
-        at.y.segment(_problem.axes.first[i] + _half, _half) = vectors.imag();
+        const auto at = static_cast<Eigen::Index>(i) * _half;
+        y.segment(_problem.axes.first[i], _half) = _stack.col(0).segment(at, _half);
+        y.segment(_problem.axes.first[i] + _half, _half) = _stack.col(1).segment(at, _half);
     }
 }
 
 void ExponentialAdams::decompose(Point &at) {
     for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
-        auto vectors = _stack.segment(static_cast<Eigen::Index>(i) * _half, _half);
-        vectors.real() = at.y.segment(_problem.axes.first[i], _half);
-        vectors.imag() = at.y.segment(_problem.axes.first[i] + _half, _half);
+        const auto place = static_cast<Eigen::Index>(i) * _half;
+        _stack.col(0).segment(place, _half) = at.y.segment(_problem.axes.first[i], _half);
+        _stack.col(1).segment(place, _half) = at.y.segment(_problem.axes.first[i] + _half, _half);
     }
-    at.modal.noalias() = _problem.axes.linear.inverse * _stack;
+    _inverse(_stack.col(0).data(), _stack.col(1).data(), at.modal.data(), at.modal.data() + _modes);
 }
 
 /// @returns whether all rates are numbers.
@@ -80,14 +91,18 @@ bool ExponentialAdams::evaluate(Point &at) {
         return false;
     for (std::size_t i = 0; i < axes.first.size(); ++i) {
         const Eigen::Index x = axes.first[i];
-        auto rates = _stack.segment(static_cast<Eigen::Index>(i) * _half, _half);
-        rates.real() = _rates.segment(x, _half) + axes.speed * at.y.segment(x + _half, _half);
-        rates.imag() = _rates.segment(x + _half, _half) - axes.speed * at.y.segment(x, _half);
+        const auto place = static_cast<Eigen::Index>(i) * _half;
+        _stack.col(0).segment(place, _half) =
+            _rates.segment(x, _half) + axes.speed * at.y.segment(x + _half, _half);
+        _stack.col(1).segment(place, _half) =
+            _rates.segment(x + _half, _half) - axes.speed * at.y.segment(x, _half);
     }
-    _modal_sum.noalias() = axes.linear.inverse * _stack;
-    _modal_sum.array() -= axes.linear.eigenvalues.array() * at.modal.array();
-    std::copy_n(reinterpret_cast<const double *>(_modal_sum.data()), 2 * _modes, at.n.data());
-    double *own = at.n.data() + 2 * _modes;
+    double *n = at.n.data();
+    _inverse(_stack.col(0).data(), _stack.col(1).data(), n, n + _modes);
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        add_products<-1>(_eigenvalues.data(), at.modal.data(), _modes, n);
+    });
+    double *own = n + 2 * _modes;
     for (const int i : _own)
         *own++ = _rates(i);
     return true;
@@ -108,10 +123,8 @@ void ExponentialAdams::start(double t, const double *y) {
     _last_step = 0;
     // So short that the rates bring a few times the error allowed; it soon doubles.
     _problem.allowed_error(_now.y.data(), _allowed.data());
-    AdamsWeights whole;
-    whole.modal.setOnes(_modes, 2);
-    whole.modal.col(0).setZero();
-    whole.own = {0, 1};
+    Weights whole{0, {}, Eigen::MatrixXd::Zero(2 * _modes, 2), {0, 1}};
+    whole.modal.col(1).head(_modes).setOnes();
     const double rate = norm(whole, 1, _now.n);
     _h = rate > 0 ? 4 / rate : HUGE_VAL;
 }
@@ -170,63 +183,76 @@ void ExponentialAdams::change_step(double h) {
         else
             rescale(ratio);
     }
-    const auto found = std::find_if(_weights.begin(), _weights.end(), [h](const AdamsWeights &w) {
+    const auto found = std::find_if(_weights.begin(), _weights.end(), [h](const Weights &w) {
         return std::abs(w.h / h - 1) < same_step;
     });
     if (found != _weights.end()) {
         _weights.splice(_weights.begin(), _weights, found);
         return;
     }
-    _weights.push_front(adams_weights(_problem.axes.linear.eigenvalues, h, kept));
+    _weights.push_front(weights_of(adams_weights(_problem.axes.linear.eigenvalues, h, kept)));
     if (_weights.size() > most_weights)
         _weights.pop_back();
 }
 
-void ExponentialAdams::advance(const AdamsWeights &w, int count, const Point &from, Point &to) {
-    to.modal.array() = w.growth * from.modal.array();
-    _sum = w.own[0] * _differences.col(0);
-    for (int j = 0; j < count; ++j) {
-        const auto column = _differences.col(j);
-        to.modal.array() +=
-            w.modal.col(j) *
-            Modal(reinterpret_cast<const std::complex<double> *>(column.data()), _modes);
-        if (j > 0)
-            _sum.tail(std::ssize(_own)) +=
-                w.own[static_cast<std::size_t>(j)] * column.tail(std::ssize(_own));
-    }
-    const double *own = _sum.data() + 2 * _modes;
+void ExponentialAdams::advance(const Weights &w, int count, const Point &from, Point &to) {
+    const auto own = std::ssize(_own);
+    double *sum = _sum.data();
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (Eigen::Index i = 0; i < _modes; i += linalg::lanes) {
+            linalg::Complex4 modal;
+            set_product(modal, four_at(w.growth.data() + i, _modes),
+                        four_at(from.modal.data() + i, _modes));
+            for (int j = 0; j < count; ++j)
+                add_product(modal, four_at(w.modal.col(j).data() + i, _modes),
+                            four_at(_differences.col(j).data() + i, _modes));
+            std::memcpy(to.modal.data() + i, &modal.re, sizeof modal.re);
+            std::memcpy(to.modal.data() + _modes + i, &modal.im, sizeof modal.im);
+        }
+        std::fill_n(sum, own, 0.0);
+        for (int j = 0; j < count; ++j) {
+            const double *column = _differences.col(j).data() + 2 * _modes;
+            const double weight = w.own[static_cast<std::size_t>(j)];
+            for (Eigen::Index i = 0; i < own; ++i)
+                sum[i] += weight * column[i];
+        }
+    });
     for (const int i : _own)
-        to.y(i) = from.y(i) + *own++;
-    compose(to);
+        to.y(i) = from.y(i) + *sum++;
+    compose(to.modal, to.y);
 }
 
 /// By the difference of order k that the predicted N makes.
 void ExponentialAdams::correct() {
-    const AdamsWeights &w = weights();
-    _last = _next.n;
-    for (int j = 0; j < _order; ++j)
-        _last -= _differences.col(j);
-    _next.modal.array() +=
-        w.modal.col(_order) *
-        Modal(reinterpret_cast<const std::complex<double> *>(_last.data()), _modes);
+    const Weights &w = weights();
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        double *last = _last.data();
+        const Eigen::Index size = _last.size();
+        std::copy_n(_next.n.data(), size, last);
+        for (int j = 0; j < _order; ++j) {
+            const double *column = _differences.col(j).data();
+            for (Eigen::Index i = 0; i < size; ++i)
+                last[i] -= column[i];
+        }
+        add_products<1>(w.modal.col(_order).data(), last, _modes, _next.modal.data());
+    });
     const double *own = _last.data() + 2 * _modes;
     for (const int i : _own)
         _next.y(i) += w.own[static_cast<std::size_t>(_order)] * *own++;
-    compose(_next);
+    compose(_next.modal, _next.y);
 }
 
 /// What the last weight of an order makes of a difference, over the errors allowed, in the mean
 /// square over the entries of y.
-double ExponentialAdams::norm(const AdamsWeights &w, int order, const Eigen::VectorXd &difference) {
-    _modal_sum.array() =
-        (w.modal.col(order) - w.modal.col(order - 1)) *
-        Modal(reinterpret_cast<const std::complex<double> *>(difference.data()), _modes);
-    _stack.noalias() = _problem.axes.linear.vectors * _modal_sum;
-    for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
-        const auto vectors = _stack.segment(static_cast<Eigen::Index>(i) * _half, _half);
-        _error.segment(_problem.axes.first[i], _half) = vectors.real();
-        _error.segment(_problem.axes.first[i] + _half, _half) = vectors.imag();
-    }
+double ExponentialAdams::norm(const Weights &w, int order, const Eigen::VectorXd &difference) {
+    _modal_sum.setZero();
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const double *high = w.modal.col(order).data();
+        const double *low = w.modal.col(order - 1).data();
+        add_products<1>(high, difference.data(), _modes, _modal_sum.data());
+        add_products<-1>(low, difference.data(), _modes, _modal_sum.data());
+    });
+    compose(_modal_sum, _error);
     const auto k = static_cast<std::size_t>(order);
     const double *own = difference.data() + 2 * _modes;
     for (const int i : _own)
@@ -270,12 +296,12 @@ double ExponentialAdams::step(double end) {
 
 const double *ExponentialAdams::within(double share) {
     const double part = share * _last_step;
-    auto found = std::find_if(_within.begin(), _within.end(), [part](const AdamsWeights &w) {
+    auto found = std::find_if(_within.begin(), _within.end(), [part](const Weights &w) {
         return std::abs(w.h / part - 1) < same_step;
     });
     if (found == _within.end()) {
         _within.push_front(
-            adams_weights(_problem.axes.linear.eigenvalues, _last_step, kept, share));
+            weights_of(adams_weights(_problem.axes.linear.eigenvalues, _last_step, kept, share)));
         found = _within.begin();
         if (_within.size() > most_weights)
             _within.pop_back();
@@ -306,14 +332,16 @@ void ExponentialAdams::take_difference() {
     const Eigen::Index size = _next.n.size();
     double *difference = _sum.data();
     std::copy_n(_next.n.data(), size, difference);
-    for (int j = 0; j <= last; ++j) {
-        double *column = _differences.col(j).data();
-        for (Eigen::Index i = 0; i < size; ++i) {
-            const double before = column[i];
-            column[i] = difference[i];
-            difference[i] -= before;
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (int j = 0; j <= last; ++j) {
+            double *column = _differences.col(j).data();
+            for (Eigen::Index i = 0; i < size; ++i) {
+                const double before = column[i];
+                column[i] = difference[i];
+                difference[i] -= before;
+            }
         }
-    }
+    });
     _valid = last + 1;
     _newest = (_newest + 1) % remembered;
     _known = std::min(_known + 1, remembered);

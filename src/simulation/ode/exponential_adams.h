@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linalg/lanes/small_products.h"
 #include "simulation/ode/adams_weights.h"
 #include "simulation/ode/ode_problem.h"
 
@@ -39,29 +40,38 @@ class ExponentialAdams {
     static constexpr int kept = most + 2;       ///< differences
     static constexpr int remembered = 2 * kept; ///< values, for steps twice as long
 
-    using Modal = Eigen::Map<const Eigen::ArrayXcd>;
-
     /// A state and what of its rates is not linear.
     struct Point {
-        Eigen::VectorXd y;      ///< all entries
-        Eigen::VectorXcd modal; ///< coordinates of the linear part
-        Eigen::VectorXd n;      ///< N in them, then the rates of the other entries
+        Eigen::VectorXd y;     ///< all entries
+        Eigen::VectorXd modal; ///< coordinates of the linear part, `_modes` real parts first
+        Eigen::VectorXd n;     ///< N in them, then the rates of the other entries
+    };
+
+    /// Weights, real parts above imaginary ones as in Point::modal.
+    struct Weights {
+        double h;
+        Eigen::VectorXd growth;
+        Eigen::MatrixXd modal;
+        std::vector<double> own;
     };
 
     const OdeProblem &_problem;
-    Eigen::Index _half;           ///< complex entries of a vector of the axes
-    Eigen::Index _modes;          ///< modal coordinates
-    std::vector<int> _own;        ///< entries of y outside the vectors
+    Eigen::Index _half;    ///< complex entries of a vector of the axes
+    Eigen::Index _modes;   ///< modal coordinates, filled up to whole vectors of the machine
+    std::vector<int> _own; ///< entries of y outside the vectors
+    linalg::ComplexProduct _vectors, _inverse;
+    Eigen::VectorXd _eigenvalues; ///< as Point::modal
     double _reach;                ///< s, longest step that the weights allow
     Point _now, _next;            ///< after a step the one before it is in _next
     Eigen::MatrixXd _differences; ///< backward, of n, a column each
     Eigen::MatrixXd _past;        ///< the last n, in turn
     Eigen::VectorXd _last;        ///< k-th difference with the predicted N
     Eigen::VectorXd _rates, _allowed, _error, _sum;
-    Eigen::VectorXcd _stack, _modal_sum;
+    Eigen::MatrixXd _stack; ///< all vectors of y, real and imaginary parts
+    Eigen::VectorXd _modal_sum;
     Point _between;
-    std::list<AdamsWeights> _weights; ///< of the steps so far, the present ones first
-    std::list<AdamsWeights> _within;  ///< of shares of the present step
+    std::list<Weights> _weights; ///< of the steps so far, the present ones first
+    std::list<Weights> _within;  ///< of shares of the present step
     double _t = 0;
     double _end = 0;
     double _h = 0;
@@ -77,16 +87,18 @@ class ExponentialAdams {
     OdeCounts _counts;
 
     [[nodiscard]] bool evaluate(Point &at);
-    void compose(Point &at);
+    /// The vectors that these modal coordinates make, into `_stack` and from there to y.
+    void compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y);
     void decompose(Point &at);
+    [[nodiscard]] Weights weights_of(const AdamsWeights &weights) const;
     void aim(double end);
     void change_step(double h);
     void double_step();
     void rescale(double ratio);
     /// growth x + sum of `count` weighted differences, from one point to another.
-    void advance(const AdamsWeights &w, int count, const Point &from, Point &to);
+    void advance(const Weights &w, int count, const Point &from, Point &to);
     void correct();
-    [[nodiscard]] double norm(const AdamsWeights &w, int order, const Eigen::VectorXd &difference);
+    [[nodiscard]] double norm(const Weights &w, int order, const Eigen::VectorXd &difference);
     [[nodiscard]] double error(int order);
     void repeat(double error);
     void accept(double error);
@@ -95,7 +107,7 @@ class ExponentialAdams {
     void choose_order(double error, double lower);
     /// Column of the value so many steps ago.
     [[nodiscard]] int place(int ago) const { return (_newest - ago + remembered) % remembered; }
-    [[nodiscard]] const AdamsWeights &weights() const { return _weights.front(); }
+    [[nodiscard]] const Weights &weights() const { return _weights.front(); }
 };
 
 } // namespace whirl::simulation

@@ -1,0 +1,116 @@
+#include "linalg/lanes/general_factors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace whirl::linalg {
+
+namespace {
+
+/// Place of an entry of the pattern.
+int place_of(const GeneralFactors::Sparse &pattern, int row, int column) {
+    const int *first = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column];
+    const int *last = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column + 1];
+    return static_cast<int>(std::lower_bound(first, last, row) - pattern.innerIndexPtr());
+}
+
+} // namespace
+
+GeneralFactors::GeneralFactors(const Sparse &pattern) {
+    const SymmetricFactor one(pattern);
+    _order = one._order;
+    _first = one._first;
+    _reach_first = one._reach_first;
+    _start = one._start;
+    for (std::size_t column = 0; column < _order.size(); ++column)
+        for (int p = _first[column]; p < _first[column + 1]; ++p) {
+            const auto [row, value] = one._entries[static_cast<std::size_t>(p)];
+            _entries.push_back(
+                {row, value,
+                 place_of(pattern, _order[column], _order[static_cast<std::size_t>(row)])});
+        }
+    _rows.resize(one._rows.size());
+    std::vector<int> next(_start.begin(), _start.end() - 1);
+    for (std::size_t row = 0; row < _order.size(); ++row)
+        for (int r = _reach_first[row]; r < _reach_first[row + 1]; ++r) {
+            const int column = one._reach[static_cast<std::size_t>(r)];
+            const int place = next[static_cast<std::size_t>(column)]++;
+            _reach.push_back({column, place});
+            _rows[static_cast<std::size_t>(place)] = static_cast<int>(row);
+        }
+    for (Vector4 *factor : {&_L, &_U})
+        factor->resize(_rows.size());
+    for (Vector4 *vector : {&_inverse, &_left, &_above, &_x})
+        vector->assign(_order.size(), Complex4{});
+}
+
+/// Row k of L and column k of U by those before.
+std::array<bool, lanes> GeneralFactors::factorize(const Vector4 &values) {
+    in_lanes([&]() __attribute__((always_inline)) {
+        Complex4 *left = _left.data();
+        Complex4 *above = _above.data();
+        Complex4 *L = _L.data();
+        Complex4 *U = _U.data();
+        const int *rows = _rows.data();
+        for (std::size_t k = 0; k < _order.size(); ++k) {
+            for (int p = _first[k]; p < _first[k + 1]; ++p) { // each once
+                const Entry &entry = _entries[static_cast<std::size_t>(p)];
+                above[entry.row] = values[static_cast<std::size_t>(entry.upper)];
+                left[entry.row] = values[static_cast<std::size_t>(entry.lower)];
+            }
+            Complex4 pivot = above[k];
+            above[k] = left[k] = Complex4{};
+            for (int r = _reach_first[k]; r < _reach_first[k + 1]; ++r) {
+                const auto [column, end] = _reach[static_cast<std::size_t>(r)];
+                const Complex4 u = above[column];
+                Complex4 l;
+                set_product(l, left[column], _inverse[static_cast<std::size_t>(column)]);
+                above[column] = left[column] = Complex4{};
+                for (int p = _start[static_cast<std::size_t>(column)]; p < end; ++p) {
+                    subtract_product(above[rows[p]], L[p], u);
+                    subtract_product(left[rows[p]], U[p], l);
+                }
+                L[end] = l;
+                U[end] = u;
+                subtract_product(pivot, l, u);
+            }
+            const Real4 square = pivot.re * pivot.re + pivot.im * pivot.im;
+            _inverse[k].re = pivot.re / square;
+            _inverse[k].im = -pivot.im / square;
+        }
+    });
+    std::array<bool, lanes> sound{true, true, true, true};
+    for (const Complex4 &inverse : _inverse)
+        for (int lane = 0; lane < lanes; ++lane)
+            sound[static_cast<std::size_t>(lane)] = sound[static_cast<std::size_t>(lane)] &&
+                                                    std::isfinite(inverse.re[lane]) &&
+                                                    std::isfinite(inverse.im[lane]);
+    return sound;
+}
+
+void GeneralFactors::solve_transposed(Vector4 &b) const {
+    in_lanes([&]() __attribute__((always_inline)) {
+        const std::size_t n = _order.size();
+        Complex4 *x = _x.data();
+        const int *rows = _rows.data();
+        for (std::size_t k = 0; k < n; ++k)
+            x[k] = b[static_cast<std::size_t>(_order[k])];
+        for (std::size_t k = 0; k < n; ++k) {
+            Complex4 known;
+            set_product(known, x[k], _inverse[k]);
+            x[k] = known;
+            for (int p = _start[k]; p < _start[k + 1]; ++p)
+                subtract_product(x[rows[p]], _U[static_cast<std::size_t>(p)], known);
+        }
+        for (std::size_t k = n; k-- > 0;) {
+            Complex4 sum = x[k];
+            for (int p = _start[k]; p < _start[k + 1]; ++p)
+                subtract_product(sum, _L[static_cast<std::size_t>(p)], x[rows[p]]);
+            x[k] = sum;
+        }
+        for (std::size_t k = 0; k < n; ++k)
+            b[static_cast<std::size_t>(_order[k])] = x[k];
+    });
+}
+
+} // namespace whirl::linalg

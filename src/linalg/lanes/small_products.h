@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace whirl::linalg {
+
+/// Entries that hold so many numbers in whole vectors of the machine.
+[[nodiscard]] Eigen::Index whole_vectors(Eigen::Index size);
+
+// y = A x for one small matrix and many x: rows four at a time in vector instructions. Outputs have
+// whole_vectors(rows) entries; those beyond the rows are 0.
+
+class RealProduct {
+  public:
+    RealProduct() = default;
+    explicit RealProduct(const Eigen::MatrixXd &A);
+
+    void operator()(const double *x, double *out) const;
+
+  private:
+    Eigen::Index _rows = 0, _columns = 0;
+    std::vector<double> _A; ///< by columns, each filled up with zeros
+};
+
+/// Real and imaginary parts apart.
+class ComplexProduct {
+  public:
+    explicit ComplexProduct(const Eigen::MatrixXcd &A);
+
+    void operator()(const double *re, const double *im, double *out_re, double *out_im) const;
+
+  private:
+    Eigen::Index _rows, _columns;
+    std::vector<double> _re, _im; ///< by columns, each filled up with zeros
+};
+
+} // namespace whirl::linalg

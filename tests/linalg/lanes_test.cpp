@@ -1,0 +1,152 @@
+// Small matrices in vector instructions against Eigen's.
+
+#include "linalg/check.h"
+#include "linalg/lanes/general_factors.h"
+#include "linalg/lanes/row_products.h"
+#include "linalg/lanes/small_products.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include <array>
+#include <complex>
+#include <random>
+
+namespace {
+
+using namespace whirl::linalg;
+using Complex = std::complex<double>;
+
+Eigen::MatrixXcd random_complex(int rows, int columns, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> entry(-1, 1);
+    return Eigen::MatrixXcd::NullaryExpr(rows, columns, [&] {
+        const double re = entry(random);
+        return Complex(re, entry(random));
+    });
+}
+
+Eigen::MatrixXd random_real(int rows, int columns, unsigned seed) {
+    return random_complex(rows, columns, seed).real();
+}
+
+constexpr std::array sizes{1, 3, 4, 6, 13, 16, 31, 35}; // whole vectors of a machine, and not
+
+TEST(SmallProducts, AreThoseOfEigen) {
+    for (const int rows : sizes)
+        for (const int columns : {1, 5, 14}) {
+            const Eigen::MatrixXcd A = random_complex(rows, columns, 1);
+            const Eigen::VectorXcd x = random_complex(columns, 1, 2);
+            const Eigen::VectorXd re = x.real();
+            const Eigen::VectorXd im = x.imag();
+            const Eigen::Index whole = whole_vectors(rows);
+            EXPECT_EQ(whole % 4, 0);
+            Eigen::VectorXd out_re = Eigen::VectorXd::Ones(whole);
+            Eigen::VectorXd out_im = out_re;
+            const ComplexProduct by_parts(A);
+            by_parts(re.data(), im.data(), out_re.data(), out_im.data());
+            Eigen::VectorXcd expected = Eigen::VectorXcd::Zero(whole); // zero beyond the rows
+            expected.head(rows) = A * x;
+            EXPECT_LT((out_re - expected.real()).norm(), 1e-14 * columns);
+            EXPECT_LT((out_im - expected.imag()).norm(), 1e-14 * columns);
+            expected.head(rows) = A.real() * re;
+            const RealProduct by_real(A.real());
+            by_real(re.data(), out_re.data());
+            EXPECT_LT((out_re - expected.real()).norm(), 1e-14 * columns);
+        }
+}
+
+TEST(RowProducts, AreThoseOfEigen) {
+    for (const int rows : {1, 5, 12})
+        for (const int columns : sizes) {
+            const Rows A = random_real(rows, 7, 3);
+            const Rows B = random_real(7, columns, 4);
+            Rows out = Rows::Ones(rows, columns);
+            add_product(A, B, out);
+            EXPECT_LT((out - Rows::Ones(rows, columns) - A * B).norm(), 1e-13);
+            set_product(A, B, out);
+            EXPECT_LT((out - A * B).norm(), 1e-13);
+        }
+}
+
+TEST(RowProducts, SolveBesideIsTheSolution) {
+    for (const int size : sizes) {
+        const Eigen::MatrixXd A = random_real(size, size, 5);
+        const Eigen::MatrixXd B = random_real(size, 9, 6);
+        Rows both(size, size + 9);
+        both << A, B;
+        solve_beside(both);
+        const Eigen::MatrixXd X = both.rightCols(9);
+        EXPECT_LT((A * X - B).norm(), 1e-13 * A.norm() * X.norm());
+    }
+    Rows singular = Rows::Ones(3, 5);
+    EXPECT_THROW(solve_beside(singular), SolverError);
+}
+
+TEST(RowProducts, SolverSolvesAllRightSides) {
+    for (const int size : sizes)
+        for (const int columns : {4, 12, 44}) {
+            const Eigen::MatrixXcd A = random_complex(size, size, 7);
+            const Eigen::MatrixXcd B = random_complex(size, columns, 8);
+            Rows re = B.real();
+            Rows im = B.imag();
+            RowSolver(A).solve(re, im);
+            const Eigen::MatrixXcd X = re.cast<Complex>() + Complex(0, 1) * im.cast<Complex>();
+            EXPECT_LT((A * X - B).norm(), 1e-13 * A.norm() * X.norm());
+        }
+}
+
+/// A chain with a branch, in an order that hides it; the pattern is its own mirror image.
+Eigen::MatrixXcd chain(unsigned seed) {
+    constexpr int size = 23;
+    const Eigen::MatrixXcd entries = random_complex(size, size, seed);
+    Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(size, size);
+    const auto place = [](int i) { return (7 * i) % size; };
+    for (int i = 0; i < size; ++i)
+        for (int k = 0; k < size; ++k)
+            if (std::abs(i - k) < 3 || i + k == size)
+                A(place(i), place(k)) = entries(i, k);
+    return A;
+}
+
+TEST(GeneralFactors, SolveFourTransposedProblems) {
+    std::array<Eigen::MatrixXcd, lanes> A;
+    std::array<Eigen::VectorXcd, lanes> b;
+    std::array<const Eigen::VectorXcd *, lanes> all{};
+    Vector4 values;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        A[lane] = chain(static_cast<unsigned>(20 + lane));
+        const Eigen::SparseMatrix<Complex> sparse = A[lane].sparseView();
+        values.resize(static_cast<std::size_t>(sparse.nonZeros()));
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i].set(static_cast<int>(lane), sparse.valuePtr()[i]);
+        b[lane] =
+            random_complex(static_cast<int>(A[lane].rows()), 1, static_cast<unsigned>(30 + lane));
+        all[lane] = &b[lane];
+    }
+    GeneralFactors factors(Eigen::SparseMatrix<Complex>(A[0].sparseView()));
+    for (int again = 0; again < 2; ++again) {
+        for (const bool sound : factors.factorize(values))
+            EXPECT_TRUE(sound);
+        Vector4 work;
+        set(work, all);
+        factors.solve_transposed(work);
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const Eigen::VectorXcd x = vector_of(work, static_cast<int>(lane));
+            EXPECT_LT((A[lane].transpose() * x - b[lane]).norm(), 1e-11 * x.norm());
+        }
+    }
+}
+
+TEST(GeneralFactors, ALaneWithoutPivotsIsTold) {
+    Eigen::SparseMatrix<Complex> full = Eigen::MatrixXcd::Ones(2, 2).sparseView();
+    GeneralFactors factors(full);
+    Vector4 values(4); // columns (2 1), (1 2), and in one lane (0 1), (1 0)
+    for (int lane = 0; lane < lanes; ++lane)
+        for (std::size_t i = 0; i < 4; ++i)
+            values[i].set(lane, i == 1 || i == 2 ? 1.0 : lane == 2 ? 0.0 : 2.0);
+    EXPECT_EQ(factors.factorize(values), (std::array{true, true, false, true}));
+}
+
+} // namespace
