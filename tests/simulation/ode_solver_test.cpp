@@ -199,7 +199,8 @@ TEST(AdamsWeights, AreThoseOfTheTextbooks) {
     EXPECT_NEAR(std::abs(w.modal(1, 1) - 0.5 * (std::exp(z) - 1. - z) / (z * z)), 0, 1e-14);
 }
 
-// The integrals by hand on both sides of the |h a| at which the quadrature changes, and at the last.
+// The integrals by hand on both sides of the |h a| at which the quadrature changes, and at the
+// last.
 TEST(AdamsWeights, HoldUpToTheirReach) {
     for (const double size : {7.9, 8.1, 29.9})
         for (const double angle : {1.6, 2.2, 3.1}) {
