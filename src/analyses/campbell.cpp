@@ -288,7 +288,9 @@ void note_no_peaks(results::CampbellResult &result) {
                         fmt::join(speeds, ", ")));
 }
 
-/// Of a Hill series ends of such intervals are looked for in the steps that show a change.
+/// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
+/// change.
+/// @param by_steps  so it was
 void note_short_bands(results::ModelSummary &model, bool by_steps) {
     if (by_steps)
         model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "

@@ -349,17 +349,21 @@ ModeBasis SpectrumSolver::basis(const Spectrum &spectrum) const {
     return basis_of(_data->matrices().at(spectrum.speed), values, X, _data->matrices().mirrored());
 }
 
+Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
+    const double beside = rate_step * std::abs(spectrum.speed);
+    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
+    if (is_new || known->second.modes.size() < spectrum.modes.size())
+        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
+    return rates_between(spectrum, known->second);
+}
+
 ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
     const auto &shapes = _data->shapes;
     ModeBasis out = series_basis(_data->matrices().mass(),
                                  2 * (shapes ? shapes->cols() : _data->d.planar_size()), spectrum);
     if (!_data->floquet || spectrum.speed == 0)
         return out;
-    const double beside = rate_step * std::abs(spectrum.speed);
-    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
-    if (is_new || known->second.modes.size() < spectrum.modes.size())
-        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
-    out.rate_below = rates_between(spectrum, known->second);
+    out.rate_below = rates(spectrum);
     out.rate_above = out.rate_below;
     return out;
 }

@@ -77,6 +77,9 @@ class SpectrumSolver {
                                                                int wanted) const;
     /// This is such a rotor: a speed costs little.
     [[nodiscard]] bool by_matrix() const;
+    /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
+    /// beside; not a number where it is not clear which one a mode becomes.
+    [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;
 
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;

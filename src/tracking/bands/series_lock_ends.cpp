@@ -78,11 +78,35 @@ double slowest(const Count &count) {
                : turn_in_rotor(count.others.front(), count.speed, results::Form::hill);
 }
 
+/// Some motion turns less and less towards a speed that far away, so that it may stand before it.
+bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double way) {
+    constexpr double farther = 1.5; // than its slope leads
+    modes::Spectrum moving;
+    moving.speed = from.speed;
+    moving.modes = from.others;
+    const Eigen::VectorXcd rates = solver.rates(moving);
+    for (std::size_t i = 0; i < moving.modes.size(); ++i) {
+        const double turn = turn_in_rotor(moving.modes[i], from.speed, results::Form::hill);
+        // Still in the rotor is on an odd multiple of the speed in the fixed frame.
+        const double frequency = moving.modes[i].eigenvalue.imag();
+        const double size = std::abs(from.speed);
+        const double multiple = 2 * std::round((frequency / size - 1) / 2) + 1;
+        const double slope =
+            std::copysign(1.0, frequency - multiple * size) *
+            (rates(static_cast<Eigen::Index>(i)).imag() - std::copysign(multiple, from.speed));
+        if (turn + farther * slope * way < 0)
+            return true;
+    }
+    return false;
+}
+
 /// A band that opens and closes between two speeds: outside it a motion turns by no more than about
-/// as much as the speed is away, so that those at both are slow.
-bool may_hide_band(const Count &a, const Count &b) {
-    constexpr double steepest = 1.2;
-    return slowest(a) + slowest(b) < steepest * std::abs(b.speed - a.speed);
+/// as much as the speed is away, and less towards it from both.
+bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Count &b) {
+    constexpr double steepest = 1.5;
+    const double width = b.speed - a.speed;
+    return slowest(a) + slowest(b) < steepest * std::abs(width) && slows_down(solver, a, width) &&
+           slows_down(solver, b, -width);
 }
 
 /// Modes to ask for so that those that stand between two speeds, and those that may begin to, are
@@ -114,9 +138,8 @@ int modes_in_play(const Count &a, const Count &b) {
 /// where the numbers of motions tell, or how slow the others are.
 void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &b,
                      int wanted, int halves, std::vector<LockEnd> &ends) {
-    constexpr int most = 6;
-    constexpr double like = 0.2;
-    if (halves > most || (a.motions == b.motions && !may_hide_band(a, b)))
+    constexpr int most = 8;
+    if (halves > most || (a.motions == b.motions && !may_hide_band(solver, a, b)))
         return;
     if (a.motions != b.motions)
         if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted)) {
@@ -129,10 +152,6 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
             return;
         }
     const Count middle = count_at(solver, a.speed + (b.speed - a.speed) / 2, wanted);
-    const double between = (slowest(a) + slowest(b)) / 2;
-    if (a.motions == b.motions && middle.motions == a.motions &&
-        std::abs(slowest(middle) - between) < like * between)
-        return; // slow throughout
     add_series_ends(solver, a, middle, wanted, halves + 1, ends);
     add_series_ends(solver, middle, b, wanted, halves + 1, ends);
 }
