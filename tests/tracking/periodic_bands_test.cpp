@@ -57,7 +57,7 @@ radius = 0.16
 damping = 1
 imbalance = 0.01
 [campbell]
-modes = 6
+modes = 4
 [speeds]
 from = 100
 to = 500
