@@ -225,7 +225,7 @@ double action_of(const System::Steady &steady, const Eigen::VectorXcd &shape) {
 namespace {
 
 /// @param along  where to put the states at the beginning of each step, or none
-MatrixXd half_turn(const System &system, double speed, int steps, Blocks *along) {
+MatrixXd half_turn(const System &system, double speed, int steps, std::vector<Rows> *along) {
     const double length = period(speed) / steps;
     const StepMaps maps(system, speed, length);
     const Eigen::Index forces_at_once = maps.Z.cols();
@@ -303,11 +303,12 @@ struct OverPeriod {
     }
 };
 
-std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions, const Blocks &along,
-                                    double length) {
+std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions,
+                                    const std::vector<Rows> &along, double length) {
     const Eigen::Index n = along.front().rows() / 2;
     const std::ptrdiff_t count = std::ssize(motions);
-    MatrixXd start(2 * n, 2 * count);
+    Rows start(2 * n, 2 * count);
+    Rows now(2 * n, 2 * count);
     for (Eigen::Index i = 0; i < count; ++i)
         start.middleCols(2 * i, 2) << motions[static_cast<std::size_t>(i)].shape.real(),
             motions[static_cast<std::size_t>(i)].shape.imag();
@@ -316,7 +317,7 @@ std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions, c
         for (MatrixXcd *x : {&one.displacements, &one.rates})
             x->resize(n, std::ssize(along));
     for (Eigen::Index step = 0; step < std::ssize(along); ++step) {
-        const MatrixXd now = linalg::product(along[static_cast<std::size_t>(step)], start);
+        linalg::set_product(along[static_cast<std::size_t>(step)], start, now);
         for (Eigen::Index i = 0; i < count; ++i) {
             OverPeriod &one = out[static_cast<std::size_t>(i)];
             const Complex back = std::exp(-motions[static_cast<std::size_t>(i)].value *
@@ -352,7 +353,7 @@ std::vector<FloquetMotion> floquet_motions(const System &system, double speed, i
 
 std::vector<FloquetSeries> floquet_series(const System &system, double speed, int steps,
                                           double fastest) {
-    Blocks along;
+    std::vector<Rows> along;
     const MatrixXd turn = half_turn(system, speed, steps, &along);
     const MatrixXd M = system.steady(speed).M;
     const int most = (steps - 1) / 2;

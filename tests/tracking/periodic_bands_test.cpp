@@ -57,32 +57,26 @@ radius = 0.16
 damping = 1
 imbalance = 0.01
 [campbell]
-modes = 6
+modes = 4
 [speeds]
 from = 100
 to = 500
 count = 3
 )";
 
-model::Case drum_of(int order) {
-    model::Case scene = tests::written_case(drum);
-    scene.rotor.shaft.order = order;
-    return scene;
-}
+constexpr int order = 3;
 
-results::CampbellResult diagram(int order, int count) {
-    model::Case scene = drum_of(mesh);
+results::CampbellResult diagram(int count) {
+    model::Case scene = tests::written_case(drum);
     scene.speeds->count = count;
     return analyses::campbell(scene);
 }
 
-constexpr int mesh = 3;
-
 TEST(PeriodicBands, AreTheSameOnEveryGrid) {
-    const results::CampbellResult coarse = diagram(mesh, 3);
+    const results::CampbellResult coarse = diagram(3);
     ASSERT_GE(coarse.locked.size(), 3U);
     for (const int count : {6}) {
-        const results::CampbellResult other = diagram(mesh, count);
+        const results::CampbellResult other = diagram(count);
         ASSERT_EQ(other.locked.size(), coarse.locked.size()) << count;
         for (std::size_t i = 0; i < coarse.locked.size(); ++i) {
             EXPECT_NEAR(other.locked[i].from / coarse.locked[i].from, 1, 1e-8) << count;
@@ -97,9 +91,9 @@ TEST(PeriodicBands, AreTheSameOnEveryGrid) {
 /// As many bands cover a speed as motions of the whole rotor's Hill series stand still there, just
 /// inside and just outside every end too.
 TEST(PeriodicBands, CoverASpeedAsOftenAsMotionsStandStillThere) {
-    const model::Case scene = drum_of(mesh);
-    const std::vector<results::Locked> locked = diagram(mesh, 3).locked;
-    const modes::SpectrumSolver whole(scene.rotor, results::Form::hill, mesh);
+    const model::Case scene = tests::written_case(drum);
+    const std::vector<results::Locked> locked = diagram(3).locked;
+    const modes::SpectrumSolver whole(scene.rotor, results::Form::hill, order);
     std::vector<double> speeds;
     for (int k = 0; k < 12; ++k) // off every grid that the search may use
         speeds.push_back(100 + 400 * (k + 0.37) / 12.2);
@@ -120,9 +114,9 @@ TEST(PeriodicBands, CoverASpeedAsOftenAsMotionsStandStillThere) {
 
 TEST(PeriodicLines, AreModesOfTheWholeRotorsSeries) {
 
-    const results::CampbellResult result = diagram(mesh, 3);
-    const model::Case scene = drum_of(mesh);
-    const modes::SpectrumSolver whole(scene.rotor, results::Form::hill, mesh);
+    const results::CampbellResult result = diagram(3);
+    const model::Case scene = tests::written_case(drum);
+    const modes::SpectrumSolver whole(scene.rotor, results::Form::hill, order);
     for (std::size_t k = 0; k < result.speeds.size(); ++k) {
         const modes::Spectrum all = whole.at(result.speeds[k], 16);
         for (const results::CampbellMode &mode : result.modes) {
