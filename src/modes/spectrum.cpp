@@ -365,14 +365,6 @@ Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
     return rates_between(spectrum, known->second);
 }
 
-Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
-    const double beside = rate_step * std::abs(spectrum.speed);
-    const auto [known, is_new] = _data->beside.try_emplace(spectrum.speed);
-    if (is_new || known->second.modes.size() < spectrum.modes.size())
-        known->second = at(spectrum.speed + beside, static_cast<int>(spectrum.modes.size()));
-    return rates_between(spectrum, known->second);
-}
-
 ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
     const auto &shapes = _data->shapes;
     ModeBasis out = series_basis(_data->matrices().mass(),
