@@ -189,6 +189,20 @@ RealMatrix inverse(const RealMatrix &A) {
     return solve(A, RealMatrix::Identity(A.rows(), A.rows()));
 }
 
+Real determinant(RealMatrix A) {
+    Real out = 1;
+    for (Eigen::Index k = 0; k < A.rows(); ++k) {
+        const Eigen::Index pivot = pivot_row(A, k);
+        exchange_rows(A, k, pivot);
+        out *= (pivot == k ? 1 : -1) * A(k, k);
+        for (Eigen::Index i = k + 1; i < A.rows(); ++i)
+            A(i, k) /= A(k, k);
+        for (Eigen::Index j = k + 1; j < A.rows(); ++j)
+            subtract(A, k, k + 1, A.rows(), A(k, j), A, j);
+    }
+    return out;
+}
+
 std::vector<Complex> eigenvalues(const RealMatrix &A) {
     constexpr int most = 60; // steps for one eigenvalue
     RealMatrix H = hessenberg(A);

@@ -21,6 +21,7 @@ using ComplexMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
 [[nodiscard]] RealMatrix solve(RealMatrix A, RealMatrix B);
 [[nodiscard]] ComplexMatrix solve(ComplexMatrix A, ComplexMatrix B);
 [[nodiscard]] RealMatrix inverse(const RealMatrix &A);
+[[nodiscard]] Real determinant(RealMatrix A);
 
 /// Of a real (n, n) matrix, in no order, complex ones in exact pairs: Hessenberg form by
 /// reflections, double steps of QR (Francis 1961; Golub, Van Loan, Matrix Computations, 7.5).
