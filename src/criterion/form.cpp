@@ -66,7 +66,9 @@ const Eigen::MatrixXcd &BalanceForm::at(double speed) {
 double BalanceForm::plane(int index, double speed) { return at(speed)(index, index).real(); }
 
 Eigen::MatrixXcd BalanceForm::on_range(double speed) {
-    return _range.transpose() * at(speed) * _range;
+    const Eigen::MatrixXcd range = _range.cast<std::complex<double>>();
+    const Eigen::MatrixXcd of_range = at(speed) * range;
+    return range.adjoint() * of_range;
 }
 
 double BalanceForm::joint(double speed) {

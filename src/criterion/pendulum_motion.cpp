@@ -2,9 +2,8 @@
 
 #include "closed_form/pendulum_balancer.h"
 #include "linalg/check.h"
+#include "linalg/dense/least_squares.h"
 #include "results/formulation.h"
-
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +101,7 @@ bool PendulumShaft::newton(Eigen::VectorXcd &u) const {
         J = Eigen::MatrixXd::Identity(2 * n, 2 * n) - J * slope.asDiagonal();
         Eigen::VectorXd g(2 * n);
         g << rest.real(), rest.imag();
-        const Eigen::VectorXd step = J.fullPivLu().solve(g);
+        const Eigen::VectorXd step = linalg::least_squares(J, g);
         if (!step.allFinite())
             return false;
         u.real() -= step.head(n);
@@ -154,7 +153,7 @@ PendulumShaft::motions(double speed, const std::vector<PendulumSteadyMotion> &gi
     }
     const Eigen::MatrixXcd linear =
         Eigen::MatrixXcd::Identity(n, n) - _R * small.cast<Complex>().asDiagonal();
-    std::vector<Eigen::VectorXcd> starts{_held, linear.fullPivLu().solve(_held)};
+    std::vector<Eigen::VectorXcd> starts{_held, linalg::least_squares(linear, _held).col(0)};
     if (n == 1)
         for (Eigen::VectorXcd &start : closed_form_starts())
             starts.push_back(std::move(start));

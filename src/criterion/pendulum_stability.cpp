@@ -79,13 +79,17 @@ PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_
         assembly::unit_loads(forced_places(d, data.pendulums), d.planar_size());
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
     const Eigen::MatrixXd V = basis_of(system, forces, modes);
-    const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd { return V.transpose() * (A * V); };
+    const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd {
+        const Eigen::MatrixXd of_basis = A * V;
+        return V.transpose() * of_basis;
+    };
     data.M = kept(system.M.view());
     data.G = kept(system.G.view());
     data.K = kept(system.K.view());
     data.Ce = kept(support_damping(d, bearing_speed));
     data.Ci = kept(assembly::planar_part(d, assembly::Term::damping));
-    data.places = forces.leftCols(count).transpose() * V;
+    const Eigen::MatrixXd places = forces.leftCols(count);
+    data.places = places.transpose() * V;
     data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());
 }
 
@@ -121,11 +125,12 @@ double PendulumStability::growth(double speed, const PendulumSteadyMotion &motio
         K(at, at) = W * W * p.pivot / (p.arm * cos_phi);
         K(at + 1, at + 1) = W * W * p.pivot / (p.arm * cos_psi);
     }
-    const Eigen::MatrixXd turn = real_form(none, Eigen::MatrixXd::Identity(k, k)); // times i
+    Eigen::MatrixXd turned(2 * k, 2 * n); // i S
+    turned << -S.bottomRows(k), S.topRows(k);
     M.topRightCorner(2 * k, 2 * n) = S;
     M.bottomLeftCorner(2 * n, 2 * k) = S.transpose();
-    C.topRightCorner(2 * k, 2 * n) = 2 * W * turn * S;
-    C.bottomLeftCorner(2 * n, 2 * k) = 2 * W * S.transpose() * turn;
+    C.topRightCorner(2 * k, 2 * n) = 2 * W * turned;
+    C.bottomLeftCorner(2 * n, 2 * k) = -2 * W * turned.transpose();
     K.topRightCorner(2 * k, 2 * n) = -W * W * S;
     K.bottomLeftCorner(2 * n, 2 * k) = -W * W * S.transpose();
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);

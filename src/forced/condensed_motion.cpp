@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace whirl::forced {
 
@@ -47,6 +48,24 @@ Eigen::Matrix2cd to_directions() {
     Eigen::Matrix2cd T;
     T << 1, 1, -imaginary_unit, imaginary_unit;
     return T;
+}
+
+/// So many equal ones in a row in place of one, over the rows and columns listed.
+void chain(const std::vector<Eigen::Index> &rows, int count, Eigen::MatrixXcd &values,
+           Eigen::MatrixXd &sizes) {
+    Chain one;
+    one.half = static_cast<int>(rows.size()) / 2;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t j = 0; j < rows.size(); ++j) {
+            one.values[i][j] = values(rows[i], rows[j]);
+            one.sizes[i][j] = sizes(rows[i], rows[j]);
+        }
+    const Chain all = equal_chain(one, count);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t j = 0; j < rows.size(); ++j) {
+            values(rows[i], rows[j]) = all.values[i][j];
+            sizes(rows[i], rows[j]) = all.sizes[i][j];
+        }
 }
 
 } // namespace
@@ -113,19 +132,12 @@ CondensedMotion::Block CondensedMotion::in_a_row(const Block &element, int count
         return element;
     Block out{element.values, element.sizes};
     if (_rotating) { // the unknowns of each end together
-        const std::array<Eigen::Index, 8> order{0, 1, 4, 5, 2, 3, 6, 7};
-        const Chain<8> all =
-            equal_chain<8>({element.values(order, order), element.sizes(order, order)}, count);
-        out.values(order, order) = all.values;
-        out.sizes(order, order) = all.sizes;
+        chain({0, 1, 4, 5, 2, 3, 6, 7}, count, out.values, out.sizes);
         return out;
     }
     for (int part = 0; part < _parts; ++part) { // they do not meet in the shaft
-        const auto own = Eigen::seqN(at_nodes * part, at_nodes);
-        const Chain<at_nodes> all =
-            equal_chain<at_nodes>({element.values(own, own), element.sizes(own, own)}, count);
-        out.values(own, own) = all.values;
-        out.sizes(own, own) = all.sizes;
+        const int first = at_nodes * part;
+        chain({first, first + 1, first + 2, first + 3}, count, out.values, out.sizes);
     }
     return out;
 }
@@ -199,17 +211,17 @@ Eigen::MatrixXcd CondensedMotion::rotating_values(int span, const Eigen::MatrixX
     } else { // over the unknowns at the nodes of both parts, then those inside of both
         const Eigen::Index n = forward.rows();
         const Eigen::Index inner = n - at_nodes;
-        Eigen::MatrixXcd first = Eigen::MatrixXcd::Zero(2 * n, n);
-        first.topLeftCorner(at_nodes, at_nodes).setIdentity();
-        first.block(2 * at_nodes, at_nodes, inner, inner).setIdentity();
-        Eigen::MatrixXcd second = Eigen::MatrixXcd::Zero(2 * n, n);
-        second.block(at_nodes, 0, at_nodes, at_nodes).setIdentity();
-        second.bottomRightCorner(inner, inner).setIdentity();
-        const Eigen::MatrixXcd Z = forward + imaginary_unit * outside;
-        const Eigen::MatrixXcd D = difference.cast<Complex>();
-        const Eigen::MatrixXcd whole =
-            first * Z * first.transpose() + second * Z.conjugate() * second.transpose() +
-            first * D * second.transpose() + second * D * first.transpose();
+        const auto row = [inner](Eigen::Index k, Eigen::Index part) {
+            return k < at_nodes ? at_nodes * part + k : at_nodes + inner * part + k;
+        };
+        Eigen::MatrixXcd whole(2 * n, 2 * n);
+        for (Eigen::Index j = 0; j < n; ++j)
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const Complex Z(forward(i, j), outside(i, j));
+                whole(row(i, 0), row(j, 0)) = Z;
+                whole(row(i, 1), row(j, 1)) = std::conj(Z);
+                whole(row(i, 0), row(j, 1)) = whole(row(i, 1), row(j, 0)) = difference(i, j);
+            }
         out = condensed(whole, 2 * at_nodes);
     }
     const Complex turn = std::polar(1.0, 2 * of.asymmetry_angle);

@@ -1,6 +1,6 @@
 #include "stability/coalescence.h"
 
-#include <Eigen/QR>
+#include "linalg/dense/least_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,12 +31,12 @@ Eigen::MatrixXcd states(const Motions &motions) {
 Eigen::MatrixXd shares(const Motions &from, const Motions &to) {
     const Eigen::MatrixXcd basis = states(from);
     const Eigen::MatrixXcd now = states(to);
-    const Eigen::MatrixXcd coefficients =
-        Eigen::ColPivHouseholderQR<Eigen::MatrixXcd>(basis).solve(now);
+    const Eigen::MatrixXcd coefficients = linalg::least_squares(basis, now);
     Eigen::MatrixXd out = coefficients.cwiseAbs2();
-    const Eigen::VectorXd missing = (basis * coefficients - now).colwise().squaredNorm();
+    const Eigen::MatrixXcd rest = basis * coefficients - now;
     for (Eigen::Index j = 0; j < out.cols(); ++j)
-        out.col(j) *= std::max(0.0, 1 - missing(j)) / std::max(out.col(j).sum(), 1e-300);
+        out.col(j) *=
+            std::max(0.0, 1 - rest.col(j).squaredNorm()) / std::max(out.col(j).sum(), 1e-300);
     return out;
 }
 

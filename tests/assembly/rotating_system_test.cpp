@@ -167,8 +167,11 @@ MatrixXd nodal_stiffness(const MatrixXd &K, int plane) {
     for (Eigen::Index i = 2; i < n - 2; ++i)
         between.push_back(i);
     const MatrixXd across = in_plane(between, nodes);
-    return in_plane(nodes, nodes) -
-           across.transpose() * MatrixXd(in_plane(between, between)).ldlt().solve(across);
+    const MatrixXd inside = in_plane(between, between);
+    const MatrixXd moved = inside.partialPivLu().solve(across);
+    MatrixXd nodal = in_plane(nodes, nodes);
+    nodal -= across.transpose() * moved;
+    return nodal;
 }
 
 // An asymmetric segment is a circular one of other stiffness in each of its two planes, where the

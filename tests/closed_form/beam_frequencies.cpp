@@ -72,7 +72,10 @@ std::array<double, 4> timoshenko_whirl(const UniformShaft &shaft, int mode, doub
     Eigen::Matrix2d K;
     K << shear * k * k / mass, -shear * k / std::sqrt(mass * rotary),
         -shear * k / std::sqrt(mass * rotary), (bending + shear) / rotary;
-    const Eigen::Matrix2d L = K.llt().matrixL();
+    Eigen::Matrix2d L = Eigen::Matrix2d::Zero(); // K = L L^T
+    L(0, 0) = std::sqrt(K(0, 0));
+    L(1, 0) = K(1, 0) / L(0, 0);
+    L(1, 1) = std::sqrt(K(1, 1) - L(1, 0) * L(1, 0));
     Eigen::MatrixXd symmetric = Eigen::MatrixXd::Zero(4, 4);
     symmetric.topRightCorner<2, 2>() = L.transpose();
     symmetric.bottomLeftCorner<2, 2>() = L;

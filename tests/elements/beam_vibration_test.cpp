@@ -36,8 +36,10 @@ double first_pinned_frequency(elements::Beam beam, int order, int elements) {
             free.push_back(i);
     // The largest of 1/w^2 is accurate to rounding; the smallest w^2 of the pencil is not, beside
     // shear frequencies that are slenderness^2 times larger.
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-        Eigen::MatrixXd(M(free, free)), Eigen::MatrixXd(K(free, free)), Eigen::EigenvaluesOnly);
+    const Eigen::MatrixXcd free_M = M(free, free).cast<std::complex<double>>();
+    const Eigen::MatrixXcd free_K = K(free, free).cast<std::complex<double>>();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> solver(free_M, free_K,
+                                                                            Eigen::EigenvaluesOnly);
     return 1 / std::sqrt(solver.eigenvalues()(solver.eigenvalues().size() - 1));
 }
 

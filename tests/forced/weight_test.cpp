@@ -89,7 +89,7 @@ struct HarmonicBalance {
         const std::vector<double> ones = d.rigid_motion(false);
         f.segment(2 * n * most + n, n) =
             -g * rotor_mass * Eigen::Map<const Eigen::VectorXd>(ones.data(), n);
-        unknowns = A.fullPivLu().solve(f);
+        unknowns = A.partialPivLu().solve(f);
     }
 
     [[nodiscard]] Complex harmonic(int h, const assembly::Combination &w) const {

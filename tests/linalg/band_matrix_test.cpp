@@ -32,7 +32,7 @@ TEST(BandMatrix, agrees_with_a_dense_solution) {
                 Eigen::VectorXcd b(size);
                 for (int i = 0; i < size; ++i)
                     b(i) = number(i, 3 * i + 1);
-                const Eigen::VectorXcd expected = dense.fullPivLu().solve(b);
+                const Eigen::VectorXcd expected = dense.partialPivLu().solve(b);
                 // Rounding times the condition of such small matrices.
                 EXPECT_LT((band.solve(b) - expected).norm(), 1e-10 * expected.norm())
                     << size << " x " << size << ", width " << width;
@@ -82,7 +82,7 @@ TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
     factors.solve(x);
     for (int lane = 0; lane < lanes; ++lane) {
         const auto i = static_cast<std::size_t>(lane);
-        const Eigen::VectorXcd expected = A[i].fullPivLu().solve(b[i]);
+        const Eigen::VectorXcd expected = A[i].partialPivLu().solve(b[i]);
         EXPECT_LT((vector_of(x, lane) - expected).norm(), 1e-12 * expected.norm()) << lane;
         const double phase = std::arg(A[i].determinant());
         const double apart = factors.determinant_phases()[i] - phase;

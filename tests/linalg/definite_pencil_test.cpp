@@ -26,8 +26,12 @@ std::vector<double> companion_values(const Eigen::MatrixXd &K, const Eigen::Matr
     const Eigen::Index n = K.rows();
     Eigen::MatrixXd C = Eigen::MatrixXd::Zero(2 * n, 2 * n);
     C.topRightCorner(n, n).setIdentity();
-    C.bottomLeftCorner(n, n) = M.ldlt().solve(K);
-    C.bottomRightCorner(n, n) = M.ldlt().solve(s * S);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> mass(M);
+    const Eigen::MatrixXd linear = s * S;
+    const Eigen::MatrixXd solved_K = mass.solve(K);
+    const Eigen::MatrixXd solved_S = mass.solve(linear);
+    C.bottomLeftCorner(n, n) = solved_K;
+    C.bottomRightCorner(n, n) = solved_S;
     const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(C, false).eigenvalues();
     std::vector<double> values;
     for (const auto &value : all)

@@ -52,12 +52,11 @@ TEST(SemidefinitePair, FreeChainAndIndefiniteMass) {
     const std::vector<double> roots = SemidefinitePair(sparse(K), sparse(A)).roots(1e-3, 5);
     // K + t A is positive definite for small t > 0; its roots with A are sqrt(w^2 + t).
     const double t = 1e-2;
-    const Eigen::LLT<Eigen::MatrixXd> llt(K + t * A);
-    ASSERT_EQ(llt.info(), Eigen::Success);
-    const Eigen::MatrixXd L = llt.matrixL();
-    const Eigen::MatrixXd B = L.triangularView<Eigen::Lower>().solve(
-        Eigen::MatrixXd(L.triangularView<Eigen::Lower>().solve(A)).transpose());
-    const Eigen::VectorXd mu = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B).eigenvalues();
+    const Eigen::MatrixXcd right = (K + t * A).cast<std::complex<double>>();
+    const Eigen::MatrixXcd left = A.cast<std::complex<double>>();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXcd> pair(left, right);
+    ASSERT_EQ(pair.info(), Eigen::Success);
+    const Eigen::VectorXd mu = pair.eigenvalues();
     std::vector<double> expected;
     for (Eigen::Index i = n - 1; i >= 0; --i)
         if (mu(i) > 1e-12 && 1 / mu(i) - t > 1e-6)

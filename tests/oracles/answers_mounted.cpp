@@ -73,7 +73,7 @@ struct Mounted {
             force(2, 0) += arm * f;
             force(3, 0) -= i * arm * f;
         }
-        const ComplexMatrix q = D.partialPivLu().solve(force);
+        const ComplexMatrix q = solve(D, force);
         const Complex x = q(0, 0) + (z - body.centre) * q(2, 0);
         const Complex y = q(1, 0) + (z - body.centre) * q(3, 0);
         return (std::abs(x + i * y) + std::abs(x - i * y)) / 2;

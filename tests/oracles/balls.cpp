@@ -40,10 +40,11 @@ struct Weighted {
             if (miss.norm() < 1e-16L)
                 return true;
             const Jacobian J = slopes(angles);
-            const Eigen::Matrix<Real, 2, 2> normal = J * J.transpose();
+            const Eigen::Matrix<Real, 2, 2> normal = J.lazyProduct(J.transpose());
             if (std::abs(normal.determinant()) < 1e-24L)
                 return false;
-            angles -= J.transpose() * normal.inverse() * miss;
+            const Eigen::Matrix<Real, 2, 1> pulls = normal.inverse() * miss;
+            angles -= J.transpose().lazyProduct(pulls);
         }
         return false;
     }
@@ -63,8 +64,10 @@ struct Weighted {
             out[i] = 4 * inertia[i] *
                      (std::conj(sum) * Complex(0, 1) * std::polar(Real(1), 2 * angles[i])).real();
         const Jacobian J = slopes(angles);
-        const Eigen::Matrix<Real, 2, 2> normal = J * J.transpose();
-        return out - J.transpose() * (normal.inverse() * (J * out));
+        const Eigen::Matrix<Real, 2, 2> normal = J.lazyProduct(J.transpose());
+        const Eigen::Matrix<Real, 2, 1> along = J.lazyProduct(out);
+        const Eigen::Matrix<Real, 2, 1> pulls = normal.inverse() * along;
+        return out - J.transpose().lazyProduct(pulls);
     }
 
     /// |D| from there on: descends (sense -1) or climbs (sense 1) with steps that double or halve.

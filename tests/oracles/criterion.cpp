@@ -1,7 +1,5 @@
 #include "oracles/criterion.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 
 namespace whirl::oracles {
@@ -59,10 +57,7 @@ ComplexMatrix criterion_form(const SteppedRotor &rotor, Real speed,
     return (R + R.adjoint()) / Real(2);
 }
 
-std::vector<Real> signature(const ComplexMatrix &form) {
-    const Eigen::SelfAdjointEigenSolver<ComplexMatrix> pairs(form, Eigen::EigenvaluesOnly);
-    return {pairs.eigenvalues().begin(), pairs.eigenvalues().end()};
-}
+std::vector<Real> signature(const ComplexMatrix &form) { return hermitian_eigenvalues(form); }
 
 std::vector<Band> criterion_bands(const SteppedRotor &rotor, Real from, Real to,
                                   const std::vector<double> &places) {

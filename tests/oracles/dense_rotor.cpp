@@ -1,5 +1,7 @@
 #include "oracles/dense_rotor.h"
 
+#include "oracles/wide_algebra.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -246,26 +248,24 @@ using Wide = std::complex<long double>;
 std::array<Wide, 2> forced_motion(const CaseRotor &rotor, double speed, double z, int parts) {
     const DenseRotor dense = dense_rotor(rotor.at_speed(speed), parts);
     const Eigen::Index n = dense.planar();
-    using WideMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
     const Wide i(0, 1);
-    Eigen::Matrix<Wide, Eigen::Dynamic, 1> force =
-        Eigen::Matrix<Wide, Eigen::Dynamic, 1>::Zero(2 * n);
+    ComplexMatrix force = ComplexMatrix::Zero(2 * n, 1);
     for (const Imbalance &imbalance : rotor.imbalances) {
         const Wide f = static_cast<long double>(imbalance.mr) * speed * speed *
                        std::polar(1.0L, static_cast<long double>(imbalance.phase));
         const Eigen::Index w = dense.deflection(imbalance.z);
-        force[w] += f;
-        force[n + w] -= i * f;
+        force(w, 0) += f;
+        force(n + w, 0) -= i * f;
     }
-    const auto wide = [](const Eigen::MatrixXd &A) -> WideMatrix { return A.cast<long double>(); };
     const long double W = speed;
-    const WideMatrix stiffness = wide(dense.K) + W * wide(dense.Kc) - W * W * wide(dense.M);
-    const WideMatrix damping = W * (wide(dense.C) + W * wide(dense.G));
-    Eigen::Matrix<Wide, Eigen::Dynamic, Eigen::Dynamic> dynamic = stiffness.cast<Wide>();
-    dynamic += i * damping.cast<Wide>();
-    const Eigen::Matrix<Wide, Eigen::Dynamic, 1> q = dynamic.partialPivLu().solve(force);
+    ComplexMatrix dynamic(2 * n, 2 * n);
+    for (Eigen::Index l = 0; l < 2 * n; ++l)
+        for (Eigen::Index k = 0; k < 2 * n; ++k)
+            dynamic(k, l) = Wide(dense.K(k, l) + W * dense.Kc(k, l) - W * W * dense.M(k, l),
+                                 W * (dense.C(k, l) + W * dense.G(k, l)));
+    const ComplexMatrix q = solve(dynamic, force);
     const Eigen::Index w = dense.deflection(z);
-    return {q[w], q[n + w]};
+    return {q(w, 0), q(n + w, 0)};
 }
 
 } // namespace

@@ -2,9 +2,6 @@
 
 #include "oracles/rigid_rotor.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -56,13 +53,13 @@ struct GaussMethod {
 
 /// y' = S(t) y of y = (q, q').
 RealMatrix state(const PeriodicSystem &system, Real t) {
-    const Eigen::PartialPivLU<RealMatrix> mass(system.M(t));
-    const RealMatrix K = mass.solve(system.K(t));
+    const RealMatrix K = system.K(t);
     const Eigen::Index n = K.rows();
+    RealMatrix both(n, 2 * n);
+    both << K, system.D(t);
     RealMatrix out = RealMatrix::Zero(2 * n, 2 * n);
     out.topRightCorner(n, n).setIdentity();
-    out.bottomLeftCorner(n, n) = -K;
-    out.bottomRightCorner(n, n) = -mass.solve(system.D(t));
+    out.bottomRows(n) = -solve(system.M(t), both);
     return out;
 }
 
@@ -75,12 +72,12 @@ RealMatrix step(const PeriodicSystem &system, const GaussMethod &gauss, Real t, 
     for (Eigen::Index i = 0; i < stages; ++i) {
         const auto stage = static_cast<std::size_t>(i);
         const RealMatrix S = state(system, t + gauss.c[stage] * h);
-        right.middleRows(i * n, n) = S * y;
+        right.middleRows(i * n, n) = product(S, y);
         for (Eigen::Index j = 0; j < stages; ++j)
             equations.block(i * n, j * n, n, n) -=
                 h * gauss.A[stage][static_cast<std::size_t>(j)] * S;
     }
-    const RealMatrix slopes = equations.partialPivLu().solve(right);
+    const RealMatrix slopes = solve(equations, right);
     RealMatrix out = y;
     for (Eigen::Index i = 0; i < stages; ++i)
         out += h * gauss.b[static_cast<std::size_t>(i)] * slopes.middleRows(i * n, n);
@@ -96,8 +93,7 @@ std::vector<Complex> multipliers(const PeriodicSystem &system, int steps) {
     const Real h = system.period / steps;
     for (int k = 0; k < steps; ++k)
         y = step(system, gauss, k * h, h, y);
-    const Eigen::EigenSolver<RealMatrix> pairs(y, false);
-    return {pairs.eigenvalues().begin(), pairs.eigenvalues().end()};
+    return eigenvalues(y);
 }
 
 Real floquet_growth(const PeriodicSystem &system, int steps) {

@@ -1,8 +1,5 @@
 #include "oracles/influence.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,14 +58,16 @@ RealMatrix held(const MasslessShaft &shaft, const std::vector<Real> &places,
         for (Eigen::Index i = 0; i < count; ++i)
             at_pins(i, j) = F(n + 2 * i, n + 2 * j);
     }
-    return F.topLeftCorner(n, n) - to_pins * at_pins.inverse() * to_pins.transpose();
+    return F.topLeftCorner(n, n) - product(to_pins, solve(at_pins, to_pins.transpose()));
 }
 
-Eigen::Matrix<Real, Eigen::Dynamic, 1> inertia_of(const Lumps &lumps) {
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> out(2 * static_cast<Eigen::Index>(lumps.z.size()));
+/// Deflections F of the forces square (mass, tilt) on those of the lumps, which come first.
+RealMatrix of_forces(const RealMatrix &F, const Lumps &lumps, Real square) {
+    RealMatrix out(F.rows(), 2 * static_cast<Eigen::Index>(lumps.z.size()));
     for (std::size_t i = 0; i < lumps.z.size(); ++i) {
-        out[2 * static_cast<Eigen::Index>(i)] = lumps.mass[i];
-        out[2 * static_cast<Eigen::Index>(i) + 1] = lumps.tilt[i];
+        const auto k = 2 * static_cast<Eigen::Index>(i);
+        out.col(k) = square * lumps.mass[i] * F.col(k);
+        out.col(k + 1) = square * lumps.tilt[i] * F.col(k + 1);
     }
     return out;
 }
@@ -174,10 +173,8 @@ Lumps lumps_of(const CaseRotor &rotor, int slices) {
 std::vector<Real> lumped_critical_speeds(const MasslessShaft &shaft, const Lumps &lumps,
                                          const std::vector<Real> &pinned) {
     const RealMatrix F = held(shaft, lumps.z, pinned);
-    const RealMatrix product = F * inertia_of(lumps).asDiagonal();
-    const Eigen::EigenSolver<RealMatrix> pairs(product, false);
     std::vector<Real> out;
-    for (const Complex &mu : pairs.eigenvalues()) // real: F is positive definite
+    for (const Complex &mu : eigenvalues(of_forces(F, lumps, 1))) // real: F is positive definite
         if (mu.real() > 0)
             out.push_back(1 / std::sqrt(mu.real()));
     std::sort(out.begin(), out.end());
@@ -194,13 +191,14 @@ RealMatrix lumped_criterion_form(const MasslessShaft &shaft, const Lumps &lumps,
     RealMatrix forces(F.rows(), count);
     for (Eigen::Index j = 0; j < count; ++j)
         forces.col(j) = F.col(n + 2 * j);
-    const RealMatrix load = speed * speed * RealMatrix(inertia_of(lumps).asDiagonal());
-    const RealMatrix own = RealMatrix::Identity(n, n) - F.topLeftCorner(n, n) * load;
-    const RealMatrix at_lumps = own.partialPivLu().solve(forces.topRows(n));
+    const RealMatrix loaded = of_forces(F, lumps, speed * speed);
+    RealMatrix own = -loaded.topRows(n);
+    for (Eigen::Index k = 0; k < n; ++k)
+        own(k, k) += 1;
+    const RealMatrix moved = forces + product(loaded, solve(own, forces.topRows(n)));
     RealMatrix out(count, count);
     for (Eigen::Index i = 0; i < count; ++i)
-        out.row(i) =
-            speed * speed * (forces.row(n + 2 * i) + F.row(n + 2 * i).head(n) * load * at_lumps);
+        out.row(i) = speed * speed * moved.row(n + 2 * i);
     return out;
 }
 

@@ -3,9 +3,6 @@
 #include "oracles/receptance.h"
 #include "oracles/rigid_rotor.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,10 +12,10 @@ namespace whirl::oracles {
 
 namespace {
 
-using Four = Eigen::Matrix<Real, 4, 1>;
+using Four = std::array<Real, 4>;
 
 /// Steady motion as zeros in (xi, eta, phi, psi), and their slopes.
-Four steady(const PendulumRotor &r, Real R_w, const Four &x, Eigen::Matrix<Real, 4, 4> *slopes) {
+Four steady(const PendulumRotor &r, Real R_w, const Four &x, RealMatrix *slopes) {
     const Real x2 = R_w * R_w;
     const Real d = 1 - x2;
     const Real e = R_w * r.H;
@@ -124,13 +121,20 @@ Real exact_efficiency(const PendulumRotor &r, Real R_w) {
     Four x{first.real(), first.imag(), std::atan(first.imag() / r.R_a),
            -std::atan(first.real() / r.R_a)};
     for (int step = 0; step < 100; ++step) {
-        Eigen::Matrix<Real, 4, 4> slopes;
-        const Four miss = steady(r, R_w, x, &slopes);
-        const Four move = slopes.partialPivLu().solve(miss);
-        x -= move;
-        if (move.norm() < 1e-18L * x.norm())
+        RealMatrix slopes(4, 4);
+        RealMatrix miss(4, 1);
+        const Four at = steady(r, R_w, x, &slopes);
+        std::copy(at.begin(), at.end(), miss.data());
+        const RealMatrix move = solve(slopes, miss);
+        Real size = 0;
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            x[k] -= move(static_cast<Eigen::Index>(k), 0);
+            size += x[k] * x[k];
+        }
+        size = std::sqrt(size);
+        if (move.norm() < 1e-18L * size)
             break;
-        if (step == 99 && move.norm() > 1e-15L * x.norm())
+        if (step == 99 && move.norm() > 1e-15L * size)
             throw std::runtime_error("steady motion of the pendulums: no convergence");
     }
     return std::hypot(x[0], x[1]) / std::abs(bare_deflection(r, R_w));
@@ -154,8 +158,7 @@ Real linear_growth(const PendulumRotor &r, Real R_w) {
             companion(k, k - 1) = Real(1);
     }
     Real out = -std::numeric_limits<Real>::infinity();
-    const Eigen::ComplexEigenSolver<ComplexMatrix> pairs(companion, false);
-    for (const Complex &root : pairs.eigenvalues())
+    for (const Complex &root : eigenvalues(real_form(companion, ComplexMatrix::Zero(4, 4))))
         out = std::max(out, root.real());
     return out;
 }

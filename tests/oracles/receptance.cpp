@@ -3,8 +3,6 @@
 #include "oracles/continuum_supports.h"
 #include "oracles/continuum_wave.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -127,7 +125,7 @@ ComplexMatrix receptance(const SteppedRotor &rotor, Complex lambda, Real speed,
     ComplexMatrix forces = ComplexMatrix::Zero(size, count);
     for (Eigen::Index j = 0; j < count; ++j)
         forces(row_at(nodes, places[static_cast<std::size_t>(j)]), j) = Real(1);
-    const ComplexMatrix all = dynamic.partialPivLu().solve(forces);
+    const ComplexMatrix all = solve(dynamic, forces);
     ComplexMatrix out(count, count);
     for (Eigen::Index i = 0; i < count; ++i)
         out.row(i) = all.row(row_at(nodes, places[static_cast<std::size_t>(i)]));

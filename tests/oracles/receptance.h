@@ -1,15 +1,10 @@
 #pragma once
 
-#include "oracles/continuum.h"
-
-#include <Eigen/Core>
+#include "oracles/wide_algebra.h"
 
 #include <vector>
 
 namespace whirl::oracles {
-
-using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-using ComplexMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Deflections w = x + i y (m/N) at the places (m) under forces f exp(lambda t) there, f turning
 /// forward: exact dynamic stiffness of the Timoshenko shaft, one block of the transfer matrix of

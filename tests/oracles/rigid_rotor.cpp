@@ -171,7 +171,7 @@ int rigid_rank(const RigidRotor &body, const std::vector<double> &planes) {
     const Real radius = std::sqrt(body.A / body.mass);
     J.row(1) /= radius;
     int rank = 0;
-    for (const Real eigenvalue : signature((J * J.transpose()).cast<Complex>()))
+    for (const Real eigenvalue : hermitian_eigenvalues(product(J, J.transpose()).cast<Complex>()))
         rank += eigenvalue > 1e-12L * static_cast<Real>(J.cols()) ? 1 : 0;
     return rank;
 }

@@ -2,9 +2,6 @@
 
 #include "oracles/balls.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -12,17 +9,6 @@
 namespace whirl::oracles {
 
 namespace {
-
-/// A z + B conj(z) on (Re z, Im z).
-RealMatrix real_form(const ComplexMatrix &A, const ComplexMatrix &B) {
-    const Eigen::Index n = A.rows();
-    RealMatrix out(2 * n, 2 * n);
-    out.topLeftCorner(n, n) = A.real() + B.real();
-    out.topRightCorner(n, n) = B.imag() - A.imag();
-    out.bottomLeftCorner(n, n) = A.imag() + B.imag();
-    out.bottomRightCorner(n, n) = A.real() - B.real();
-    return out;
-}
 
 /// Real matrices of the second, first and zeroth derivative.
 struct Quadratic {
@@ -73,14 +59,13 @@ RotatingRotor::RotatingRotor(Eigen::Index size) {
 std::vector<Complex> state_eigenvalues(const RealMatrix &M, const RealMatrix &D,
                                        const RealMatrix &K, Real scale) {
     const Eigen::Index n = M.rows();
-    const Eigen::PartialPivLU<RealMatrix> mass(M);
+    RealMatrix both(n, 2 * n);
+    both << K / (scale * scale), D / scale;
     RealMatrix state = RealMatrix::Zero(2 * n, 2 * n);
     state.topRightCorner(n, n).setIdentity();
-    state.bottomLeftCorner(n, n) = -mass.solve(K) / (scale * scale);
-    state.bottomRightCorner(n, n) = -mass.solve(D) / scale;
-    const Eigen::EigenSolver<RealMatrix> pairs(state, false);
+    state.bottomRows(n) = -solve(M, both);
     std::vector<Complex> out;
-    for (const Complex &value : pairs.eigenvalues())
+    for (const Complex &value : oracles::eigenvalues(state))
         out.push_back(value * scale);
     return out;
 }
@@ -133,8 +118,8 @@ RotatingRotor rotating_disc(const CaseRotor &rotor) {
     out.M.diagonal() << disc.mass, disc.Id;
     out.G(1, 1) = disc.Ip;
     const std::vector<Real> place{static_cast<Real>(disc.z)};
-    const RealMatrix stiff = MasslessShaft(rotor, 1, 1).coefficients(place).inverse();
-    const RealMatrix soft = MasslessShaft(rotor, 1, -1).coefficients(place).inverse();
+    const RealMatrix stiff = inverse(MasslessShaft(rotor, 1, 1).coefficients(place));
+    const RealMatrix soft = inverse(MasslessShaft(rotor, 1, -1).coefficients(place));
     out.K = (stiff + soft) / 2;
     // The direction of the stiffer bending turns the axes and changes no eigenvalue
     out.Ka = ((stiff - soft) / 2).cast<Complex>();

@@ -2,8 +2,6 @@
 
 #include "oracles/influence.h"
 
-#include <Eigen/LU>
-
 #include <cmath>
 #include <complex>
 #include <stdexcept>
@@ -49,9 +47,9 @@ WeightMotion disc_under_weight(const CaseRotor &rotor, Real gravity, Real speed)
     inertia(1, 1) = (4 * static_cast<Real>(disc.Id) - 2 * disc.Ip) * speed * speed;
     Vector2 weight;
     weight << Complex(0, -gravity * disc.mass), 0;
-    const Vector2 A = (Complex2::Identity() - moving * inertia)
-                          .partialPivLu()
-                          .solve(Vector2(half * weight.conjugate()));
+    const Vector2 load = half * weight.conjugate();
+    const Complex2 dynamic = Complex2::Identity() - moving * inertia;
+    const Vector2 A = solve(ComplexMatrix(dynamic), ComplexMatrix(load));
     const Vector2 B = still * weight + half * Vector2(inertia * A).conjugate();
     return {std::abs(B[0]), std::abs(A[0])};
 }

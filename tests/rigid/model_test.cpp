@@ -45,8 +45,8 @@ TEST(RigidLimitModel, FlexibleSpeedsFollowFromTheComplianceOfTheShaft) {
     rigid << k1 + k2, k2 * b - k1 * a, k2 * b - k1 * a, k1 * a * a + k2 * b * b;
     compliance += rigid.inverse();
     const Eigen::Vector2d inertia(60, 3 - 1);
-    const Eigen::Vector2d squares =
-        (compliance * inertia.asDiagonal()).eigenvalues().real().cwiseInverse();
+    const Eigen::MatrixXd product = compliance * inertia.asDiagonal();
+    const Eigen::VectorXd squares = product.eigenvalues().real().cwiseInverse();
     for (const int order : {1, 4}) { // both elements are exact between nodes without mass
         const auto found = model_values(
             rotor, order,

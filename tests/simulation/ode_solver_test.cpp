@@ -108,9 +108,9 @@ class Driven {
     [[nodiscard]] OdeProblem with_linear_part() const {
         OdeProblem with = problem();
         const std::complex<double> turning(0, 3);
-        Eigen::Matrix2cd A;
+        Eigen::MatrixXcd A(2, 2);
         A << -turning, 1, -fast, -damping - turning;
-        const Eigen::ComplexEigenSolver<Eigen::Matrix2cd> eigen(A);
+        const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> eigen(A);
         with.axes.linear = {eigen.eigenvalues(), eigen.eigenvectors(),
                             eigen.eigenvectors().inverse()};
         return with;

@@ -1,8 +1,7 @@
 // Contact and dry friction in the equations of motion.
 
+#include "linalg/dense/least_squares.h"
 #include "simulation/motion.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <utility>
@@ -105,7 +104,7 @@ void RotorMotion::apply_constraints(const Spin::At &spin, const double *state, i
         for (Index m = 0; m < held; ++m)
             A(k, m) = along(c, 2 + m);
     }
-    const Eigen::VectorXd torques = A.colPivHouseholderQr().solve(lack);
+    const Eigen::VectorXd torques = linalg::least_squares(A, lack);
     for (Index k = 0; k < held; ++k) {
         const Constraint &c = _constraints[static_cast<std::size_t>(k)];
         _multipliers[c.multiplier] = torques(k);

@@ -1,6 +1,7 @@
 #include "simulation/dry/dry_events.h"
 
 #include "linalg/check.h"
+#include "linalg/dense/least_squares.h"
 #include "linalg/roots.h"
 
 #include <algorithm>
@@ -221,7 +222,8 @@ void DryEvents::settle(double t, Eigen::VectorXd &state, const std::vector<bool>
         const Gap &gap = *gaps[static_cast<std::size_t>(k)];
         mobility.row(k) = responses.row(at + gap.second) - responses.row(at + gap.first);
     }
-    jump(t, state, -responses * mobility.colPivHouseholderQr().solve(rates));
+    const Eigen::VectorXd impulses = linalg::least_squares(mobility, rates);
+    jump(t, state, -(responses * impulses));
 }
 
 void DryEvents::pass(Event &event) {
