@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 
@@ -159,7 +160,13 @@ std::vector<double> found_values(const json &result, const json &entry) {
     return of_modes(result, path);
 }
 
-json run_whirl(const Check &check) {
+struct Run {
+    json result;
+    std::string broken_rules; ///< of docs/schema
+};
+
+/// The run of a check's command; checks of one command with the same settings share it.
+const Run &run_whirl(const Check &check) {
     std::vector<std::string> arguments{check.entry.at("command"),
                                        std::string(WHIRL_ROOT "/cases/") + check.case_name,
                                        "--quiet", "--json"};
@@ -167,6 +174,10 @@ json run_whirl(const Check &check) {
         arguments.emplace_back("--set");
         arguments.push_back(setting);
     }
+    static std::map<std::vector<std::string>, Run> runs;
+    if (const auto known = runs.find(arguments); known != runs.end())
+        return known->second;
+    const std::vector<std::string> key = arguments;
     const std::string scratch =
         testing::TempDir() + "whirl_" + check.case_name + "_" + std::to_string(check.number);
     arguments.insert(arguments.end(), {"--out", scratch});
@@ -175,7 +186,8 @@ json run_whirl(const Check &check) {
     fs::remove(scratch + ".err");
     if (run.status != 0)
         throw std::runtime_error("exit status " + std::to_string(run.status) + "\n" + run.errors);
-    return json::parse(run.output);
+    const json result = json::parse(run.output);
+    return runs[key] = {result, whirl::tests::broken_rules_of_result(result)};
 }
 
 /// Letters and digits as GoogleTest allows them in a name.
@@ -190,8 +202,8 @@ class CaseCheck : public testing::TestWithParam<Check> {};
 
 TEST_P(CaseCheck, agrees) {
     const json &entry = GetParam().entry;
-    const json result = run_whirl(GetParam());
-    EXPECT_EQ(whirl::tests::broken_rules_of_result(result), "") << "docs/schema";
+    const auto &[result, broken_rules] = run_whirl(GetParam());
+    EXPECT_EQ(broken_rules, "") << "docs/schema";
     if (entry.contains("text")) {
         const auto path = entry.at("path").get<std::string>();
         const json &found = result.at(json::json_pointer(path));

@@ -24,16 +24,20 @@ namespace {
 
 using nlohmann::json;
 
-/// The result of a command; null where the case does not have what it needs.
-json result_of(const std::string &command, const std::string &name,
-               const std::vector<std::string> &settings = {}) {
+/// The result of a command, of one run for all who ask; null where the case does not have what it
+/// needs.
+const json &result_of(const std::string &command, const std::string &name,
+                      const std::vector<std::string> &settings = {}) {
     std::vector<std::string> arguments{command, WHIRL_ROOT "/cases/" + name, "--quiet", "--json"};
     for (const std::string &setting : settings)
         arguments.insert(arguments.end(), {"--set", setting});
+    static std::map<std::vector<std::string>, json> results;
+    if (const auto known = results.find(arguments); known != results.end())
+        return known->second;
     const std::string errors = testing::TempDir() + "whirl_names_" + std::to_string(getpid());
     const auto run = whirl::tests::run_program(WHIRL_PROGRAM, arguments, errors);
     std::remove(errors.c_str());
-    return run.status == 0 ? json::parse(run.output) : json();
+    return results[arguments] = run.status == 0 ? json::parse(run.output) : json();
 }
 
 std::string text_of_case(const std::string &name) {
