@@ -27,7 +27,7 @@ struct CampbellMode {
     /// Twice the spin speed less `frequency`, rad/s, where the motion has that one too: rotating
     /// form only, none where its deflections are less than a tenth of the larger ones.
     std::vector<std::optional<double>> other_frequency{};
-    std::vector<std::optional<ErrorParts>> error_parts{};  ///< of `error`
+    std::vector<std::optional<ErrorParts>> error_parts{}; ///< of `error`
 };
 
 /// A mode's frequency equals a multiple of the spin speed.

@@ -1,0 +1,28 @@
+#pragma once
+
+// What the parts of monodromy.h share.
+
+#include "linalg/lanes/row_products.h"
+#include "periodic/monodromy.h"
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace whirl::periodic {
+
+/// Of the supports as they stand in the rotor, s: half a turn.
+[[nodiscard]] inline double period(double speed) { return std::numbers::pi / std::abs(speed); }
+
+/// As monodromy().
+/// @param along  where to put the states at the beginning of each step, or none
+[[nodiscard]] Eigen::MatrixXd half_turn(const System &system, double speed, int steps,
+                                        std::vector<linalg::Rows> *along);
+
+/// As floquet_motions(), of that matrix.
+[[nodiscard]] std::vector<FloquetMotion> motions_of(const System &system, double speed,
+                                                    const Eigen::MatrixXd &monodromy);
+
+} // namespace whirl::periodic
