@@ -293,12 +293,19 @@ void note_no_peaks(results::CampbellResult &result) {
 }
 
 /// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
-/// change.
-/// @param by_steps  so it was
-void note_short_bands(results::ModelSummary &model, bool by_steps) {
+/// change; by monodromy matrices all of 1x are searched for.
+/// @param by_steps  as the first
+void note_short_bands(results::ModelSummary &model, bool by_steps,
+                      const std::vector<double> &multiples) {
+    if (model.formulation.form != results::Form::hill)
+        return;
     if (by_steps)
         model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
                               "leaves it again within one step of the speeds may not be listed");
+    else if (std::any_of(multiples.begin(), multiples.end(), [](double m) { return m != 1; }))
+        model.notes.push_back("a motion that comes to stay on another multiple of the spin speed "
+                              "than 1x and leaves it again within a 200th of the range may not be "
+                              "listed");
 }
 
 void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
@@ -369,7 +376,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     note_far_apart(result);
     note_real(result, spectra);
     note_no_peaks(result);
-    note_short_bands(result.model, solver.form() == results::Form::hill && !periodic);
+    note_short_bands(result.model, !periodic, scene.campbell.multiples);
     note_few(result.model, spectra, scene.campbell.modes);
     note_gaps(result.model, tracking.gaps, "a mode could not be followed");
     note_gaps(result.model, crossed.unsettled,

@@ -58,6 +58,7 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors e
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     Modes out;
     out.complete_radius = std::max(0.0, found.complete_radius - options.shift);
+    out.dense = found.method == linalg::QuadraticMethod::dense;
     out.modes = zeros.modes;
     int skip = zeros.eigenvalues;
     for (const linalg::ComplexPair &pair : found.pairs) {

@@ -20,6 +20,7 @@ class GeneralSpectrum {
         std::vector<double> overdamped; ///< real eigenvalues, 1/s
         std::vector<double> growing;    ///< those of them that are positive beyond their error
         double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
+        bool dense = false;             ///< found among all eigenvalues, as cubes of unknowns cost
     };
 
     /// At least `wanted` whirl modes of least modulus, or all.

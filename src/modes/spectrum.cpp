@@ -44,8 +44,11 @@ bool all_followed(const Spectrum &spectrum) {
 
 /// @param found  Modes of a form
 template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
-    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
-            found.complete_radius};
+    Spectrum out{speed, std::move(found.modes), std::move(found.overdamped),
+                 std::move(found.growing), found.complete_radius};
+    if constexpr (requires { found.dense; })
+        out.dense = found.dense;
+    return out;
 }
 
 } // namespace

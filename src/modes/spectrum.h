@@ -27,6 +27,7 @@ struct Spectrum {
     std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
     std::vector<double> growing;    ///< those of them above zero by more than their error
     double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
+    bool dense = false;             ///< form general: found among all eigenvalues, which costs most
 };
 
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on

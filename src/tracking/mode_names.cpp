@@ -26,6 +26,13 @@ double most_left_out(const modes::SpectrumSolver &solver,
     return most;
 }
 
+/// Damping moves so many motions off that the modes are found among all eigenvalues, of many
+/// unknowns: a tenth of a second for every spectrum, or more.
+bool each_is_dear(const modes::SpectrumSolver &solver, double speed, int modes) {
+    constexpr int many_unknowns = 100;
+    return solver.unknowns() > many_unknowns && solver.at(speed, modes).dense;
+}
+
 /// A mode to be named whose line comes in from beyond the modes computed: more would show more of
 /// it.
 bool comes_from_beyond(const Line &line, const std::vector<modes::Spectrum> &spectra,
@@ -62,6 +69,8 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
     }
     Tracking tracking;
     int computed = modes + 2;
+    if (wanted.most_more && each_is_dear(solver, _speeds.front(), computed))
+        throw model::AnalysisFailure("each spectrum of this rotor costs more than names are worth");
     std::optional<int> left = wanted.most_more;
     for (int attempt = 0; attempt < 4; ++attempt) {
         _spectra = spectra_alone(solver, _speeds, computed, follow);

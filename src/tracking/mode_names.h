@@ -20,7 +20,7 @@ struct ModesToName {
     /// Which of a spectrum at one of these speeds; of the others a name may be missing.
     std::function<bool(const modes::Spectrum &, std::size_t place)> which;
     /// Spectra that may be solved beside the first one at each speed; where that does not suffice,
-    /// there are no names. None: as many as it takes.
+    /// there are no names, nor where each of them costs as much. None: as many as it takes.
     std::optional<int> most_more = std::nullopt;
 };
 
