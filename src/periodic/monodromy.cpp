@@ -150,6 +150,11 @@ struct StepMaps {
             throw linalg::SolverError("a step in time meets a singular matrix");
         R = last.leftCols(2 * n);
         L = last.rightCols(stages * m);
+        if (m == 0) { // nothing acts back
+            Y.resize(0, 2 * n);
+            Z.resize(0, 0);
+            return;
+        }
         const Eigen::Index rows = system.turning(speed, 0).cols(); // at each point
         Rows seen(stages * rows, columns);
         for (Eigen::Index i = 0; i < stages; ++i) {
