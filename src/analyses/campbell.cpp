@@ -322,6 +322,22 @@ void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &
                         wanted));
 }
 
+void add_notes(results::CampbellResult &result, const model::CampbellSettings &settings,
+               const tracking::FollowedLines &found, const tracking::Crossings &crossed,
+               bool by_steps) {
+    note_absent(result, found.tracking.lines);
+    note_growing(result);
+    note_far_apart(result);
+    note_real(result, found.spectra);
+    note_no_peaks(result);
+    note_short_bands(result.model, by_steps, settings.multiples);
+    note_few(result.model, found.spectra, settings.modes);
+    note_gaps(result.model, found.tracking.gaps, "a mode could not be followed");
+    note_gaps(result.model, crossed.unsettled,
+              "a frequency changes sides of a multiple of the spin speed without a crossing that "
+              "could be verified");
+}
+
 } // namespace
 
 results::CampbellResult campbell(const model::Case &scene) {
@@ -371,17 +387,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     }
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
-    note_absent(result, tracking.lines);
-    note_growing(result);
-    note_far_apart(result);
-    note_real(result, spectra);
-    note_no_peaks(result);
-    note_short_bands(result.model, !periodic, scene.campbell.multiples);
-    note_few(result.model, spectra, scene.campbell.modes);
-    note_gaps(result.model, tracking.gaps, "a mode could not be followed");
-    note_gaps(result.model, crossed.unsettled,
-              "a frequency changes sides of a multiple of the spin speed without a crossing that "
-              "could be verified");
+    add_notes(result, scene.campbell, found, crossed, !periodic);
     return result;
 }
 
