@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -62,6 +63,24 @@ WHIRL_INLINED void set_product(Complex4 &out, const Complex4 &f, const Complex4 
     const Real4 re = f.re * b.re - f.im * b.im;
     out.im = f.re * b.im + f.im * b.re;
     out.re = re;
+}
+
+/// out = 1 / a
+WHIRL_INLINED void set_inverse(Complex4 &out, const Complex4 &a) {
+    const Real4 square = a.re * a.re + a.im * a.im;
+    out.re = a.re / square;
+    out.im = -a.im / square;
+}
+
+/// In each lane whether all numbers are finite.
+[[nodiscard]] inline std::array<bool, lanes> finite(const Vector4 &four) {
+    std::array<bool, lanes> out{true, true, true, true};
+    for (const Complex4 &entry : four)
+        for (int lane = 0; lane < lanes; ++lane)
+            out[static_cast<std::size_t>(lane)] = out[static_cast<std::size_t>(lane)] &&
+                                                  std::isfinite(entry.re[lane]) &&
+                                                  std::isfinite(entry.im[lane]);
+    return out;
 }
 
 #if defined(__x86_64__)

@@ -1,7 +1,6 @@
 #include "linalg/lanes/general_factors.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace whirl::linalg {
 
@@ -74,18 +73,10 @@ std::array<bool, lanes> GeneralFactors::factorize(const Vector4 &values) {
                 U[end] = u;
                 subtract_product(pivot, l, u);
             }
-            const Real4 square = pivot.re * pivot.re + pivot.im * pivot.im;
-            _inverse[k].re = pivot.re / square;
-            _inverse[k].im = -pivot.im / square;
+            set_inverse(_inverse[k], pivot);
         }
     });
-    std::array<bool, lanes> sound{true, true, true, true};
-    for (const Complex4 &inverse : _inverse)
-        for (int lane = 0; lane < lanes; ++lane)
-            sound[static_cast<std::size_t>(lane)] = sound[static_cast<std::size_t>(lane)] &&
-                                                    std::isfinite(inverse.re[lane]) &&
-                                                    std::isfinite(inverse.im[lane]);
-    return sound;
+    return finite(_inverse);
 }
 
 void GeneralFactors::solve_transposed(Vector4 &b) const {

@@ -48,18 +48,10 @@ std::array<bool, lanes> SymmetricFactors::factorize(const Vector4 &values) {
                 subtract_product(pivot, L[end], y);
             }
             _D[k] = pivot;
-            const Real4 square = pivot.re * pivot.re + pivot.im * pivot.im;
-            _inverse[k].re = pivot.re / square;
-            _inverse[k].im = -pivot.im / square;
+            set_inverse(_inverse[k], pivot);
         }
     });
-    std::array<bool, lanes> sound{true, true, true, true};
-    for (const Complex4 &inverse : _inverse)
-        for (int lane = 0; lane < lanes; ++lane)
-            sound[static_cast<std::size_t>(lane)] = sound[static_cast<std::size_t>(lane)] &&
-                                                    std::isfinite(inverse.re[lane]) &&
-                                                    std::isfinite(inverse.im[lane]);
-    return sound;
+    return finite(_inverse);
 }
 
 void SymmetricFactors::solve(Vector4 &b) const {
