@@ -72,7 +72,9 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
                 1e-10 * std::norm(out.pairs[i].value))
                 return std::nullopt;
     }
-    drop_beyond(out, wanted + beyond);
+    // Pairs are refined a few at a time: none for which that many more would have to stand in.
+    const int excess = (wanted + beyond + static_cast<int>(found.real.size())) % linalg::lanes;
+    drop_beyond(out, wanted + beyond - (excess <= beyond / 2 ? excess : 0));
     out.radius = std::min(found.radius, widest_gap(out, wanted));
     out.counted = out.radius > 0;
     if (!out.counted || out.within(out.radius) < wanted)
@@ -86,13 +88,17 @@ std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
     FollowedSpeed out;
     out.speed = speed;
     const auto before = run.before.find(speed);
+    const auto tried = run.tried.find(speed);
+    std::vector<SymmetricPair> solved_before;
+    if (tried != run.tried.end())
+        solved_before = std::move(run.tried.extract(tried).mapped().pairs);
     std::vector<const SymmetricPair *> neighbours;
     std::vector<bool> solved;
     for (std::size_t i = 0; i < run.places.size(); ++i) {
         Guess guessed = guess(run.at, speed, i);
         out.pairs.push_back(before != run.before.end() && run.places[i]
                                 ? before->second.pairs[*run.places[i]]
-                                : std::move(guessed.pair));
+                                : taken_for(guessed.pair, solved_before));
         neighbours.push_back(guessed.nearest);
         solved.push_back(out.pairs.back().solved);
     }
@@ -162,9 +168,10 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) {
     const double middle = (from + to) / 2;
     for (const double speed : {middle, to}) {
         std::optional<FollowedSpeed> next = step(run, speed);
-        if (next && !mixed(*next))
-            run.at.insert_or_assign(next->speed, std::move(*next));
-        else if (!bridged(run, speed == to ? middle : from, speed, depth - 1))
+        const bool clear = next && !mixed(*next);
+        if (next)
+            (clear ? run.at : run.tried).insert_or_assign(speed, std::move(*next));
+        if (!clear && !bridged(run, speed == to ? middle : from, speed, depth - 1))
             return false;
     }
     return true;
@@ -211,23 +218,28 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
     Run run = joining(*start);
     run.at.emplace(speeds[first], std::move(*start));
     std::vector<std::size_t> solved{first};
+    int longer_after = 0; // strides that are clear
     for (std::size_t stride = 1; solved.back() + 1 < speeds.size();) {
         const std::size_t from = solved.back();
         const std::size_t to = std::min(from + stride, speeds.size() - 1);
         std::optional<FollowedSpeed> next = step(run, speeds[to]);
         const bool clear = next && !mixed(*next);
+        if (next)
+            (clear ? run.at : run.tried).insert_or_assign(speeds[to], std::move(*next));
         if (!clear && stride > 1) {
             stride /= 2;
+            longer_after = 2;
             continue;
         }
-        if (!clear && bridged(run, speeds[from], speeds[to], 4))
-            next.reset();
-        else if (!next)
-            break;
-        if (next) // mixed just there
-            run.at.insert_or_assign(next->speed, std::move(*next));
+        if (!clear && !bridged(run, speeds[from], speeds[to], 4)) {
+            const auto just_there = run.tried.extract(speeds[to]);
+            if (just_there.empty())
+                break;
+            run.at.insert_or_assign(speeds[to], just_there.mapped());
+        }
         solved.push_back(to);
-        stride = std::min(2 * stride, longest_stride);
+        if (--longer_after <= 0)
+            stride = std::min(2 * stride, longest_stride);
     }
     for (std::size_t k = 1; k < solved.size(); ++k)
         fill(run, speeds, solved[k - 1], solved[k]);
@@ -236,6 +248,7 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
         return std::abs(node.first - speeds[first]) > std::abs(speeds[last] - speeds[first]);
     });
     run.before.clear();
+    run.tried.clear();
     _runs.push_back(std::move(run));
     return last + 1;
 }

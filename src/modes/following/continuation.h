@@ -57,6 +57,7 @@ class Continuation {
         /// The same with fewer pairs, followed before, and the places of pairs there.
         std::map<double, FollowedSpeed> before;
         std::vector<std::optional<std::size_t>> places;
+        std::map<double, FollowedSpeed> tried; ///< where the order was not clear from afar
     };
     const SymmetricProblem &_problem;
     Start _start;

@@ -82,8 +82,7 @@ void EigenpairRefinement::settle(const std::vector<Task> &tasks, std::size_t fir
 
 /// The vectors are those of Q(l)^-1 Q'(l) x.
 void EigenpairRefinement::inverse_step() {
-    const linalg::SymmetricFactors &factors =
-        _problem.factorize(_value, linalg::Real4{_speed, _speed, _speed, _speed});
+    _factors = &_problem.factorize(_value, linalg::Real4{_speed, _speed, _speed, _speed});
     linalg::in_lanes([&]() __attribute__((always_inline)) {
         const linalg::Complex4 twice{2 * _value.re, 2 * _value.im};
         for (std::size_t k = 0; k < _x.size(); ++k) {
@@ -91,7 +90,7 @@ void EigenpairRefinement::inverse_step() {
             linalg::add_product(_x[k], twice, _of.M[k]);
         }
     });
-    factors.solve(_x);
+    _factors->solve(_x);
     linalg::Real4 scales{};
     for (const linalg::Complex4 &entry : _x) {
         const linalg::Real4 square = entry.re * entry.re + entry.im * entry.im;
@@ -105,6 +104,32 @@ void EigenpairRefinement::inverse_step() {
         entry.im *= scales;
     }
     multiply();
+}
+
+/// How the vectors change with the speed: Q(l) x' = -(l' Q'(l) + l D1 + K1) x, with the factors of
+/// the last step. They are those of a value beside l: what that adds lies along x.
+void EigenpairRefinement::turn(linalg::Vector4 &out) const {
+    linalg::Complex4 rate;
+    for (int lane = 0; lane < linalg::lanes; ++lane) {
+        const Complex l = _value.at(lane);
+        rate.set(lane, (l * _xD1x.at(lane) + _xK1x.at(lane)) /
+                           (2.0 * l * _xMx.at(lane) + _xDx.at(lane)));
+    }
+    out.resize(_x.size());
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        const linalg::Complex4 twice{2 * _value.re, 2 * _value.im};
+        for (std::size_t k = 0; k < _x.size(); ++k) {
+            linalg::Complex4 slope = _of.D[k];
+            linalg::add_product(slope, twice, _of.M[k]);
+            linalg::set_product(out[k], rate, slope);
+            linalg::subtract_product(out[k], _value, _of.D1[k]);
+        }
+        for (std::size_t k = 0; k < _of.K1.size(); ++k) {
+            out[k].re -= _of.K1[k].re;
+            out[k].im -= _of.K1[k].im;
+        }
+    });
+    _factors->solve(out);
 }
 
 void EigenpairRefinement::fill(SymmetricPair &pair, int lane) const {
@@ -140,6 +165,7 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
     for (int step = 1; step <= most_steps; ++step) {
         inverse_step();
         settle(open, 0);
+        linalg::Vector4 turned;
         for (std::size_t i = 0; i < count; ++i) {
             if (done[i])
                 continue;
@@ -154,6 +180,9 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
             pair.vector = linalg::vector_of(_x, static_cast<int>(i));
             pair.solved = true;
             fill(pair, static_cast<int>(i));
+            if (turned.empty())
+                turn(turned);
+            pair.turn = linalg::vector_of(turned, static_cast<int>(i));
             done[i] = true;
         }
         if (std::count(done.begin(), done.end(), false) == 0)
@@ -170,6 +199,7 @@ bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
         std::vector<Task> open;
         for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
             tasks[i].pair->solved = false;
+            tasks[i].pair->turn.resize(0);
             if (tasks[i].pair->error <= tasks[i].enough)
                 fill(*tasks[i].pair, static_cast<int>(i - first));
             else

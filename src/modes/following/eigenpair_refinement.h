@@ -22,6 +22,8 @@ struct SymmetricPair {
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
     Eigen::VectorXcd Mx, Kx; ///< empty: not refined yet
+    /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it cheaply).
+    Eigen::VectorXcd turn;
 };
 
 /// x^T Q(l) x = 0 at the l nearest the one given.
@@ -68,11 +70,13 @@ class EigenpairRefinement {
     linalg::Complex4 _value;
     SymmetricProblem::Products _of;
     linalg::Complex4 _xMx, _xDx, _xKx, _xD1x, _xK1x;
+    const linalg::SymmetricFactors *_factors = nullptr; ///< of the last step
 
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
     void settle(const std::vector<Task> &tasks, std::size_t first);
     void inverse_step();
+    void turn(linalg::Vector4 &out) const;
     [[nodiscard]] bool iterate(const std::vector<Task> &tasks, std::size_t first);
     void fill(SymmetricPair &pair, int lane) const;
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace whirl::modes {
@@ -15,10 +16,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Points of a polynomial between known speeds, and beyond them; the most where more of them help.
-constexpr std::size_t points_between = 6;
+/// Points of a polynomial between known speeds, and beyond them, at most.
+constexpr std::size_t points_between = 8;
 constexpr std::size_t points_beyond = 4;
-constexpr std::size_t most_points = 12;
 /// Cosine between a guess and what became of it, where all unknowns count alike.
 constexpr double same_motion = 0.8;
 
@@ -32,16 +32,16 @@ Points points_near(const std::map<double, FollowedSpeed> &known, double speed, s
     std::vector<const FollowedSpeed *> low;
     std::vector<const FollowedSpeed *> high;
     const auto above = known.lower_bound(speed);
-    for (auto it = above; it != known.begin() && low.size() < most_points;)
+    for (auto it = above; it != known.begin() && low.size() < points_between;)
         if (tells((--it)->second.pairs[pair]))
             low.push_back(&it->second);
-    for (auto it = above; it != known.end() && high.size() < most_points; ++it)
+    for (auto it = above; it != known.end() && high.size() < points_between; ++it)
         if (tells(it->second.pairs[pair]) && it->first != speed)
             high.push_back(&it->second);
     Points out;
     // From one side alone polynomials of high degree run away.
-    const std::size_t most = std::min(low.empty() || high.empty() ? points_beyond : most_points,
-                                      2 * std::min(low.size(), high.size()) + points_beyond);
+    const std::size_t most =
+        std::min(points_between, 2 * std::min(low.size(), high.size()) + points_beyond);
     for (std::size_t l = 0, h = 0; out.size() < most && (l < low.size() || h < high.size());) {
         const bool below =
             h == high.size() || (l < low.size() && speed - low[l]->speed <= high[h]->speed - speed);
@@ -50,43 +50,67 @@ Points points_near(const std::map<double, FollowedSpeed> &known, double speed, s
     return out;
 }
 
-/// What the first of the points count for in the value of their polynomial at the speed.
-std::vector<double> factors_of(const Points &points, std::size_t count, double speed) {
-    std::vector<double> out;
+/// What a point counts for in a polynomial: its value, and its change with the speed.
+struct Weight {
+    double value, change;
+};
+using Weights = std::vector<Weight>;
+
+/// Hermite's polynomial through the first of the points, at the speed; of points whose change is
+/// not known through the value alone.
+Weights weights_of(const Points &points, std::size_t count, double speed, std::size_t pair) {
+    Weights out;
     for (std::size_t a = 0; a < count; ++a) {
-        double factor = 1;
-        for (std::size_t b = 0; b < count; ++b)
-            if (b != a)
-                factor *= (speed - points[b]->speed) / (points[a]->speed - points[b]->speed);
-        out.push_back(factor);
+        const double away = speed - points[a]->speed;
+        double weight = 1;
+        double slope = 0;
+        for (std::size_t b = 0; b < count; ++b) {
+            if (b == a)
+                continue;
+            const double apart = 1 / (points[a]->speed - points[b]->speed);
+            const double factor = (speed - points[b]->speed) * apart;
+            const bool twice = points[b]->pairs[pair].turn.size() > 0;
+            weight *= twice ? factor * factor : factor;
+            slope += twice ? 2 * apart : apart;
+        }
+        if (points[a]->pairs[pair].turn.size() > 0)
+            out.push_back({weight * (1 - away * slope), weight * away});
+        else
+            out.push_back({weight, 0});
     }
     return out;
 }
 
+Complex value_of(const Points &points, const Weights &weights, std::size_t pair) {
+    Complex sum = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        sum += weights[k].value * points[k]->pairs[pair].value +
+               weights[k].change * points[k]->pairs[pair].rate;
+    return sum;
+}
+
 /// The polynomial through the nearest of the points: through as many as bring the eigenvalue nearer
 /// to where the next ones see it. Near a speed at which eigenvalues meet, real or complex, few do.
-std::vector<double> best_factors(const Points &points, double speed, std::size_t pair) {
-    const auto value = [&](const std::vector<double> &factors) {
-        Complex sum = 0;
-        for (std::size_t k = 0; k < factors.size(); ++k)
-            sum += factors[k] * points[k]->pairs[pair].value;
-        return sum;
-    };
-    constexpr std::size_t further = 2;
+Weights best_weights(const Points &points, double speed, std::size_t pair) {
     constexpr double nearer = 0.3;
-    std::vector<double> best = factors_of(points, std::min(points.size(), points_between), speed);
-    if (best.size() + further > points.size())
-        return best;
-    Complex there = value(best);
-    double change = std::abs(there - value(factors_of(points, best.size() - further, speed)));
-    while (best.size() + further <= points.size()) {
-        std::vector<double> more = factors_of(points, best.size() + further, speed);
-        const Complex next = value(more);
+    constexpr double settled = 1e-11;
+    const bool beyond = std::all_of(points.begin(), points.end(), [&](const FollowedSpeed *point) {
+        return (point->speed < speed) == (points.front()->speed < speed);
+    });
+    const std::size_t further = beyond ? 1 : 2;
+    Weights best = weights_of(points, 1, speed, pair);
+    Complex there = value_of(points, best, pair);
+    double change = std::numeric_limits<double>::infinity();
+    for (std::size_t count = 2; count <= points.size(); count += further) {
+        Weights more = weights_of(points, count, speed, pair);
+        const Complex next = value_of(points, more, pair);
         if (!(std::abs(next - there) < nearer * change))
             break;
         change = std::abs(next - there);
         there = next;
         best = std::move(more);
+        if (change < settled * std::abs(there))
+            break;
     }
     return best;
 }
@@ -173,23 +197,39 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
     const SymmetricPair &nearest = points.front()->pairs[i];
     Guess found{{}, &nearest};
     SymmetricPair &out = found.pair;
-    if (points.size() == 1) {
-        out.value = nearest.value + nearest.rate * (speed - points.front()->speed);
-        out.vector = nearest.vector;
-        return found;
-    }
-    const std::vector<double> factors = best_factors(points, speed, i);
+    const Weights weights = best_weights(points, speed, i);
+    out.value = points.size() > 1
+                    ? value_of(points, weights, i)
+                    : nearest.value + nearest.rate * (speed - points.front()->speed);
+    // Vectors are known but for a factor, and their changes but for a multiple of them: all have the
+    // same part along the nearest.
     const double length = nearest.vector.squaredNorm();
-    out.vector = factors[0] * nearest.vector;
-    for (std::size_t k = 0; k < factors.size(); ++k) {
+    out.vector = Eigen::VectorXcd::Zero(nearest.vector.size());
+    for (std::size_t k = 0; k < weights.size(); ++k) {
         const SymmetricPair &pair = points[k]->pairs[i];
-        out.value += factors[k] * pair.value;
-        // Vectors are known but for a factor: all have the same part along the nearest.
-        if (k > 0)
-            linalg::add_multiple(factors[k] * length / linalg::dot(nearest.vector, pair.vector),
-                                 pair.vector, out.vector);
+        const Complex along = linalg::dot(nearest.vector, pair.vector);
+        Complex factor = weights[k].value;
+        if (weights[k].change != 0) {
+            factor -= weights[k].change * linalg::dot(nearest.vector, pair.turn) / along;
+            linalg::add_multiple(weights[k].change * length / along, pair.turn, out.vector);
+        }
+        linalg::add_multiple(factor * length / along, pair.vector, out.vector);
     }
     return found;
+}
+
+SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved) {
+    constexpr double same_value = 0.03;
+    constexpr double same_vector = 0.95;
+    for (auto pair = solved.begin(); pair != solved.end(); ++pair)
+        if (std::norm(pair->value - guess.value) <
+                same_value * same_value * std::norm(guess.value) &&
+            parallel(pair->vector, guess.vector, same_vector)) {
+            SymmetricPair out = std::move(*pair);
+            solved.erase(pair);
+            return out;
+        }
+    return std::move(guess);
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {

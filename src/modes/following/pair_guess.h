@@ -29,6 +29,10 @@ struct Guess {
 [[nodiscard]] Guess guess(const std::map<double, FollowedSpeed> &known, double speed,
                           std::size_t i);
 
+/// Of pairs solved at a speed the one that a guess there means, which is taken from them; else the
+/// guess.
+[[nodiscard]] SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved);
+
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
 /// problem stay real, of two conjugates the upper one is meant.
