@@ -112,8 +112,8 @@ void EigenpairRefinement::turn(linalg::Vector4 &out) const {
     linalg::Complex4 rate;
     for (int lane = 0; lane < linalg::lanes; ++lane) {
         const Complex l = _value.at(lane);
-        rate.set(lane, (l * _xD1x.at(lane) + _xK1x.at(lane)) /
-                           (2.0 * l * _xMx.at(lane) + _xDx.at(lane)));
+        rate.set(lane,
+                 (l * _xD1x.at(lane) + _xK1x.at(lane)) / (2.0 * l * _xMx.at(lane) + _xDx.at(lane)));
     }
     out.resize(_x.size());
     linalg::in_lanes([&]() __attribute__((always_inline)) {

@@ -22,7 +22,8 @@ struct SymmetricPair {
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
     Eigen::VectorXcd Mx, Kx; ///< empty: not refined yet
-    /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it cheaply).
+    /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it
+    /// cheaply).
     Eigen::VectorXcd turn;
 };
 

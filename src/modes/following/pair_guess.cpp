@@ -198,11 +198,10 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
     Guess found{{}, &nearest};
     SymmetricPair &out = found.pair;
     const Weights weights = best_weights(points, speed, i);
-    out.value = points.size() > 1
-                    ? value_of(points, weights, i)
-                    : nearest.value + nearest.rate * (speed - points.front()->speed);
-    // Vectors are known but for a factor, and their changes but for a multiple of them: all have the
-    // same part along the nearest.
+    out.value = points.size() > 1 ? value_of(points, weights, i)
+                                  : nearest.value + nearest.rate * (speed - points.front()->speed);
+    // Vectors are known but for a factor, and their changes but for a multiple of them: all have
+    // the same part along the nearest.
     const double length = nearest.vector.squaredNorm();
     out.vector = Eigen::VectorXcd::Zero(nearest.vector.size());
     for (std::size_t k = 0; k < weights.size(); ++k) {

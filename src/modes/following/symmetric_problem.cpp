@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
+#include <utility>
 
 namespace whirl::modes {
 
@@ -17,26 +19,54 @@ using Complex = SymmetricProblem::Complex;
 using RealSparse = SymmetricProblem::Sparse;
 constexpr Complex i_times(0, 1);
 
-/// The part of a real matrix on pairs (x, y) that stays within a plane, or that couples them: with
-/// y = i y' and the rows of y times -i the second becomes i times a symmetric matrix.
+/// The part of a real matrix on pairs (x, y) that stays within a plane, or that couples them, in
+/// p = (x + y') / sqrt(2) and q = (x - y') / sqrt(2): with y = i y' and the rows of y times -i the
+/// second becomes i times a symmetric matrix. What is the same in both planes, and gyroscopic
+/// terms, then leave p and q (motions backward and forward) apart, which only unequal supports
+/// couple.
 struct Planes {
     RealSparse within, across;
 };
 
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+/// A block of two pairs in p and q: its even part where x and y are exchanged in both, and the odd.
+void add_turned(int i, int j, double even, double odd, bool across, Triplets &out) {
+    if (even != 0) {
+        out.emplace_back(2 * i, 2 * j, even);
+        out.emplace_back(2 * i + 1, 2 * j + 1, across ? -even : even);
+    }
+    if (odd != 0) {
+        out.emplace_back(2 * i, 2 * j + 1, across ? -odd : odd);
+        out.emplace_back(2 * i + 1, 2 * j, odd);
+    }
+}
+
 std::optional<Planes> planes_of(const linalg::Matrix &matrix) {
     const RealSparse A = matrix.view();
-    std::vector<Eigen::Triplet<double>> within;
-    std::vector<Eigen::Triplet<double>> across;
-    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
-        for (RealSparse::InnerIterator entry(A, column); entry; ++entry) {
-            const auto row = static_cast<int>(entry.row());
-            const auto col = static_cast<int>(column);
-            if (row % 2 == col % 2)
-                within.emplace_back(row, col, entry.value());
-            else
-                across.emplace_back(row, col, row % 2 == 0 ? entry.value() : -entry.value());
-        }
     Planes out{RealSparse(A.rows(), A.cols()), RealSparse(A.rows(), A.cols())};
+    Triplets within;
+    Triplets across;
+    // Of a column of pairs: xx, xy, yx, yy.
+    std::vector<std::array<double, 4>> blocks(static_cast<std::size_t>(A.rows() / 2));
+    std::vector<int> filled;
+    for (int j = 0; j < A.cols() / 2; ++j) {
+        for (int plane = 0; plane < 2; ++plane)
+            for (RealSparse::InnerIterator entry(A, 2 * j + plane); entry; ++entry) {
+                const auto row = static_cast<int>(entry.row());
+                blocks[static_cast<std::size_t>(row / 2)]
+                      [static_cast<std::size_t>(row % 2 * 2 + plane)] = entry.value();
+                if (filled.empty() || filled.back() != row / 2)
+                    filled.push_back(row / 2);
+            }
+        for (const int i : filled) { // what the second plane named again is zero by then
+            auto &block = blocks[static_cast<std::size_t>(i)];
+            const auto [xx, xy, yx, yy] = std::exchange(block, {});
+            add_turned(i, j, (xx + yy) / 2, (xx - yy) / 2, false, within);
+            add_turned(i, j, (xy - yx) / 2, (xy + yx) / 2, true, across);
+        }
+        filled.clear();
+    }
     out.within.setFromTriplets(within.begin(), within.end());
     out.across.setFromTriplets(across.begin(), across.end());
     for (const RealSparse *part : {&out.within, &out.across})
@@ -56,17 +86,21 @@ std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
     const assembly::FixedSystem s = assembly::assemble_fixed(d, 0);
     std::vector<Planes> planes;
     for (const linalg::Matrix *A : {&s.M, &s.C, &s.G, &s.K, &s.Kc}) {
-        const std::optional<Planes> part = planes_of(*A);
+        std::optional<Planes> part = planes_of(*A);
         if (!part)
             return {};
-        planes.push_back(*part);
+        planes.push_back(std::move(*part));
     }
     const bool as_expected = planes[0].across.norm() == 0 && planes[2].within.norm() == 0 &&
                              planes[4].within.norm() == 0;
     if (!as_expected)
         return {};
-    return {planes[0].within, planes[1].within, planes[1].across, planes[2].across,
-            planes[3].within, planes[3].across, planes[4].across};
+    std::vector<RealSparse> out;
+    for (RealSparse *part :
+         {&planes[0].within, &planes[1].within, &planes[1].across, &planes[2].across,
+          &planes[3].within, &planes[3].across, &planes[4].across})
+        out.push_back(std::move(*part));
+    return out;
 }
 
 /// A row of a real matrix times a vector.
@@ -138,7 +172,8 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
     all.setIdentity();
     for (Sparse A : matrices) {
         A.prune(0.0); // hierarchical functions hardly couple
-        all += A.cwiseAbs();
+        if (A.nonZeros() > 0)
+            all += A.cwiseAbs();
     }
     _Q = all.cast<Complex>();
     _Q.makeCompressed();
@@ -162,8 +197,9 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
-    Sparse A = _scales.asDiagonal() * matrix * _scales.asDiagonal();
+    Sparse A = matrix;
     A.prune(0.0);
+    A = _scales.asDiagonal() * A * _scales.asDiagonal();
     _absolute_sums.col(part) = A.cwiseAbs() * Eigen::VectorXd::Ones(_size);
     Rows &rows = _parts[static_cast<std::size_t>(part)];
     for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
@@ -211,17 +247,31 @@ SymmetricProblem::energies(const linalg::Vector4 &b,
     return known->second(b);
 }
 
+/// p and q of x and y', or the other way round.
+void SymmetricProblem::turn_pairs(Eigen::VectorXcd &vector) {
+    constexpr double half = 0.5 * std::numbers::sqrt2;
+    for (Eigen::Index k = 0; k < vector.size(); k += 2) {
+        const Complex first = vector(k);
+        vector(k) = half * (first + vector(k + 1));
+        vector(k + 1) = half * (first - vector(k + 1));
+    }
+}
+
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
-    Eigen::VectorXcd out = shape.cwiseProduct(_inverse_scales);
-    if (conjugates())
+    Eigen::VectorXcd out = shape;
+    if (conjugates()) {
         out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
-    return out;
+        turn_pairs(out);
+    }
+    return out.cwiseProduct(_inverse_scales);
 }
 
 Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
     Eigen::VectorXcd out = vector.cwiseProduct(_scales);
-    if (conjugates())
+    if (conjugates()) {
+        turn_pairs(out);
         out(Eigen::seqN(1, _size / 2, 2)) *= i_times;
+    }
     return out;
 }
 
@@ -230,7 +280,12 @@ Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) con
 }
 
 Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {
-    return from_form(vector); // the inverse of diagonal matrices
+    Eigen::VectorXcd out = vector.cwiseProduct(_inverse_scales);
+    if (conjugates()) {
+        turn_pairs(out);
+        out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
+    }
+    return out;
 }
 
 void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products &out) const {

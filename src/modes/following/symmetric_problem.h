@@ -19,8 +19,9 @@ namespace whirl::modes {
 /// Q(l) = l^2 M + l (D + speed D1) + K + speed K1 of a rotor, complex and symmetric, every matrix
 /// kept as a real and an imaginary part with its own entries. So are the form planar_damped as it
 /// stands, and the general form with y = i y' where its matrices are their transposes in the mirror
-/// y -> -y: bearings with kxy = -kyx, or that do not couple the planes. Unknowns are scaled so that
-/// K has ones on its diagonal: all count alike, whatever their units.
+/// y -> -y: bearings with kxy = -kyx, or that do not couple the planes. There the unknowns are
+/// (x + y') / sqrt(2) and (x - y') / sqrt(2), which only unequal supports couple. Unknowns are
+/// scaled so that K has ones on its diagonal: all count alike, whatever their units.
 class SymmetricProblem {
   public:
     using Complex = std::complex<double>;
@@ -100,6 +101,7 @@ class SymmetricProblem {
     mutable std::map<Exponents, linalg::RealEnergies> _energies;
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
+    static void turn_pairs(Eigen::VectorXcd &vector);
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
     [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;
