@@ -54,4 +54,13 @@ void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::Vect
         y(k) += f * x(k);
 }
 
+void add_multiple(double f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
+    const auto *in = reinterpret_cast<const double *>(x.data());
+    auto *out = reinterpret_cast<double *>(y.data());
+    in_lanes([&]() __attribute__((always_inline)) {
+        for (Eigen::Index k = 0; k < 2 * x.size(); ++k)
+            out[k] += f * in[k];
+    });
+}
+
 } // namespace whirl::linalg

@@ -13,5 +13,6 @@ namespace whirl::linalg {
 
 /// y += f x
 void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y);
+void add_multiple(double f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y);
 
 } // namespace whirl::linalg

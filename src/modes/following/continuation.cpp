@@ -96,9 +96,12 @@ std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
     std::vector<bool> solved;
     for (std::size_t i = 0; i < run.places.size(); ++i) {
         Guess guessed = guess(run.at, speed, i);
-        out.pairs.push_back(before != run.before.end() && run.places[i]
-                                ? before->second.pairs[*run.places[i]]
-                                : taken_for(guessed.pair, solved_before));
+        if (before != run.before.end() && run.places[i]) {
+            out.pairs.push_back(before->second.pairs[*run.places[i]]);
+            carry_sign(guessed.pair, out.pairs.back());
+        } else {
+            out.pairs.push_back(taken_for(guessed.pair, solved_before));
+        }
         neighbours.push_back(guessed.nearest);
         solved.push_back(out.pairs.back().solved);
     }

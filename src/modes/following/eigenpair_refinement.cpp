@@ -1,5 +1,6 @@
 #include "modes/following/eigenpair_refinement.h"
 
+#include "linalg/lanes/vector_products.h"
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
@@ -132,15 +133,67 @@ void EigenpairRefinement::turn(linalg::Vector4 &out) const {
     _factors->solve(out);
 }
 
-void EigenpairRefinement::fill(SymmetricPair &pair, int lane) const {
+namespace {
+
+/// A vector in a lane times a number.
+Eigen::VectorXcd scaled(const linalg::Vector4 &four, int lane, std::complex<double> f) {
+    Eigen::VectorXcd out(std::ssize(four));
+    for (std::size_t k = 0; k < four.size(); ++k) {
+        const double re = four[k].re[lane];
+        const double im = four[k].im[lane];
+        out.data()[k] = {f.real() * re - f.imag() * im, f.real() * im + f.imag() * re};
+    }
+    return out;
+}
+
+/// a^T b of vectors in a lane.
+std::complex<double> product(const linalg::Vector4 &a, const linalg::Vector4 &b, int lane) {
+    linalg::Complex4 sum{};
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        linalg::Complex4 all{};
+        for (std::size_t k = 0; k < a.size(); ++k)
+            linalg::add_product(all, a[k], b[k]);
+        sum = all;
+    });
+    return sum.at(lane);
+}
+
+} // namespace
+
+/// What is known of a pair in a lane, whose vector gets the length and the sign that carry on those
+/// of the one it has (a guess).
+/// @returns what the vector in the lane was multiplied by
+std::complex<double> EigenpairRefinement::fill(SymmetricPair &pair, int lane) const {
     const Complex l = pair.value;
     pair.derivative = 2.0 * l * _xMx.at(lane) + _xDx.at(lane);
     pair.rate = -(l * _xD1x.at(lane) + _xK1x.at(lane)) / pair.derivative;
+    Complex scale = std::sqrt(l / pair.derivative);
+    if (!std::isfinite(std::abs(scale)) || scale == 0.0)
+        scale = 1;
+    Eigen::VectorXcd vector = scaled(_x, lane, scale);
+    if (linalg::dot(pair.vector, vector).real() < 0) {
+        scale = -scale;
+        vector = -vector;
+    }
+    pair.vector = std::move(vector);
+    pair.derivative *= scale * scale;
+    pair.Mx = scaled(_of.M, lane, scale);
+    pair.Kx = scaled(_of.K, lane, scale);
     pair.rounding = std::numeric_limits<double>::epsilon() *
                     _problem.absolute_form(std::abs(l), _speed, pair.vector) /
                     std::abs(l * pair.derivative);
-    pair.Mx = linalg::vector_of(_of.M, lane);
-    pair.Kx = linalg::vector_of(_of.K, lane);
+    return scale;
+}
+
+/// That x^T Q'(l) x / l does not change tells the part along x.
+void EigenpairRefinement::fill_turn(SymmetricPair &pair, const linalg::Vector4 &turned,
+                                    Complex scale, int lane) const {
+    const Complex l = pair.value;
+    const Complex slope = 2.0 * l * product(turned, _of.M, lane) + product(turned, _of.D, lane);
+    const Complex change =
+        scale * scale * (2.0 * slope + _xD1x.at(lane) - _xDx.at(lane) * pair.rate / l);
+    pair.turn = scaled(turned, lane, scale);
+    linalg::add_multiple(-change / (2.0 * pair.derivative), pair.vector, pair.turn);
 }
 
 void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
@@ -177,12 +230,11 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
             if (!(pair.error <= open[i].enough) && !rounding)
                 continue;
             pair.value = now[i].value;
-            pair.vector = linalg::vector_of(_x, static_cast<int>(i));
             pair.solved = true;
-            fill(pair, static_cast<int>(i));
+            const Complex scale = fill(pair, static_cast<int>(i));
             if (turned.empty())
                 turn(turned);
-            pair.turn = linalg::vector_of(turned, static_cast<int>(i));
+            fill_turn(pair, turned, scale, static_cast<int>(i));
             done[i] = true;
         }
         if (std::count(done.begin(), done.end(), false) == 0)
@@ -201,7 +253,7 @@ bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
             tasks[i].pair->solved = false;
             tasks[i].pair->turn.resize(0);
             if (tasks[i].pair->error <= tasks[i].enough)
-                fill(*tasks[i].pair, static_cast<int>(i - first));
+                (void)fill(*tasks[i].pair, static_cast<int>(i - first));
             else
                 open.push_back(tasks[i]);
         }

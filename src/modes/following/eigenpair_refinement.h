@@ -11,8 +11,10 @@ namespace whirl::modes {
 
 /// An eigenpair of a symmetric problem at one speed, with what the vector makes of the matrices.
 struct SymmetricPair {
-    std::complex<double> value;      ///< l, 1/s
-    Eigen::VectorXcd vector;         ///< x
+    std::complex<double> value; ///< l, 1/s
+    /// x; of refined pairs with x^T Q'(l) x = l, which leaves the sign: an analytic function of the
+    /// speed where eigenvalues do not meet.
+    Eigen::VectorXcd vector;
     std::complex<double> rate;       ///< dl/dspeed
     std::complex<double> derivative; ///< x^T Q'(l) x
     double error = 0;                ///< of l, relative: what the residual leaves
@@ -79,7 +81,9 @@ class EigenpairRefinement {
     void inverse_step();
     void turn(linalg::Vector4 &out) const;
     [[nodiscard]] bool iterate(const std::vector<Task> &tasks, std::size_t first);
-    void fill(SymmetricPair &pair, int lane) const;
+    Complex fill(SymmetricPair &pair, int lane) const;
+    void fill_turn(SymmetricPair &pair, const linalg::Vector4 &turned, Complex scale,
+                   int lane) const;
 };
 
 /// From an eigenvalue to the two next ones among these: product of the distances relative to it,

@@ -200,19 +200,12 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
     const Weights weights = best_weights(points, speed, i);
     out.value = points.size() > 1 ? value_of(points, weights, i)
                                   : nearest.value + nearest.rate * (speed - points.front()->speed);
-    // Vectors are known but for a factor, and their changes but for a multiple of them: all have
-    // the same part along the nearest.
-    const double length = nearest.vector.squaredNorm();
     out.vector = Eigen::VectorXcd::Zero(nearest.vector.size());
     for (std::size_t k = 0; k < weights.size(); ++k) {
         const SymmetricPair &pair = points[k]->pairs[i];
-        const Complex along = linalg::dot(nearest.vector, pair.vector);
-        Complex factor = weights[k].value;
-        if (weights[k].change != 0) {
-            factor -= weights[k].change * linalg::dot(nearest.vector, pair.turn) / along;
-            linalg::add_multiple(weights[k].change * length / along, pair.turn, out.vector);
-        }
-        linalg::add_multiple(factor * length / along, pair.vector, out.vector);
+        linalg::add_multiple(weights[k].value, pair.vector, out.vector);
+        if (weights[k].change != 0)
+            linalg::add_multiple(weights[k].change, pair.turn, out.vector);
     }
     return found;
 }
@@ -226,9 +219,17 @@ SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved
             parallel(pair->vector, guess.vector, same_vector)) {
             SymmetricPair out = std::move(*pair);
             solved.erase(pair);
+            carry_sign(guess, out);
             return out;
         }
     return std::move(guess);
+}
+
+void carry_sign(const SymmetricPair &guess, SymmetricPair &pair) {
+    if (linalg::dot(guess.vector, pair.vector).real() >= 0)
+        return;
+    for (Eigen::VectorXcd *vector : {&pair.vector, &pair.Mx, &pair.Kx, &pair.turn})
+        *vector = -*vector;
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {

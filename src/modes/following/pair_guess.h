@@ -33,6 +33,9 @@ struct Guess {
 /// guess.
 [[nodiscard]] SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved);
 
+/// A pair whose vector has the sign of a guess of it.
+void carry_sign(const SymmetricPair &guess, SymmetricPair &pair);
+
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
 /// problem stay real, of two conjugates the upper one is meant.

@@ -17,7 +17,6 @@ namespace {
 
 using Complex = SymmetricProblem::Complex;
 using RealSparse = SymmetricProblem::Sparse;
-constexpr Complex i_times(0, 1);
 
 /// The part of a real matrix on pairs (x, y) that stays within a plane, or that couples them, in
 /// p = (x + y') / sqrt(2) and q = (x - y') / sqrt(2): with y = i y' and the rows of y times -i the
@@ -247,32 +246,43 @@ SymmetricProblem::energies(const linalg::Vector4 &b,
     return known->second(b);
 }
 
-/// p and q of x and y', or the other way round.
-void SymmetricProblem::turn_pairs(Eigen::VectorXcd &vector) {
+/// p and q of x and y = i y'.
+void SymmetricProblem::turn_to_pairs(Eigen::VectorXcd &vector) {
     constexpr double half = 0.5 * std::numbers::sqrt2;
-    for (Eigen::Index k = 0; k < vector.size(); k += 2) {
-        const Complex first = vector(k);
-        vector(k) = half * (first + vector(k + 1));
-        vector(k + 1) = half * (first - vector(k + 1));
+    for (Complex *at = vector.data(), *end = at + vector.size(); at != end; at += 2) {
+        const Complex x = half * at[0];
+        const Complex y(half * at[1].imag(), -half * at[1].real());
+        at[0] = x + y;
+        at[1] = x - y;
     }
 }
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
     Eigen::VectorXcd out = shape;
-    if (conjugates()) {
-        out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
-        turn_pairs(out);
-    }
+    if (conjugates())
+        turn_to_pairs(out);
     return out.cwiseProduct(_inverse_scales);
 }
 
-Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
-    Eigen::VectorXcd out = vector.cwiseProduct(_scales);
-    if (conjugates()) {
-        turn_pairs(out);
-        out(Eigen::seqN(1, _size / 2, 2)) *= i_times;
+/// @param sign  of i in y = i y': -1 for covectors
+Eigen::VectorXcd SymmetricProblem::scaled_to_form(const Eigen::VectorXcd &vector,
+                                                  const Eigen::VectorXd &scales,
+                                                  double sign) const {
+    Eigen::VectorXcd out = vector.cwiseProduct(scales);
+    if (!conjugates())
+        return out;
+    constexpr double half = 0.5 * std::numbers::sqrt2;
+    for (Complex *at = out.data(), *end = at + out.size(); at != end; at += 2) {
+        const Complex x = half * (at[0] + at[1]);
+        const Complex y = half * sign * (at[0] - at[1]);
+        at[0] = x;
+        at[1] = {-y.imag(), y.real()};
     }
     return out;
+}
+
+Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
+    return scaled_to_form(vector, _scales, 1);
 }
 
 Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) const {
@@ -280,12 +290,7 @@ Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) con
 }
 
 Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {
-    Eigen::VectorXcd out = vector.cwiseProduct(_inverse_scales);
-    if (conjugates()) {
-        turn_pairs(out);
-        out(Eigen::seqN(1, _size / 2, 2)) *= -i_times;
-    }
-    return out;
+    return scaled_to_form(vector, _inverse_scales, -1);
 }
 
 void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products &out) const {

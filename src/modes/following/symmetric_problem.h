@@ -101,7 +101,9 @@ class SymmetricProblem {
     mutable std::map<Exponents, linalg::RealEnergies> _energies;
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
-    static void turn_pairs(Eigen::VectorXcd &vector);
+    static void turn_to_pairs(Eigen::VectorXcd &vector);
+    [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
+                                                  const Eigen::VectorXd &scales, double sign) const;
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
     [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;

@@ -104,7 +104,10 @@ bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pai
         SymmetricPair &pair = pairs[group[k]];
         if (pair.Mx.size() > 0) // known
             continue;
-        pair.vector = span.Y * solver.eigenvectors().col(mine[k]);
+        // Its own guess goes into it as it is: the sign is carried on by it.
+        const auto mixture = solver.eigenvectors().col(mine[k]);
+        const Complex own = mixture(static_cast<Eigen::Index>(k));
+        pair.vector = span.Y * (mixture * (std::conj(own) / std::abs(own)));
         pair.value = mean + solver.eigenvalues()(mine[k]);
     }
     return true;
