@@ -2,6 +2,7 @@
 
 #include "linalg/lanes/complex4.h"
 
+#include <array>
 #include <cstring>
 
 namespace whirl::linalg {
@@ -54,13 +55,34 @@ void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::Vect
         y(k) += f * x(k);
 }
 
-void add_multiple(double f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {
-    const auto *in = reinterpret_cast<const double *>(x.data());
-    auto *out = reinterpret_cast<double *>(y.data());
+Eigen::VectorXcd sum_of(const std::vector<RealMultiple> &terms) {
+    constexpr Eigen::Index block = 4 * lanes; // numbers that stay in registers
+    const Eigen::Index size = 2 * terms.front().x->size();
+    Eigen::VectorXcd sum(terms.front().x->size());
+    auto *out = reinterpret_cast<double *>(sum.data());
     in_lanes([&]() __attribute__((always_inline)) {
-        for (Eigen::Index k = 0; k < 2 * x.size(); ++k)
-            out[k] += f * in[k];
+        const RealMultiple *first = terms.data();
+        const RealMultiple *last = first + terms.size();
+        for (Eigen::Index k = 0; k < size / block * block; k += block) {
+            std::array<Real4, 4> all{};
+            for (const RealMultiple *term = first; term != last; ++term) {
+                const auto *in = reinterpret_cast<const double *>(term->x->data()) + k;
+                for (std::size_t part = 0; part < all.size(); ++part) {
+                    Real4 some;
+                    std::memcpy(&some, in + part * lanes, sizeof some);
+                    all[part] += term->f * some;
+                }
+            }
+            std::memcpy(out + k, all.data(), sizeof all);
+        }
+        for (Eigen::Index k = size / block * block; k < size; ++k) {
+            double one = 0;
+            for (const RealMultiple *term = first; term != last; ++term)
+                one += term->f * reinterpret_cast<const double *>(term->x->data())[k];
+            out[k] = one;
+        }
     });
+    return sum;
 }
 
 } // namespace whirl::linalg

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <vector>
 
 namespace whirl::linalg {
 
@@ -13,6 +14,13 @@ namespace whirl::linalg {
 
 /// y += f x
 void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y);
-void add_multiple(double f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y);
+
+/// A vector times a real number.
+struct RealMultiple {
+    double f;
+    const Eigen::VectorXcd *x;
+};
+/// Of at least one.
+[[nodiscard]] Eigen::VectorXcd sum_of(const std::vector<RealMultiple> &terms);
 
 } // namespace whirl::linalg

@@ -200,13 +200,14 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
     const Weights weights = best_weights(points, speed, i);
     out.value = points.size() > 1 ? value_of(points, weights, i)
                                   : nearest.value + nearest.rate * (speed - points.front()->speed);
-    out.vector = Eigen::VectorXcd::Zero(nearest.vector.size());
+    std::vector<linalg::RealMultiple> terms;
     for (std::size_t k = 0; k < weights.size(); ++k) {
         const SymmetricPair &pair = points[k]->pairs[i];
-        linalg::add_multiple(weights[k].value, pair.vector, out.vector);
+        terms.push_back({weights[k].value, &pair.vector});
         if (weights[k].change != 0)
-            linalg::add_multiple(weights[k].change, pair.turn, out.vector);
+            terms.push_back({weights[k].change, &pair.turn});
     }
+    out.vector = linalg::sum_of(terms);
     return found;
 }
 

@@ -116,17 +116,6 @@ WHIRL_INLINED void row_times(const Rows &A, std::size_t r, const linalg::Vector4
     }
 }
 
-template <class Rows>
-WHIRL_INLINED void set_rows(const Rows &A, const linalg::Vector4 &x, linalg::Vector4 &out) {
-    if (A.row.size() < out.size())
-        std::fill(out.begin(), out.end(), linalg::Complex4{});
-    for (std::size_t r = 0; r < A.row.size(); ++r) {
-        linalg::Complex4 sum{};
-        row_times(A, r, x, sum);
-        out[static_cast<std::size_t>(A.row[r])] = sum;
-    }
-}
-
 /// @param turned  times i
 template <class Rows>
 WHIRL_INLINED void add_rows(const Rows &A, const linalg::Vector4 &x, bool turned,
@@ -187,12 +176,31 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
         for (std::size_t p = 0; p < rows.place.size(); ++p)
             if (const int entry = entries[static_cast<std::size_t>(rows.place[p])]; entry >= 0)
                 rows.triangle.emplace_back(entry, rows.value[p]);
+    set_everywhere();
+}
+
+void SymmetricProblem::set_everywhere() {
     _everywhere.resize(_entries.size());
+    std::vector<Everywhere> common(static_cast<std::size_t>(_Q.nonZeros()));
     for (const auto &[part, of] :
          {std::pair(mass, &Everywhere::M), std::pair(gyroscopic, &Everywhere::G),
-          std::pair(stiffness, &Everywhere::K)})
-        for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle)
+          std::pair(stiffness, &Everywhere::K)}) {
+        const Rows &rows = _parts[static_cast<std::size_t>(part)];
+        for (const auto &[entry, value] : rows.triangle)
             _everywhere[static_cast<std::size_t>(entry)].*of = value;
+        for (std::size_t p = 0; p < rows.place.size(); ++p)
+            common[static_cast<std::size_t>(rows.place[p])].*of = rows.value[p];
+    }
+    for (int row = 0; row < _size; ++row) { // the column of a symmetric matrix
+        for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p) {
+            const Everywhere &entry = common[static_cast<std::size_t>(p)];
+            if (entry.M == 0 && entry.G == 0 && entry.K == 0)
+                continue;
+            _rows.column.push_back(_Q.innerIndexPtr()[p]);
+            _rows.entry.push_back(entry);
+        }
+        _rows.start.push_back(static_cast<int>(_rows.column.size()));
+    }
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
@@ -301,20 +309,36 @@ void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products
         y->resize(x.size());
     out.K1.resize(rows(circulatory).row.empty() ? 0 : x.size());
     linalg::in_lanes([&]() __attribute__((always_inline)) {
-        set_rows(rows(mass), x, out.M);
-        set_rows(rows(stiffness), x, out.K);
-        add_rows(rows(stiffness_turned), x, true, out.K);
-        set_rows(rows(gyroscopic), x, out.D1);
+        const linalg::Complex4 *in = x.data();
+        const int *columns = _rows.column.data();
+        const Everywhere *entries = _rows.entry.data();
         for (std::size_t k = 0; k < x.size(); ++k) {
-            out.D1[k] = {-out.D1[k].im, out.D1[k].re};
+            linalg::Complex4 M{};
+            linalg::Complex4 G{};
+            linalg::Complex4 K{};
+            const int last = _rows.start[k + 1];
+            for (int p = _rows.start[k]; p < last; ++p) {
+                const linalg::Complex4 &from = in[columns[p]];
+                const Everywhere of = entries[p];
+                M.re += of.M * from.re;
+                M.im += of.M * from.im;
+                G.re += of.G * from.re;
+                G.im += of.G * from.im;
+                K.re += of.K * from.re;
+                K.im += of.K * from.im;
+            }
+            out.M[k] = M;
+            out.K[k] = K;
+            out.D1[k] = {-G.im, G.re};
             out.D[k] = {speed * out.D1[k].re, speed * out.D1[k].im};
         }
+        add_rows(rows(stiffness_turned), x, true, out.K);
         add_rows(rows(damping), x, false, out.D);
         add_rows(rows(damping_turned), x, true, out.D);
         if (!out.K1.empty()) {
-            set_rows(rows(circulatory), x, out.K1);
+            std::fill(out.K1.begin(), out.K1.end(), linalg::Complex4{});
+            add_rows(rows(circulatory), x, true, out.K1);
             for (std::size_t k = 0; k < x.size(); ++k) {
-                out.K1[k] = {-out.K1[k].im, out.K1[k].re};
                 out.K[k].re += speed * out.K1[k].re;
                 out.K[k].im += speed * out.K1[k].im;
             }

@@ -81,9 +81,13 @@ class SymmetricProblem {
         /// One triangle for the factors: places among their entries, and values.
         std::vector<std::pair<int, double>> triangle;
     };
-    /// What every element has, at an entry of the factors.
+    /// What every element has, at an entry of the factors or of the rows.
     struct Everywhere {
         double M = 0, G = 0, K = 0;
+    };
+    struct EverywhereRows {
+        std::vector<int> start{0}, column;
+        std::vector<Everywhere> entry;
     };
     int _size = 0;
     results::Form _form = results::Form::general;
@@ -95,6 +99,7 @@ class SymmetricProblem {
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor; ///< of real matrices
     mutable std::unique_ptr<linalg::SymmetricFactors> _factors;
     std::vector<Everywhere> _everywhere;
+    EverywhereRows _rows;
     mutable linalg::Vector4 _entries; ///< of four Q
     using Exponents = std::array<int, linalg::lanes>;
     mutable std::map<int, linalg::RealEnergy> _energy; ///< by the exponent of two
@@ -104,6 +109,7 @@ class SymmetricProblem {
     static void turn_to_pairs(Eigen::VectorXcd &vector);
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales, double sign) const;
+    void set_everywhere();
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
     [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;
