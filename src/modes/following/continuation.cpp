@@ -84,16 +84,12 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     return std::nullopt; // that speed is solved alone
 }
 
-std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
-    FollowedSpeed out;
-    out.speed = speed;
+GuessedSpeed Continuation::guessed(Run &run, double speed) {
+    GuessedSpeed out{speed, {}};
     const auto before = run.before.find(speed);
-    const auto tried = run.tried.find(speed);
     std::vector<SymmetricPair> solved_before;
-    if (tried != run.tried.end())
-        solved_before = std::move(run.tried.extract(tried).mapped().pairs);
-    std::vector<const SymmetricPair *> neighbours;
-    std::vector<bool> solved;
+    if (const auto tried = run.tried.extract(speed); !tried.empty())
+        solved_before = std::move(tried.mapped().pairs);
     for (std::size_t i = 0; i < run.places.size(); ++i) {
         Guess guessed = guess(run.at, speed, i);
         if (before != run.before.end() && run.places[i]) {
@@ -102,17 +98,38 @@ std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) {
         } else {
             out.pairs.push_back(taken_for(guessed.pair, solved_before));
         }
-        neighbours.push_back(guessed.nearest);
-        solved.push_back(out.pairs.back().solved);
+        out.nearest.push_back(guessed.nearest);
     }
-    std::optional<std::vector<SymmetricPair>> pairs =
-        pairs_of_guesses(_problem, speed, std::move(out.pairs), neighbours, _wanted);
-    if (!pairs)
-        return std::nullopt;
-    out.pairs = std::move(*pairs);
-    for (std::size_t i = 0; i < solved.size(); ++i)
-        out.pairs[i].solved = out.pairs[i].solved || solved[i];
     return out;
+}
+
+/// At speeds whose guesses do not need one another.
+std::vector<std::optional<FollowedSpeed>>
+Continuation::steps(Run &run, const std::vector<double> &speeds) const {
+    std::vector<GuessedSpeed> all;
+    std::vector<std::vector<bool>> solved;
+    for (const double speed : speeds) {
+        all.push_back(guessed(run, speed));
+        solved.emplace_back();
+        for (const SymmetricPair &pair : all.back().pairs)
+            solved.back().push_back(pair.solved);
+    }
+    settle_guesses(_problem, all, _wanted);
+    std::vector<std::optional<FollowedSpeed>> out;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        out.emplace_back();
+        if (!all[k].settled)
+            continue;
+        out.back() = FollowedSpeed{all[k].speed, std::move(all[k].pairs), 0, false};
+        std::vector<SymmetricPair> &pairs = out.back()->pairs;
+        for (std::size_t i = 0; i < pairs.size(); ++i)
+            pairs[i].solved = pairs[i].solved || solved[k][i];
+    }
+    return out;
+}
+
+std::optional<FollowedSpeed> Continuation::step(Run &run, double speed) const {
+    return std::move(steps(run, {speed}).front());
 }
 
 bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
@@ -165,7 +182,7 @@ std::size_t Continuation::complete(Run &run, const std::vector<double> &speeds, 
     return last;
 }
 
-bool Continuation::bridged(Run &run, double from, double to, int depth) {
+bool Continuation::bridged(Run &run, double from, double to, int depth) const {
     if (depth == 0)
         return false;
     const double middle = (from + to) / 2;
@@ -180,15 +197,27 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) {
     return true;
 }
 
-void Continuation::fill(Run &run, const std::vector<double> &speeds, std::size_t from,
-                        std::size_t to) {
-    if (to - from < 2)
-        return;
-    const std::size_t middle = (from + to) / 2;
-    if (std::optional<FollowedSpeed> between = step(run, speeds[middle]))
-        run.at.emplace(speeds[middle], std::move(*between));
-    fill(run, speeds, from, middle);
-    fill(run, speeds, middle, to);
+/// The speeds between those solved: halves of all intervals together, then their halves.
+void Continuation::fill(Run &run, const std::vector<double> &speeds,
+                        const std::vector<std::size_t> &solved) const {
+    std::vector<std::size_t> ends = solved;
+    while (true) {
+        std::vector<std::size_t> next{ends.front()};
+        std::vector<double> middles;
+        for (std::size_t k = 1; k < ends.size(); ++k) {
+            if (ends[k] - ends[k - 1] > 1) {
+                next.push_back((ends[k] + ends[k - 1]) / 2);
+                middles.push_back(speeds[next.back()]);
+            }
+            next.push_back(ends[k]);
+        }
+        if (middles.empty())
+            return;
+        for (std::optional<FollowedSpeed> &between : steps(run, middles))
+            if (between)
+                run.at.emplace(between->speed, std::move(*between));
+        ends = std::move(next);
+    }
 }
 
 /// A run from these pairs: what is known of them from a run with fewer pairs is taken over.
@@ -244,8 +273,7 @@ std::size_t Continuation::run_from(const std::vector<double> &speeds, std::size_
         if (--longer_after <= 0)
             stride = std::min(2 * stride, longest_stride);
     }
-    for (std::size_t k = 1; k < solved.size(); ++k)
-        fill(run, speeds, solved[k - 1], solved[k]);
+    fill(run, speeds, solved);
     const std::size_t last = complete(run, speeds, first, solved.back(), wanted);
     std::erase_if(run.at, [&](const auto &node) {
         return std::abs(node.first - speeds[first]) > std::abs(speeds[last] - speeds[first]);

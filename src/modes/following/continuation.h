@@ -67,11 +67,15 @@ class Continuation {
     int _wanted = 0;
 
     [[nodiscard]] std::optional<FollowedSpeed> begin(double speed, int wanted) const;
-    [[nodiscard]] std::optional<FollowedSpeed> step(Run &run, double speed);
+    [[nodiscard]] static GuessedSpeed guessed(Run &run, double speed);
+    [[nodiscard]] std::vector<std::optional<FollowedSpeed>>
+    steps(Run &run, const std::vector<double> &speeds) const;
+    [[nodiscard]] std::optional<FollowedSpeed> step(Run &run, double speed) const;
     [[nodiscard]] Run joining(const FollowedSpeed &start);
     std::size_t run_from(const std::vector<double> &speeds, std::size_t first, int wanted);
-    [[nodiscard]] bool bridged(Run &run, double from, double to, int depth);
-    void fill(Run &run, const std::vector<double> &speeds, std::size_t from, std::size_t to);
+    [[nodiscard]] bool bridged(Run &run, double from, double to, int depth) const;
+    void fill(Run &run, const std::vector<double> &speeds,
+              const std::vector<std::size_t> &solved) const;
     [[nodiscard]] std::size_t complete(Run &run, const std::vector<double> &speeds,
                                        std::size_t first, std::size_t last, int wanted) const;
     [[nodiscard]] const FollowedSpeed *between(Run &run, double speed);

@@ -1,5 +1,6 @@
 #include "modes/following/eigenpair_refinement.h"
 
+#include "linalg/check.h"
 #include "linalg/lanes/vector_products.h"
 #include "modes/whirl_mode.h"
 
@@ -24,9 +25,10 @@ std::complex<double> nearest_root(std::complex<double> xMx, std::complex<double>
 void EigenpairRefinement::load(const std::vector<Task> &tasks, std::size_t first) {
     std::array<const Eigen::VectorXcd *, linalg::lanes> vectors{};
     for (std::size_t lane = 0; lane < linalg::lanes; ++lane) {
-        const SymmetricPair &pair = *tasks[std::min(first + lane, tasks.size() - 1)].pair;
-        vectors[lane] = &pair.vector;
-        _value.set(static_cast<int>(lane), pair.value);
+        const Task &task = tasks[std::min(first + lane, tasks.size() - 1)];
+        vectors[lane] = &task.pair->vector;
+        _value.set(static_cast<int>(lane), task.pair->value);
+        _speed[static_cast<int>(lane)] = task.speed;
     }
     linalg::set(_x, vectors);
     multiply();
@@ -83,7 +85,7 @@ void EigenpairRefinement::settle(const std::vector<Task> &tasks, std::size_t fir
 
 /// The vectors are those of Q(l)^-1 Q'(l) x.
 void EigenpairRefinement::inverse_step() {
-    _factors = &_problem.factorize(_value, linalg::Real4{_speed, _speed, _speed, _speed});
+    _factors = &_problem.factorize(_value, _speed);
     linalg::in_lanes([&]() __attribute__((always_inline)) {
         const linalg::Complex4 twice{2 * _value.re, 2 * _value.im};
         for (std::size_t k = 0; k < _x.size(); ++k) {
@@ -180,7 +182,7 @@ std::complex<double> EigenpairRefinement::fill(SymmetricPair &pair, int lane) co
     pair.Mx = scaled(_of.M, lane, scale);
     pair.Kx = scaled(_of.K, lane, scale);
     pair.rounding = std::numeric_limits<double>::epsilon() *
-                    _problem.absolute_form(std::abs(l), _speed, pair.vector) /
+                    _problem.absolute_form(std::abs(l), _speed[lane], pair.vector) /
                     std::abs(l * pair.derivative);
     return scale;
 }
@@ -196,15 +198,15 @@ void EigenpairRefinement::fill_turn(SymmetricPair &pair, const linalg::Vector4 &
     linalg::add_multiple(-change / (2.0 * pair.derivative), pair.vector, pair.turn);
 }
 
-void EigenpairRefinement::assess(SymmetricPair &pair, double distance) {
-    const std::vector<Task> one{{&pair, distance, 0}};
+void EigenpairRefinement::assess(SymmetricPair &pair, double speed, double distance) {
+    const std::vector<Task> one{{&pair, speed, distance, 0}};
     load(one, 0);
     settle(one, 0);
     pair.solved = false;
 }
 
 /// Of the pairs in the lanes those that are not good enough yet.
-bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t first) {
+void EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t first) try {
     constexpr int most_steps = 8;
     const std::size_t count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
     std::vector<SymmetricPair> now(count);
@@ -212,7 +214,7 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
     std::vector<bool> done;
     for (std::size_t i = 0; i < count; ++i) {
         const Task &task = tasks[first + i];
-        open.push_back({&now[i], task.distance, task.enough});
+        open.push_back({&now[i], task.speed, task.distance, task.enough});
         done.push_back(task.pair->error <= task.enough);
     }
     for (int step = 1; step <= most_steps; ++step) {
@@ -238,43 +240,50 @@ bool EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
             done[i] = true;
         }
         if (std::count(done.begin(), done.end(), false) == 0)
-            return true;
+            return;
     }
-    return false;
+} catch (const linalg::SolverError &) {
+    // A pivot that happens to be zero: what is not settled has no products.
 }
 
-bool EigenpairRefinement::refine(const std::vector<Task> &tasks) {
+/// Fills the pairs in the lanes that are good as they are, and adds the others to those open.
+void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t first,
+                                    std::vector<Task> &open) {
+    for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
+        SymmetricPair &pair = *tasks[i].pair;
+        pair.solved = false;
+        for (Eigen::VectorXcd *known : {&pair.turn, &pair.Mx, &pair.Kx})
+            known->resize(0);
+        if (pair.error <= tasks[i].enough)
+            (void)fill(pair, static_cast<int>(i - first));
+        else
+            open.push_back(tasks[i]);
+    }
+}
+
+void EigenpairRefinement::refine(const std::vector<Task> &tasks) {
     std::vector<Task> rest; // taken together with others
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);
         settle(tasks, first);
         std::vector<Task> open;
-        for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
-            tasks[i].pair->solved = false;
-            tasks[i].pair->turn.resize(0);
-            if (tasks[i].pair->error <= tasks[i].enough)
-                (void)fill(*tasks[i].pair, static_cast<int>(i - first));
-            else
-                open.push_back(tasks[i]);
-        }
+        take_good(tasks, first, open);
         if (open.size() <= linalg::lanes / 2)
             rest.insert(rest.end(), open.begin(), open.end());
-        else if (!iterate(tasks, first))
-            return false;
+        else
+            iterate(tasks, first);
     }
     for (std::size_t first = 0; first < rest.size(); first += linalg::lanes) {
         load(rest, first);
-        if (!iterate(rest, first))
-            return false;
+        iterate(rest, first);
     }
-    return true;
 }
 
-SymmetricPair EigenpairRefinement::nearest(Complex value) {
+SymmetricPair EigenpairRefinement::nearest(double speed, Complex value) {
     SymmetricPair pair;
     pair.value = value * (1 + 1e-6);
     pair.vector = Eigen::VectorXcd::Ones(_problem.size());
-    const std::vector<Task> one{{&pair, 1, enough_error}};
+    const std::vector<Task> one{{&pair, speed, 1, enough_error}};
     load(one, 0);
     for (int step = 0; step < 3; ++step) {
         for (int lane = 0; lane < linalg::lanes; ++lane)
@@ -283,7 +292,7 @@ SymmetricPair EigenpairRefinement::nearest(Complex value) {
     }
     pair.value = value;
     pair.vector = linalg::vector_of(_x, 0);
-    (void)refine(one); // whether it has settled is seen by who asked
+    refine(one); // whether it has settled is seen by who asked
     return pair;
 }
 

@@ -38,39 +38,38 @@ struct SymmetricPair {
 constexpr double enough_error = 1e-13;
 constexpr double counted_error = 1e-8;
 
-/// Finds eigenpairs of the problem at one speed from guesses.
+/// Finds eigenpairs of the problem from guesses, at one speed or at several.
 class EigenpairRefinement {
   public:
-    EigenpairRefinement(const SymmetricProblem &problem, double speed)
-        : _problem(problem), _speed(speed) {}
+    explicit EigenpairRefinement(const SymmetricProblem &problem) : _problem(problem) {}
 
     /// The Rayleigh quotient of the vector next to the value, and its error. With the same left and
     /// right vector the error is of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual
     /// r = Q(l) x; (K + |l|^2 M)^-1 over the distance to the other eigenvalues takes the place of
     /// Q^-1.
     /// @param distance  to the next eigenvalues, relative (distance_from_others)
-    void assess(SymmetricPair &pair, double distance);
+    void assess(SymmetricPair &pair, double speed, double distance);
 
-    /// A guess, its distance from the others, and the error to come down to.
+    /// A guess, its speed, its distance from the others there, and the error to come down to.
     struct Task {
         SymmetricPair *pair;
-        double distance, enough;
+        double speed, distance, enough;
     };
     /// Rayleigh quotient iteration until the errors are small, cubic with a symmetric matrix: none
-    /// where the guess is good enough. Four pairs at a time.
-    /// @returns false where one does not settle
-    [[nodiscard]] bool refine(const std::vector<Task> &tasks);
+    /// where the guess is good enough. Four pairs at a time. Pairs that do not settle are left
+    /// without products.
+    void refine(const std::vector<Task> &tasks);
 
     /// The eigenpair nearest a value, from no vector.
-    [[nodiscard]] SymmetricPair nearest(std::complex<double> value);
+    [[nodiscard]] SymmetricPair nearest(double speed, std::complex<double> value);
 
   private:
     using Complex = std::complex<double>;
     const SymmetricProblem &_problem;
-    double _speed;
     /// Four pairs; where there are fewer the last one stands in the other lanes too.
     linalg::Vector4 _x, _residual;
     linalg::Complex4 _value;
+    linalg::Real4 _speed;
     SymmetricProblem::Products _of;
     linalg::Complex4 _xMx, _xDx, _xKx, _xD1x, _xK1x;
     const linalg::SymmetricFactors *_factors = nullptr; ///< of the last step
@@ -78,9 +77,10 @@ class EigenpairRefinement {
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
     void settle(const std::vector<Task> &tasks, std::size_t first);
+    void take_good(const std::vector<Task> &tasks, std::size_t first, std::vector<Task> &open);
     void inverse_step();
     void turn(linalg::Vector4 &out) const;
-    [[nodiscard]] bool iterate(const std::vector<Task> &tasks, std::size_t first);
+    void iterate(const std::vector<Task> &tasks, std::size_t first);
     Complex fill(SymmetricPair &pair, int lane) const;
     void fill_turn(SymmetricPair &pair, const linalg::Vector4 &turned, Complex scale,
                    int lane) const;

@@ -1,6 +1,5 @@
 #include "modes/following/pair_guess.h"
 
-#include "linalg/check.h"
 #include "linalg/lanes/vector_products.h"
 #include "modes/following/unmixed.h"
 #include "modes/whirl_mode.h"
@@ -141,43 +140,69 @@ bool upper(const SymmetricProblem &problem, SymmetricPair &pair, bool real) {
                 : pair.value.imag() > 1e-6 * size;
 }
 
-/// Refines guesses; false where one does not settle, or becomes another one's.
-/// @param grouped  of each pair whether it may turn away from its guess
-bool refined(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> &pairs,
-             int slowest, const std::vector<bool> &grouped) try {
+/// What is to be refined at a speed, with what was there before.
+struct Refined {
+    GuessedSpeed *at;
+    std::vector<bool> real{};
+    std::vector<std::size_t> places{};
+    std::vector<Eigen::VectorXcd> before{};
+};
+
+void add_tasks(const SymmetricProblem &problem, Refined &refined, int slowest,
+               std::vector<EigenpairRefinement::Task> &tasks) {
+    std::vector<SymmetricPair> &pairs = refined.at->pairs;
     const std::vector<double> enough = enough_errors(pairs, slowest);
-    std::vector<EigenpairRefinement::Task> tasks;
-    std::vector<std::size_t> places;
-    std::vector<bool> real;
-    std::vector<Eigen::VectorXcd> before;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         SymmetricPair &pair = pairs[i];
         pair.counted_only = enough[i] == counted_error;
-        real.push_back(problem.conjugates() && pair.value.imag() == 0);
+        refined.real.push_back(problem.conjugates() && pair.value.imag() == 0);
         if (pair.Mx.size() > 0 && pair.error <= enough[i])
             continue; // known
-        tasks.push_back({&pair, distance_from_others(pairs, i), enough[i]});
-        places.push_back(i);
-        before.push_back(pair.vector);
+        tasks.push_back({&pair, refined.at->speed, distance_from_others(pairs, i), enough[i]});
+        refined.places.push_back(i);
+        refined.before.push_back(pair.vector);
     }
-    if (!EigenpairRefinement(problem, speed).refine(tasks))
-        return false;
-    for (std::size_t k = 0; k < tasks.size(); ++k) {
-        SymmetricPair &pair = *tasks[k].pair;
-        if (!upper(problem, pair, real[places[k]]) ||
-            (pair.solved && !grouped[places[k]] && !parallel(before[k], pair.vector, same_motion)))
+}
+
+/// Whether every pair has settled, and is still the one that was guessed.
+bool same_pairs(const SymmetricProblem &problem, const Refined &refined) {
+    std::vector<SymmetricPair> &pairs = refined.at->pairs;
+    for (std::size_t k = 0; k < refined.places.size(); ++k) {
+        const std::size_t i = refined.places[k];
+        SymmetricPair &pair = pairs[i];
+        if (pair.Mx.size() == 0 || !upper(problem, pair, refined.real[i]) ||
+            (pair.solved && !refined.at->grouped[i] &&
+             !parallel(refined.before[k], pair.vector, same_motion)))
             return false;
     }
-    if (coincide(pairs))
-        return false;
-    // Guesses may have stood in another order: what was only to be counted is one of the slowest.
+    return !coincide(pairs);
+}
+
+/// Guesses may have stood in another order: what was only to be counted is one of the slowest.
+bool in_order(const std::vector<SymmetricPair> &pairs, int slowest) {
     const std::vector<double> now = enough_errors(pairs, slowest);
-    bool in_order = true;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        in_order = in_order && (now[i] == counted_error || !pairs[i].counted_only);
-    return in_order || refined(problem, speed, pairs, slowest, grouped);
-} catch (const linalg::SolverError &) {
-    return false; // a pivot that happens to be zero
+        if (now[i] != counted_error && pairs[i].counted_only)
+            return false;
+    return true;
+}
+
+/// Not settled is where a pair does not settle, or becomes another one's.
+void refine(const SymmetricProblem &problem, const std::vector<GuessedSpeed *> &speeds,
+            int slowest) {
+    std::vector<Refined> refined;
+    std::vector<EigenpairRefinement::Task> tasks;
+    for (GuessedSpeed *at : speeds)
+        add_tasks(problem, refined.emplace_back(Refined{at}), slowest, tasks);
+    EigenpairRefinement(problem).refine(tasks);
+    std::vector<GuessedSpeed *> again;
+    for (const Refined &one : refined) {
+        one.at->settled = same_pairs(problem, one);
+        if (one.at->settled && !in_order(one.at->pairs, slowest))
+            again.push_back(one.at);
+    }
+    if (!again.empty())
+        refine(problem, again, slowest);
 }
 
 bool whirls(const SymmetricPair &pair) {
@@ -234,8 +259,7 @@ void carry_sign(const SymmetricPair &guess, SymmetricPair &pair) {
 }
 
 SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, double value) {
-    EigenpairRefinement refinement(problem, speed);
-    SymmetricPair pair = refinement.nearest(value);
+    SymmetricPair pair = EigenpairRefinement(problem).nearest(speed, value);
     if (problem.conjugates() && pair.value.imag() < 0) {
         pair.value = std::conj(pair.value);
         pair.vector = problem.conjugate(pair.vector);
@@ -248,20 +272,23 @@ SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, doubl
 std::optional<std::vector<SymmetricPair>> pairs_near(const SymmetricProblem &problem, double speed,
                                                      std::vector<SymmetricPair> guesses,
                                                      int slowest) {
-    const std::vector<bool> none(guesses.size(), false);
-    return refined(problem, speed, guesses, slowest, none) ? std::optional(std::move(guesses))
-                                                           : std::nullopt;
+    GuessedSpeed at{speed, std::move(guesses)};
+    at.grouped.resize(at.pairs.size(), false);
+    refine(problem, {&at}, slowest);
+    return at.settled ? std::optional(std::move(at.pairs)) : std::nullopt;
 }
 
-std::optional<std::vector<SymmetricPair>>
-pairs_of_guesses(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
-                 const std::vector<const SymmetricPair *> &nearest, int slowest) {
-    const std::vector<bool> grouped = unmix(problem, speed, guesses);
-    if (!refined(problem, speed, guesses, slowest, grouped))
-        return std::nullopt;
-    for (std::size_t i = 0; i < guesses.size(); ++i)
-        guesses[i].mixed = !parallel(nearest[i]->vector, guesses[i].vector, same_motion);
-    return guesses;
+void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &speeds,
+                    int slowest) {
+    std::vector<GuessedSpeed *> all;
+    for (GuessedSpeed &at : speeds) {
+        at.grouped = unmix(problem, at.speed, at.pairs);
+        all.push_back(&at);
+    }
+    refine(problem, all, slowest);
+    for (GuessedSpeed &at : speeds)
+        for (std::size_t i = 0; i < at.pairs.size() && at.settled; ++i)
+            at.pairs[i].mixed = !parallel(at.nearest[i]->vector, at.pairs[i].vector, same_motion);
 }
 
 } // namespace whirl::modes

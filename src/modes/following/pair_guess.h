@@ -36,6 +36,15 @@ struct Guess {
 /// A pair whose vector has the sign of a guess of it.
 void carry_sign(const SymmetricPair &guess, SymmetricPair &pair);
 
+/// Guesses of the pairs at a speed, and what becomes of them.
+struct GuessedSpeed {
+    double speed;
+    std::vector<SymmetricPair> pairs;
+    std::vector<const SymmetricPair *> nearest{}; ///< each at the nearest speed known
+    std::vector<bool> grouped{};                  ///< may turn away from its guess
+    bool settled = true;
+};
+
 /// Pairs from guesses at one speed, those with products as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
 /// problem stay real, of two conjugates the upper one is meant.
@@ -44,12 +53,10 @@ void carry_sign(const SymmetricPair &guess, SymmetricPair &pair);
 pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
            int slowest);
 
-/// The same of guesses that may be mixed where eigenvalues nearly meet.
-/// @param nearest  each pair at the nearest speed known; `mixed` are those that have turned far
-///                 from it
-[[nodiscard]] std::optional<std::vector<SymmetricPair>>
-pairs_of_guesses(const SymmetricProblem &problem, double speed, std::vector<SymmetricPair> guesses,
-                 const std::vector<const SymmetricPair *> &nearest, int slowest);
+/// The same of guesses at some speeds, which may be mixed where eigenvalues nearly meet. `mixed`
+/// are those that have turned far from the pair at the nearest speed known.
+void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &speeds,
+                    int slowest);
 
 /// The eigenpair nearest a real number, of two conjugates the upper one.
 [[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,

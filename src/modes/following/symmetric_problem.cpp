@@ -301,7 +301,8 @@ Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vect
     return scaled_to_form(vector, _inverse_scales, -1);
 }
 
-void SymmetricProblem::multiply(const linalg::Vector4 &x, double speed, Products &out) const {
+void SymmetricProblem::multiply(const linalg::Vector4 &x, const linalg::Real4 &speed,
+                                Products &out) const {
     const auto rows = [this](Part part) -> const Rows & {
         return _parts[static_cast<std::size_t>(part)];
     };

@@ -59,7 +59,7 @@ class SymmetricProblem {
     struct Products {
         linalg::Vector4 M, D, K, D1, K1;
     };
-    void multiply(const linalg::Vector4 &x, double speed, Products &out) const;
+    void multiply(const linalg::Vector4 &x, const linalg::Real4 &speed, Products &out) const;
 
     /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|, what the entries add up to in x^T Q(l) x:
     /// with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly alike.

@@ -70,7 +70,7 @@ Span span_of(const SymmetricProblem &problem, double speed, const std::vector<Sy
         for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
             vectors[lane] = &pairs[group[std::min(first + lane, group.size() - 1)]].vector;
         linalg::set(x, vectors);
-        problem.multiply(x, speed, of);
+        problem.multiply(x, linalg::Real4{speed, speed, speed, speed}, of);
         for (std::size_t i = first; i < std::min(first + linalg::lanes, group.size()); ++i) {
             const auto lane = static_cast<int>(i - first);
             const auto column = static_cast<Eigen::Index>(i);
