@@ -85,4 +85,29 @@ Eigen::VectorXcd sum_of(const std::vector<RealMultiple> &terms) {
     return sum;
 }
 
+std::array<Eigen::VectorXcd, lanes> vectors_of(const Vector4 &four, const Complex4 &factors) {
+    std::array<Eigen::VectorXcd, lanes> out;
+    std::array<double *, lanes> to{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        out[lane].resize(std::ssize(four));
+        to[lane] = reinterpret_cast<double *>(out[lane].data());
+    }
+    in_lanes([&]() __attribute__((always_inline)) {
+        for (std::size_t k = 0; k < four.size(); ++k) {
+            Complex4 z;
+            set_product(z, factors, four[k]);
+            // Pairs of lanes 0 and 2, and of 1 and 3.
+            const Real4 even = __builtin_shufflevector(z.re, z.im, 0, 4, 2, 6);
+            const Real4 odd = __builtin_shufflevector(z.re, z.im, 1, 5, 3, 7);
+            std::memcpy(to[0] + 2 * k, &even, 16);
+            std::memcpy(to[1] + 2 * k, &odd, 16);
+            const Real4 even_high = __builtin_shufflevector(even, even, 2, 3, 2, 3);
+            const Real4 odd_high = __builtin_shufflevector(odd, odd, 2, 3, 2, 3);
+            std::memcpy(to[2] + 2 * k, &even_high, 16);
+            std::memcpy(to[3] + 2 * k, &odd_high, 16);
+        }
+    });
+    return out;
+}
+
 } // namespace whirl::linalg

@@ -111,14 +111,14 @@ void EigenpairRefinement::inverse_step() {
 
 /// How the vectors change with the speed: Q(l) x' = -(l' Q'(l) + l D1 + K1) x, with the factors of
 /// the last step. They are those of a value beside l: what that adds lies along x.
-void EigenpairRefinement::turn(linalg::Vector4 &out) const {
+linalg::Vector4 EigenpairRefinement::turns() const {
     linalg::Complex4 rate;
     for (int lane = 0; lane < linalg::lanes; ++lane) {
         const Complex l = _value.at(lane);
         rate.set(lane,
                  (l * _xD1x.at(lane) + _xK1x.at(lane)) / (2.0 * l * _xMx.at(lane) + _xDx.at(lane)));
     }
-    out.resize(_x.size());
+    linalg::Vector4 out(_x.size());
     linalg::in_lanes([&]() __attribute__((always_inline)) {
         const linalg::Complex4 twice{2 * _value.re, 2 * _value.im};
         for (std::size_t k = 0; k < _x.size(); ++k) {
@@ -133,69 +133,73 @@ void EigenpairRefinement::turn(linalg::Vector4 &out) const {
         }
     });
     _factors->solve(out);
-}
-
-namespace {
-
-/// A vector in a lane times a number.
-Eigen::VectorXcd scaled(const linalg::Vector4 &four, int lane, std::complex<double> f) {
-    Eigen::VectorXcd out(std::ssize(four));
-    for (std::size_t k = 0; k < four.size(); ++k) {
-        const double re = four[k].re[lane];
-        const double im = four[k].im[lane];
-        out.data()[k] = {f.real() * re - f.imag() * im, f.real() * im + f.imag() * re};
-    }
     return out;
 }
 
-/// a^T b of vectors in a lane.
-std::complex<double> product(const linalg::Vector4 &a, const linalg::Vector4 &b, int lane) {
-    linalg::Complex4 sum{};
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        linalg::Complex4 all{};
-        for (std::size_t k = 0; k < a.size(); ++k)
-            linalg::add_product(all, a[k], b[k]);
-        sum = all;
-    });
-    return sum.at(lane);
-}
-
-} // namespace
-
-/// What is known of a pair in a lane, whose vector gets the length and the sign that carry on those
-/// of the one it has (a guess).
-/// @returns what the vector in the lane was multiplied by
-std::complex<double> EigenpairRefinement::fill(SymmetricPair &pair, int lane) const {
-    const Complex l = pair.value;
-    pair.derivative = 2.0 * l * _xMx.at(lane) + _xDx.at(lane);
-    pair.rate = -(l * _xD1x.at(lane) + _xK1x.at(lane)) / pair.derivative;
-    Complex scale = std::sqrt(l / pair.derivative);
-    if (!std::isfinite(std::abs(scale)) || scale == 0.0)
-        scale = 1;
-    Eigen::VectorXcd vector = scaled(_x, lane, scale);
-    if (linalg::dot(pair.vector, vector).real() < 0) {
-        scale = -scale;
-        vector = -vector;
+/// What is known of pairs in lanes, whose vectors get the length and the sign that carry on those
+/// they have (guesses).
+/// @returns what the vectors in the lanes were multiplied by
+linalg::Complex4 EigenpairRefinement::fill(const InLanes &pairs) const {
+    linalg::Complex4 scales{};
+    linalg::Real4 sizes{};
+    for (int lane = 0; lane < linalg::lanes; ++lane) {
+        SymmetricPair *pair = pairs[static_cast<std::size_t>(lane)];
+        if (pair == nullptr)
+            continue;
+        const Complex l = pair->value;
+        pair->derivative = 2.0 * l * _xMx.at(lane) + _xDx.at(lane);
+        pair->rate = -(l * _xD1x.at(lane) + _xK1x.at(lane)) / pair->derivative;
+        sizes[lane] = std::abs(l);
+        const Complex scale = std::sqrt(l / pair->derivative);
+        scales.set(lane, std::isfinite(std::abs(scale)) && scale != 0.0 ? scale : 1);
     }
-    pair.vector = std::move(vector);
-    pair.derivative *= scale * scale;
-    pair.Mx = scaled(_of.M, lane, scale);
-    pair.Kx = scaled(_of.K, lane, scale);
-    pair.rounding = std::numeric_limits<double>::epsilon() *
-                    _problem.absolute_form(std::abs(l), _speed[lane], pair.vector) /
-                    std::abs(l * pair.derivative);
-    return scale;
+    std::array<Eigen::VectorXcd, linalg::lanes> vectors = linalg::vectors_of(_x, scales);
+    std::array<Eigen::VectorXcd, linalg::lanes> Mx = linalg::vectors_of(_of.M, scales);
+    std::array<Eigen::VectorXcd, linalg::lanes> Kx = linalg::vectors_of(_of.K, scales);
+    const std::array<double, linalg::lanes> forms = _problem.absolute_forms(sizes, _speed, _x);
+    for (std::size_t lane = 0; lane < linalg::lanes; ++lane) {
+        if (pairs[lane] == nullptr)
+            continue;
+        SymmetricPair &pair = *pairs[lane];
+        const auto place = static_cast<int>(lane);
+        pair.rounding = std::numeric_limits<double>::epsilon() * forms[lane] /
+                        std::abs(pair.value * pair.derivative);
+        pair.derivative *= scales.at(place) * scales.at(place);
+        if (linalg::dot(pair.vector, vectors[lane]).real() < 0) {
+            scales.set(place, -scales.at(place));
+            for (Eigen::VectorXcd *vector : {&vectors[lane], &Mx[lane], &Kx[lane]})
+                *vector = -*vector;
+        }
+        pair.vector = std::move(vectors[lane]);
+        pair.Mx = std::move(Mx[lane]);
+        pair.Kx = std::move(Kx[lane]);
+    }
+    return scales;
 }
 
 /// That x^T Q'(l) x / l does not change tells the part along x.
-void EigenpairRefinement::fill_turn(SymmetricPair &pair, const linalg::Vector4 &turned,
-                                    Complex scale, int lane) const {
-    const Complex l = pair.value;
-    const Complex slope = 2.0 * l * product(turned, _of.M, lane) + product(turned, _of.D, lane);
-    const Complex change =
-        scale * scale * (2.0 * slope + _xD1x.at(lane) - _xDx.at(lane) * pair.rate / l);
-    pair.turn = scaled(turned, lane, scale);
-    linalg::add_multiple(-change / (2.0 * pair.derivative), pair.vector, pair.turn);
+void EigenpairRefinement::fill_turns(const InLanes &pairs, const linalg::Complex4 &scales) const {
+    const linalg::Vector4 turned = turns();
+    linalg::Complex4 zMx{};
+    linalg::Complex4 zDx{};
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (std::size_t k = 0; k < turned.size(); ++k) {
+            linalg::add_product(zMx, turned[k], _of.M[k]);
+            linalg::add_product(zDx, turned[k], _of.D[k]);
+        }
+    });
+    std::array<Eigen::VectorXcd, linalg::lanes> vectors = linalg::vectors_of(turned, scales);
+    for (int lane = 0; lane < linalg::lanes; ++lane) {
+        SymmetricPair *pair = pairs[static_cast<std::size_t>(lane)];
+        if (pair == nullptr)
+            continue;
+        const Complex l = pair->value;
+        const Complex slope = 2.0 * l * zMx.at(lane) + zDx.at(lane);
+        const Complex change = scales.at(lane) * scales.at(lane) *
+                               (2.0 * slope + _xD1x.at(lane) - _xDx.at(lane) * pair->rate / l);
+        pair->turn = std::move(vectors[static_cast<std::size_t>(lane)]);
+        linalg::add_multiple(-change / (2.0 * pair->derivative), pair->vector, pair->turn);
+    }
 }
 
 void EigenpairRefinement::assess(SymmetricPair &pair, double speed, double distance) {
@@ -220,7 +224,7 @@ void EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
     for (int step = 1; step <= most_steps; ++step) {
         inverse_step();
         settle(open, 0);
-        linalg::Vector4 turned;
+        InLanes settling{};
         for (std::size_t i = 0; i < count; ++i) {
             if (done[i])
                 continue;
@@ -233,12 +237,11 @@ void EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
                 continue;
             pair.value = now[i].value;
             pair.solved = true;
-            const Complex scale = fill(pair, static_cast<int>(i));
-            if (turned.empty())
-                turn(turned);
-            fill_turn(pair, turned, scale, static_cast<int>(i));
+            settling[i] = &pair;
             done[i] = true;
         }
+        if (settling != InLanes{})
+            fill_turns(settling, fill(settling));
         if (std::count(done.begin(), done.end(), false) == 0)
             return;
     }
@@ -249,16 +252,19 @@ void EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t fi
 /// Fills the pairs in the lanes that are good as they are, and adds the others to those open.
 void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t first,
                                     std::vector<Task> &open) {
+    InLanes good{};
     for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
         SymmetricPair &pair = *tasks[i].pair;
         pair.solved = false;
         for (Eigen::VectorXcd *known : {&pair.turn, &pair.Mx, &pair.Kx})
             known->resize(0);
         if (pair.error <= tasks[i].enough)
-            (void)fill(pair, static_cast<int>(i - first));
+            good[i - first] = &pair;
         else
             open.push_back(tasks[i]);
     }
+    if (good != InLanes{})
+        (void)fill(good);
 }
 
 void EigenpairRefinement::refine(const std::vector<Task> &tasks) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <complex>
 #include <vector>
 
@@ -79,11 +80,12 @@ class EigenpairRefinement {
     void settle(const std::vector<Task> &tasks, std::size_t first);
     void take_good(const std::vector<Task> &tasks, std::size_t first, std::vector<Task> &open);
     void inverse_step();
-    void turn(linalg::Vector4 &out) const;
+    [[nodiscard]] linalg::Vector4 turns() const;
     void iterate(const std::vector<Task> &tasks, std::size_t first);
-    Complex fill(SymmetricPair &pair, int lane) const;
-    void fill_turn(SymmetricPair &pair, const linalg::Vector4 &turned, Complex scale,
-                   int lane) const;
+    /// The pairs in the lanes, none where a lane is left out.
+    using InLanes = std::array<SymmetricPair *, linalg::lanes>;
+    [[nodiscard]] linalg::Complex4 fill(const InLanes &pairs) const;
+    void fill_turns(const InLanes &pairs, const linalg::Complex4 &scales) const;
 };
 
 /// From an eigenvalue to the two next ones among these: product of the distances relative to it,

@@ -165,7 +165,7 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
     }
     _Q = all.cast<Complex>();
     _Q.makeCompressed();
-    _absolute_sums.resize(_size, parts);
+    _absolute_sums.resize(static_cast<std::size_t>(_size));
     for (int part = 0; part < parts; ++part)
         add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
     _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
@@ -207,7 +207,9 @@ void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
     Sparse A = matrix;
     A.prune(0.0);
     A = _scales.asDiagonal() * A * _scales.asDiagonal();
-    _absolute_sums.col(part) = A.cwiseAbs() * Eigen::VectorXd::Ones(_size);
+    const Eigen::VectorXd sums = A.cwiseAbs() * Eigen::VectorXd::Ones(_size);
+    for (int k = 0; k < _size; ++k)
+        _absolute_sums[static_cast<std::size_t>(k)][part] = sums(k);
     Rows &rows = _parts[static_cast<std::size_t>(part)];
     for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
         const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
@@ -347,12 +349,24 @@ void SymmetricProblem::multiply(const linalg::Vector4 &x, const linalg::Real4 &s
     });
 }
 
-double SymmetricProblem::absolute_form(double l, double speed, const Eigen::VectorXcd &x) const {
-    const Eigen::VectorXd squares = x.cwiseAbs2();
-    const auto form = [&](Part part) { return _absolute_sums.col(part).dot(squares); };
-    const double turn = std::abs(speed);
-    return form(stiffness) + form(stiffness_turned) + turn * form(circulatory) +
-           l * (form(damping) + form(damping_turned) + turn * form(gyroscopic) + l * form(mass));
+std::array<double, linalg::lanes> SymmetricProblem::absolute_forms(const linalg::Real4 &l,
+                                                                   const linalg::Real4 &speed,
+                                                                   const linalg::Vector4 &x) const {
+    std::array<linalg::Real4, parts> form{};
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        std::array<linalg::Real4, parts> sum{};
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            const linalg::Real4 square = x[k].re * x[k].re + x[k].im * x[k].im;
+            for (std::size_t part = 0; part < parts; ++part)
+                sum[part] += _absolute_sums[k][part] * square;
+        }
+        form = sum;
+    });
+    const linalg::Real4 turn = speed < 0 ? -speed : speed;
+    const linalg::Real4 sum =
+        form[stiffness] + form[stiffness_turned] + turn * form[circulatory] +
+        l * (form[damping] + form[damping_turned] + turn * form[gyroscopic] + l * form[mass]);
+    return {sum[0], sum[1], sum[2], sum[3]};
 }
 
 void SymmetricProblem::add(Part part, double factor) const {

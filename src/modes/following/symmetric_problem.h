@@ -61,9 +61,12 @@ class SymmetricProblem {
     };
     void multiply(const linalg::Vector4 &x, const linalg::Real4 &speed, Products &out) const;
 
-    /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x|, what the entries add up to in x^T Q(l) x:
-    /// with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly alike.
-    [[nodiscard]] double absolute_form(double l, double speed, const Eigen::VectorXcd &x) const;
+    /// At least |x|^T (|K| + |l| |D| + |l|^2 |M|) |x| of four vectors, what the entries add up to
+    /// in x^T Q(l) x: with (|a|^2 + |b|^2) / 2 for each |a| |b|, of neighbours that move nearly
+    /// alike.
+    [[nodiscard]] std::array<double, linalg::lanes> absolute_forms(const linalg::Real4 &l,
+                                                                   const linalg::Real4 &speed,
+                                                                   const linalg::Vector4 &x) const;
 
     /// L D L^T of four Q(l), each at a speed; the same object each time.
     /// @throws linalg::SolverError where a pivot is zero, on an eigenvalue beside it too
@@ -92,8 +95,8 @@ class SymmetricProblem {
     int _size = 0;
     results::Form _form = results::Form::general;
     std::vector<Rows> _parts;
-    Eigen::MatrixXd _absolute_sums; ///< over the rows of |A|, a part each column
-    Eigen::VectorXd _scales;        ///< unknowns of the form over those of this problem
+    std::vector<std::array<double, parts>> _absolute_sums; ///< over the rows of |A|
+    Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
     Eigen::VectorXd _inverse_scales;
     mutable linalg::SymmetricFactor::Sparse _Q;
     mutable std::unique_ptr<linalg::SymmetricFactor> _factor; ///< of real matrices
