@@ -209,42 +209,43 @@ void EigenpairRefinement::assess(SymmetricPair &pair, double speed, double dista
     pair.solved = false;
 }
 
-/// Of the pairs in the lanes those that are not good enough yet.
-void EigenpairRefinement::iterate(const std::vector<Task> &tasks, std::size_t first) try {
-    constexpr int most_steps = 8;
+/// A step of those pairs in the lanes that are not good enough yet; what is not settled then is
+/// added to those open.
+/// @param at_last  no other step follows
+void EigenpairRefinement::advance(const std::vector<Task> &tasks, std::size_t first, bool at_last,
+                                  std::vector<Task> &open) try {
     const std::size_t count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
-    std::vector<SymmetricPair> now(count);
-    std::vector<Task> open;
-    std::vector<bool> done;
+    std::array<SymmetricPair, linalg::lanes> now;
+    std::vector<Task> there;
     for (std::size_t i = 0; i < count; ++i) {
-        const Task &task = tasks[first + i];
-        open.push_back({&now[i], task.speed, task.distance, task.enough});
-        done.push_back(task.pair->error <= task.enough);
+        there.push_back(tasks[first + i]);
+        there.back().pair = &now[i];
     }
-    for (int step = 1; step <= most_steps; ++step) {
-        inverse_step();
-        settle(open, 0);
-        InLanes settling{};
-        for (std::size_t i = 0; i < count; ++i) {
-            if (done[i])
-                continue;
-            SymmetricPair &pair = *tasks[first + i].pair;
-            const double last = std::exchange(pair.error, now[i].error);
-            const double settled = std::max(open[i].enough, 1e-13);
-            const bool rounding =
-                pair.error <= settled && (pair.error > 0.1 * last || step == most_steps);
-            if (!(pair.error <= open[i].enough) && !rounding)
-                continue;
-            pair.value = now[i].value;
+    inverse_step();
+    settle(there, 0);
+    InLanes settling{};
+    for (std::size_t i = 0; i < count; ++i) {
+        SymmetricPair &pair = *tasks[first + i].pair;
+        if (pair.error <= there[i].enough)
+            continue;
+        const double last = std::exchange(pair.error, now[i].error);
+        const bool rounding =
+            pair.error <= std::max(there[i].enough, 1e-13) && (pair.error > 0.1 * last || at_last);
+        pair.value = now[i].value;
+        if (pair.error <= there[i].enough || rounding) {
             pair.solved = true;
             settling[i] = &pair;
-            done[i] = true;
+            continue;
         }
-        if (settling != InLanes{})
-            fill_turns(settling, fill(settling));
-        if (std::count(done.begin(), done.end(), false) == 0)
-            return;
+        Eigen::VectorXcd vector = linalg::vector_of(_x, static_cast<int>(i));
+        const Complex along = linalg::dot(vector, pair.vector);
+        if (along != 0.0) // carries on the sign
+            vector *= along / std::abs(along);
+        pair.vector = std::move(vector);
+        open.push_back(tasks[first + i]);
     }
+    if (settling != InLanes{})
+        fill_turns(settling, fill(settling));
 } catch (const linalg::SolverError &) {
     // A pivot that happens to be zero: what is not settled has no products.
 }
@@ -268,20 +269,24 @@ void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t 
 }
 
 void EigenpairRefinement::refine(const std::vector<Task> &tasks) {
-    std::vector<Task> rest; // taken together with others
+    constexpr int most_steps = 8;
+    std::vector<Task> open;
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);
         settle(tasks, first);
-        std::vector<Task> open;
-        take_good(tasks, first, open);
-        if (open.size() <= linalg::lanes / 2)
-            rest.insert(rest.end(), open.begin(), open.end());
+        std::vector<Task> here;
+        take_good(tasks, first, here);
+        if (here.size() <= linalg::lanes / 2) // together with others
+            open.insert(open.end(), here.begin(), here.end());
         else
-            iterate(tasks, first);
+            advance(tasks, first, false, open);
     }
-    for (std::size_t first = 0; first < rest.size(); first += linalg::lanes) {
-        load(rest, first);
-        iterate(rest, first);
+    for (int step = 1; step <= most_steps && !open.empty(); ++step) {
+        const std::vector<Task> now = std::exchange(open, {});
+        for (std::size_t first = 0; first < now.size(); first += linalg::lanes) {
+            load(now, first);
+            advance(now, first, step == most_steps, open);
+        }
     }
 }
 

@@ -81,7 +81,8 @@ class EigenpairRefinement {
     void take_good(const std::vector<Task> &tasks, std::size_t first, std::vector<Task> &open);
     void inverse_step();
     [[nodiscard]] linalg::Vector4 turns() const;
-    void iterate(const std::vector<Task> &tasks, std::size_t first);
+    void advance(const std::vector<Task> &tasks, std::size_t first, bool at_last,
+                 std::vector<Task> &open);
     /// The pairs in the lanes, none where a lane is left out.
     using InLanes = std::array<SymmetricPair *, linalg::lanes>;
     [[nodiscard]] linalg::Complex4 fill(const InLanes &pairs) const;
