@@ -6,6 +6,7 @@
 #include "input/case_file.h"
 #include "linalg/session.h"
 #include "model/errors.h"
+#include "process/memory.h"
 #include "process/processes.h"
 #include "process/progress.h"
 #include "report/common/units.h"
@@ -93,6 +94,7 @@ void run(const Arguments &arguments) {
     note_idle_map(arguments);
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);
+    process::use_huge_pages();
     const linalg::Session session;
     std::optional<ProgressDisplay> display;
     if (!arguments.quiet && process::process_rank() == 0)

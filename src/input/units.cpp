@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 
 namespace whirl::input {
@@ -78,7 +79,8 @@ void add_symbol(const ut_system *system, const char *symbol, const char *definit
         ut_map_symbol_to_unit(symbol, UT_ASCII, unit.get());
 }
 
-/// The database of units; reading it takes some 5 ms, so only the first unit of a run asks for it.
+/// The database of units; reading it takes some 5 ms, so only the first unit that is not common
+/// asks for it.
 const ut_system *unit_system() {
     static const System system = [] {
         ut_set_error_message_handler(ut_ignore);
@@ -158,6 +160,24 @@ std::string with_pounds_force(std::string_view name) {
     return out;
 }
 
+/// What nearly every case is written in, known without the database: reading that takes longer than
+/// some analyses.
+struct CommonUnit {
+    std::string_view name;
+    Quantity quantity;
+    double factor;
+};
+constexpr std::array common_units{
+    CommonUnit{"rpm", Quantity::angular_speed, std::numbers::pi / 30},
+    CommonUnit{"rad/s", Quantity::angular_speed, 1},
+    CommonUnit{"deg", Quantity::angle, std::numbers::pi / 180},
+    CommonUnit{"m", Quantity::length, 1},
+    CommonUnit{"cm", Quantity::length, 0.01},
+    CommonUnit{"mm", Quantity::length, 0.001},
+    CommonUnit{"g", Quantity::mass, 0.001},
+    CommonUnit{"g mm", Quantity::imbalance, 1e-6},
+};
+
 } // namespace
 
 std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
@@ -166,6 +186,9 @@ std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     if (quantity == Quantity::angular_speed &&
         std::find(per_minute.begin(), per_minute.end(), name) != per_minute.end())
         name = "rpm"; // what data sheets of machines mean by it
+    for (const CommonUnit &unit : common_units)
+        if (unit.name == name && unit.quantity == quantity)
+            return unit.factor;
     // A further number would multiply: "2 5 m". Only the one of "1/s" is wanted.
     const bool starts_with_number = !name.empty() && (std::isdigit(name[0]) || name[0] == '.');
     if (name.empty() || (starts_with_number && !name.starts_with("1/")))

@@ -9,32 +9,20 @@ namespace whirl::linalg {
 void Matrix::Deleter::operator()(_p_Mat *handle) const noexcept { MatDestroy(&handle); }
 
 Matrix Matrix::from_entries(int n, const std::vector<Eigen::Triplet<double>> &entries) {
-    std::vector<PetscInt> rows;
-    std::vector<PetscInt> columns;
-    std::vector<PetscScalar> values;
-    rows.reserve(entries.size() + static_cast<std::size_t>(n));
-    columns.reserve(rows.capacity());
-    values.reserve(rows.capacity());
-    for (const auto &entry : entries) {
-        rows.push_back(entry.row());
-        columns.push_back(entry.col());
-        values.push_back(entry.value());
-    }
     // The whole diagonal is stored: factorisations and shifts need it.
-    for (PetscInt i = 0; i < n; ++i) {
-        rows.push_back(i);
-        columns.push_back(i);
-        values.push_back(0);
-    }
-    Mat handle = nullptr;
-    check(MatCreate(PETSC_COMM_SELF, &handle));
+    std::vector<Eigen::Triplet<double>> all;
+    all.reserve(entries.size() + static_cast<std::size_t>(n));
+    all.assign(entries.begin(), entries.end());
+    for (int i = 0; i < n; ++i)
+        all.emplace_back(i, i, 0.0);
+    // Sorted and summed here, PETSc has nothing to look for.
     Matrix out;
+    out._rows = std::make_unique<Rows>(n, n);
+    out._rows->setFromTriplets(all.begin(), all.end());
+    Mat handle = nullptr;
+    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, out._rows->outerIndexPtr(),
+                                    out._rows->innerIndexPtr(), out._rows->valuePtr(), &handle));
     out._handle.reset(handle);
-    check(MatSetSizes(handle, n, n, n, n));
-    check(MatSetType(handle, MATSEQAIJ));
-    check(MatSetPreallocationCOO(handle, static_cast<PetscCount>(rows.size()), rows.data(),
-                                 columns.data()));
-    check(MatSetValuesCOO(handle, values.data(), INSERT_VALUES));
     return out;
 }
 

@@ -37,6 +37,8 @@ class Matrix {
     [[nodiscard]] SparseView view() const;
 
   private:
+    using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    std::unique_ptr<Rows> _rows; ///< of which PETSc's matrix is made; none: it has its own
     std::unique_ptr<_p_Mat, Deleter> _handle;
 };
 

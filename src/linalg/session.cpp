@@ -27,6 +27,16 @@ void prepare_single_process() {
     setenv("OMPI_MCA_btl", "self", 0);
     // Which devices the machine has matters to processes that talk over them: 14 ms of 85.
     setenv("HWLOC_COMPONENTS", "-linuxio,-pci,-opencl,-gl", 0);
+    // Nothing of hwloc's that is loaded at run time: 4 ms.
+    setenv("HWLOC_PLUGINS_PATH", "/nonexistent", 0);
+    // Of Open MPI's components those that one process takes in the end; looking at the others and
+    // leaving them takes 2 ms.
+    setenv("OMPI_MCA_coll", "self,basic,libnbc", 0);
+    setenv("OMPI_MCA_osc", "sm", 0);
+    setenv("OMPI_MCA_op", "^avx", 0);
+    setenv("OMPI_MCA_state", "app", 0);
+    setenv("OMPI_MCA_errmgr", "default_app", 0);
+    setenv("OMPI_MCA_shmem", "mmap", 0);
     // Isolated processes would all use one session directory, and remove it under one another.
     setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
 }

@@ -1,7 +1,6 @@
 #include "mesh_error/shape_residual.h"
 
 #include "assembly/planar_part.h"
-#include "assembly/planes.h"
 #include "elements/beam.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -14,56 +13,75 @@ namespace whirl::mesh_error {
 
 namespace {
 
-using Complex = std::complex<double>;
-constexpr Complex i_unit(0, 1);
+using linalg::Complex4;
+using linalg::Real4;
 
 /// The next function of either parity.
 constexpr int further_orders = 2;
 
 /// Further functions of an element of order 1, the most: 2 * (1 + further_orders) - 1.
 constexpr int most_further = 5;
-using Block = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, 0, most_further, most_further>;
+/// Of four modes.
+struct Block {
+    std::array<std::array<Complex4, most_further>, most_further> at;
+    Complex4 &operator()(int row, int column) {
+        return at[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    }
+};
+using Column = std::array<Complex4, most_further>;
 
-/// L D L^T of a symmetric matrix in place, the pivots on the diagonal. Further functions vanish at
-/// the nodes and are far stiffer than the modes: no pivot comes near zero.
-void factorize(Block &A) {
-    for (Eigen::Index k = 0; k < A.rows(); ++k)
-        for (Eigen::Index j = k + 1; j < A.rows(); ++j) {
-            const Complex factor = A(j, k) / A(k, k);
-            for (Eigen::Index i = j; i < A.rows(); ++i)
-                A(i, j) -= A(i, k) * factor;
+Complex4 &entry(Column &x, int k) { return x[static_cast<std::size_t>(k)]; }
+
+WHIRL_INLINED void add_times(double a, const Complex4 &b, Complex4 &sum) {
+    sum.re += a * b.re;
+    sum.im += a * b.im;
+}
+
+/// L D L^T of n rows of a symmetric matrix in place, 1 / D on the diagonal, L^T above it. Further
+/// functions vanish at the nodes and are far stiffer than the modes: no pivot comes near zero.
+WHIRL_INLINED void factorize(Block &A, int n) {
+    for (int k = 0; k < n; ++k) {
+        linalg::set_inverse(A(k, k), Complex4(A(k, k)));
+        for (int j = k + 1; j < n; ++j) {
+            Complex4 factor;
+            linalg::set_product(factor, A(j, k), A(k, k));
+            for (int i = j; i < n; ++i)
+                linalg::subtract_product(A(i, j), A(i, k), factor);
             A(k, j) = factor;
         }
-}
-
-/// r^H A^-1 r from these factors: above the diagonal L^T.
-template <class Vector> Complex inverse_form(const Block &factors, const Vector &r) {
-    Vector x = r;
-    const Eigen::Index n = factors.rows();
-    for (Eigen::Index k = 0; k < n; ++k)
-        for (Eigen::Index i = k + 1; i < n; ++i)
-            x(i) -= factors(k, i) * x(k);
-    for (Eigen::Index k = n - 1; k >= 0; --k) {
-        x(k) /= factors(k, k);
-        for (Eigen::Index i = k + 1; i < n; ++i)
-            x(k) -= factors(k, i) * x(i);
     }
-    return r.dot(x);
 }
 
-/// A row of a real matrix times a complex vector.
-Complex product(const Eigen::SparseMatrix<double, Eigen::RowMajor> &A, Eigen::Index row,
-                const Eigen::VectorXcd &x) {
-    double re = 0;
-    double im = 0;
+/// r^H A^-1 r from these factors.
+WHIRL_INLINED Complex4 inverse_form(Block &factors, const Column &r, int n) {
+    Column x = r;
+    for (int k = 0; k < n; ++k)
+        for (int i = k + 1; i < n; ++i)
+            linalg::subtract_product(entry(x, i), factors(k, i), entry(x, k));
+    for (int k = n - 1; k >= 0; --k) {
+        linalg::set_product(entry(x, k), Complex4(entry(x, k)), factors(k, k));
+        for (int i = k + 1; i < n; ++i)
+            linalg::subtract_product(entry(x, k), factors(k, i), entry(x, i));
+    }
+    Complex4 sum{};
+    for (int k = 0; k < n; ++k) {
+        const Complex4 &left = r[static_cast<std::size_t>(k)];
+        linalg::add_product(sum, {left.re, -left.im}, entry(x, k));
+    }
+    return sum;
+}
+
+/// A row of a real matrix times four complex vectors.
+WHIRL_INLINED Complex4 product(const Eigen::SparseMatrix<double, Eigen::RowMajor> &A,
+                               Eigen::Index row, const linalg::Vector4 &x) {
+    Complex4 sum{};
     const int *columns = A.innerIndexPtr();
     const double *values = A.valuePtr();
-    const Complex *in = x.data();
-    for (int p = A.outerIndexPtr()[row]; p < A.outerIndexPtr()[row + 1]; ++p) {
-        re += values[p] * in[columns[p]].real();
-        im += values[p] * in[columns[p]].imag();
-    }
-    return {re, im};
+    const Complex4 *in = x.data();
+    const int last = A.outerIndexPtr()[row + 1];
+    for (int p = A.outerIndexPtr()[row]; p < last; ++p)
+        add_times(values[p], in[columns[p]], sum);
+    return sum;
 }
 
 /// A block on the unknowns of an element as rows over those of the shaft.
@@ -132,53 +150,98 @@ std::vector<assembly::Combination> ShapeResidual::own_motion(int span) const {
     return out;
 }
 
-/// Of w = x + i y, w(t) = w exp(rate t), or of x - i y with the speed reversed.
-double ShapeResidual::energy(const Eigen::VectorXcd &plane, Complex rate, double speed) const {
-    const Complex squared = rate * rate;
-    const Complex coupling = -i_unit * rate * speed;
-    Block Q2; // its factors
-    Eigen::Matrix<Complex, Eigen::Dynamic, 1, 0, most_further, 1> r(_further);
-    double sum = 0;
-    for (std::size_t i = 0; i < _elements.size(); ++i) {
-        const Element &e = _elements[i];
-        if (!e.like_last) {
-            Q2 = squared * e.M2 + coupling * e.G2 + e.K2;
-            factorize(Q2);
+std::vector<ShapeResidual::Plane> ShapeResidual::planes_of(const Four &modes) const {
+    const bool planar = results::is_planar(_form);
+    const auto n = static_cast<std::size_t>(_mass.rows());
+    std::vector<Plane> planes(planar ? 1 : 2);
+    for (Plane &plane : planes)
+        plane.w.resize(n);
+    for (int lane = 0; lane < linalg::lanes; ++lane) {
+        const auto &[mode, speed] = modes[static_cast<std::size_t>(lane)];
+        const std::complex<double> *shape = mode->shape.data();
+        std::complex<double> rate = mode->eigenvalue;
+        if (_form == results::Form::planar) {
+            const bool positive = (mode->whirl == results::Whirl::forward) == (speed >= 0);
+            rate = {0, positive ? std::abs(rate) : -std::abs(rate)};
+        } else if (_form == results::Form::planar_damped)
+            rate = mode->rotating_value;
+        // Of w = x + i y; x - i y is as seen with the speed reversed. Moving masses are none of
+        // them.
+        planes.front().speed[lane] = speed;
+        planes.back().speed[lane] = planar ? speed : -speed;
+        for (Plane &plane : planes)
+            plane.rate.set(lane, rate);
+        for (std::size_t k = 0; k < n && planar; ++k)
+            planes.front().w[k].set(lane, shape[k]);
+        const bool turned = _form == results::Form::hyperbolic; // y stands for -i y
+        for (std::size_t k = 0; k < n && !planar; ++k) {
+            const std::complex<double> y = shape[2 * k + 1];
+            const std::complex<double> i_y =
+                turned ? -y : std::complex<double>(-y.imag(), y.real());
+            planes.front().w[k].set(lane, shape[2 * k] + i_y);
+            planes.back().w[k].set(lane, shape[2 * k] - i_y);
         }
-        for (int k = 0; k < _further; ++k) {
-            const Eigen::Index row = static_cast<Eigen::Index>(i) * _further + k;
-            r(k) = squared * product(_M, row, plane) + coupling * product(_G, row, plane) +
-                   product(_K, row, plane);
-        }
-        sum += std::abs(inverse_form(Q2, r));
     }
-    return sum;
+    return planes;
 }
 
-double ShapeResidual::of(const modes::WhirlMode &mode, double speed) const {
-    const double size = std::abs(mode.eigenvalue);
-    if (_elements.empty() || size == 0)
-        return 0;
-    const auto kinetic = [&](const Eigen::VectorXcd &plane) {
-        double sum = 0;
-        for (Eigen::Index row = 0; row < plane.size(); ++row)
-            sum += (std::conj(plane(row)) * product(_mass, row, plane)).real();
-        return size * size * sum;
-    };
-    if (_form == results::Form::planar) {
-        const bool positive = (mode.whirl == results::Whirl::forward) == (speed >= 0);
-        const Complex rate = i_unit * (positive ? size : -size);
-        return energy(mode.shape, rate, speed) / kinetic(mode.shape);
+void ShapeResidual::add_energies(const Plane &plane, Real4 &residual, Real4 &kinetic) const {
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        Complex4 squared;
+        linalg::set_product(squared, plane.rate, plane.rate);
+        const Complex4 coupling{plane.rate.im * plane.speed, -plane.rate.re * plane.speed};
+        Block Q2; // its factors
+        Column r;
+        for (std::size_t i = 0; i < _elements.size(); ++i) {
+            const Element &e = _elements[i];
+            if (!e.like_last) {
+                for (int row = 0; row < _further; ++row)
+                    for (int column = 0; column < _further; ++column) {
+                        Complex4 &Q = Q2(row, column);
+                        Q = {Real4{} + e.K2(row, column), Real4{}};
+                        add_times(e.M2(row, column), squared, Q);
+                        add_times(e.G2(row, column), coupling, Q);
+                    }
+                factorize(Q2, _further);
+            }
+            for (int k = 0; k < _further; ++k) {
+                const Eigen::Index row = static_cast<Eigen::Index>(i) * _further + k;
+                Complex4 &sum = entry(r, k);
+                sum = product(_K, row, plane.w);
+                linalg::add_product(sum, squared, product(_M, row, plane.w));
+                linalg::add_product(sum, coupling, product(_G, row, plane.w));
+            }
+            const Complex4 form = inverse_form(Q2, r, _further);
+            const Real4 square = form.re * form.re + form.im * form.im;
+            for (int lane = 0; lane < linalg::lanes; ++lane)
+                residual[lane] += std::sqrt(square[lane]);
+        }
+        const Real4 size = plane.rate.re * plane.rate.re + plane.rate.im * plane.rate.im;
+        for (std::size_t k = 0; k < plane.w.size(); ++k) {
+            const Complex4 momentum = product(_mass, static_cast<Eigen::Index>(k), plane.w);
+            kinetic += size * (plane.w[k].re * momentum.re + plane.w[k].im * momentum.im);
+        }
+    });
+}
+
+std::vector<double> ShapeResidual::of(const std::vector<At> &modes) const {
+    std::vector<double> out(modes.size());
+    if (_elements.empty())
+        return out;
+    for (std::size_t first = 0; first < modes.size(); first += linalg::lanes) {
+        Four four;
+        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
+            four[lane] = modes[std::min(first + lane, modes.size() - 1)];
+        Real4 residual{};
+        Real4 kinetic{};
+        for (const Plane &plane : planes_of(four))
+            add_energies(plane, residual, kinetic);
+        for (std::size_t lane = 0; lane < linalg::lanes && first + lane < modes.size(); ++lane)
+            if (four[lane].mode->eigenvalue != 0.0)
+                out[first + lane] =
+                    residual[static_cast<int>(lane)] / kinetic[static_cast<int>(lane)];
     }
-    if (_form == results::Form::planar_damped)
-        return energy(mode.shape, mode.rotating_value, speed) / kinetic(mode.shape);
-    assembly::Planes planes(mode.shape.head(2 * _mass.rows())); // moving masses are none of them
-    if (_form == results::Form::hyperbolic)                     // y stands for -i y
-        planes.y *= i_unit;
-    const Eigen::VectorXcd with = planes.towards();
-    const Eigen::VectorXcd against = planes.against();
-    return (energy(with, mode.eigenvalue, speed) + energy(against, mode.eigenvalue, -speed)) /
-           (kinetic(with) + kinetic(against));
+    return out;
 }
 
 } // namespace whirl::mesh_error

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "linalg/lanes/complex4.h"
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <vector>
 
 namespace whirl::mesh_error {
@@ -21,8 +23,13 @@ class ShapeResidual {
     /// @param discretization  kept by reference
     ShapeResidual(const assembly::Discretization &discretization, results::Form form);
 
-    /// At a spin speed (rad/s); 0 for a rigid shaft.
-    [[nodiscard]] double of(const modes::WhirlMode &mode, double speed) const;
+    /// A mode at a spin speed (rad/s).
+    struct At {
+        const modes::WhirlMode *mode;
+        double speed;
+    };
+    /// Of each; 0 for a rigid shaft. Four of them take hardly longer than one.
+    [[nodiscard]] std::vector<double> of(const std::vector<At> &modes) const;
 
   private:
     using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -38,9 +45,18 @@ class ShapeResidual {
     Rows _M, _G, _K; ///< further functions of all elements over the unknowns of a plane
     Rows _mass;
 
+    /// A plane of four modes, w(t) = w exp(rate t), and their speeds.
+    struct Plane {
+        linalg::Vector4 w;
+        linalg::Complex4 rate;
+        linalg::Real4 speed;
+    };
+    using Four = std::array<At, linalg::lanes>;
     [[nodiscard]] std::vector<assembly::Combination> own_motion(int span) const;
-    [[nodiscard]] double energy(const Eigen::VectorXcd &plane, std::complex<double> rate,
-                                double speed) const;
+    /// One in the planar forms, of the others those of x + i y and of x - i y.
+    [[nodiscard]] std::vector<Plane> planes_of(const Four &modes) const;
+    /// Adds both energies of the plane.
+    void add_energies(const Plane &plane, linalg::Real4 &residual, linalg::Real4 &kinetic) const;
 };
 
 } // namespace whirl::mesh_error

@@ -2,11 +2,13 @@
 
 #include "balancers/balanced_position.h"
 #include "elements/section.h"
+#include "linalg/lanes/complex4.h"
 #include "results/whirl.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace whirl::modes {
@@ -127,14 +129,19 @@ Stations::deflections_of_both(const Eigen::VectorXcd &planes) const {
     const auto *in = reinterpret_cast<const double *>(planes.data());
     const int *unknowns = _unknowns.data();
     const double *values = _values.data();
-    for (std::size_t i = 0; i < _z.size(); ++i) {
-        Eigen::Array4d sum = Eigen::Array4d::Zero(); // real and imaginary parts of x and y at once
-        const std::size_t last = _first[i + 1];
-        for (std::size_t p = _first[i]; p < last; ++p)
-            sum += values[p] * Eigen::Map<const Eigen::Array4d>(in + 4 * unknowns[p]);
-        out.first(static_cast<Eigen::Index>(i)) = {sum(0), sum(1)};
-        out.second(static_cast<Eigen::Index>(i)) = {sum(2), sum(3)};
-    }
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (std::size_t i = 0; i < _z.size(); ++i) {
+            linalg::Real4 sum{}; // real and imaginary parts of x and y at once
+            const std::size_t last = _first[i + 1];
+            for (std::size_t p = _first[i]; p < last; ++p) {
+                linalg::Real4 four;
+                std::memcpy(&four, in + 4 * unknowns[p], sizeof four);
+                sum += values[p] * four;
+            }
+            out.first.data()[i] = {sum[0], sum[1]};
+            out.second.data()[i] = {sum[2], sum[3]};
+        }
+    });
     return out;
 }
 

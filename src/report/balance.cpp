@@ -292,7 +292,7 @@ Json json_of(const BalanceResult &result) {
               {"planes", json_list(result.planes,
                                    [](const BalancePlane &plane) {
                                        Json entry{{"name", plane.name}, {"z", plane.z}};
-                                       entry.update(bands_json(plane.bands));
+                                       take_entries(entry, bands_json(plane.bands));
                                        entry["criterion"] = plane.criterion;
                                        return entry;
                                    })},

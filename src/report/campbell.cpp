@@ -180,17 +180,19 @@ Json mode_json(const CampbellResult &result, const CampbellMode &mode) {
         json["frequency_rotating"] = mode.frequency_rotating;
     if (!mode.other_frequency.empty())
         json["other_frequency"] = mode.other_frequency;
-    json.update(json_lists(mode_columns, over_speeds(result, mode)));
+    take_entries(json, json_lists(mode_columns, over_speeds(result, mode)));
     return json;
 }
 
 Json json_of(const CampbellResult &result) {
-    return {{"speeds", result.speeds},
-            {"modes",
-             json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode); })},
-            {"crossings", json_rows(crossing_columns(result), result.crossings)},
-            {"locked", json_rows(locked_columns(result), result.locked)},
-            {"divergence", result.divergence}};
+    Json json = json_object(5);
+    json["speeds"] = result.speeds;
+    json["modes"] =
+        json_list(result.modes, [&](const auto &mode) { return mode_json(result, mode); });
+    json["crossings"] = json_rows(crossing_columns(result), result.crossings);
+    json["locked"] = json_rows(locked_columns(result), result.locked);
+    json["divergence"] = result.divergence;
+    return json;
 }
 
 std::string csv_of(const CampbellResult &result) {

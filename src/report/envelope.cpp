@@ -33,7 +33,7 @@ Json whole_json(const Report &report) {
     json["provenance"] = {{"version", program_version()},
                           {"date", report.provenance.date},
                           {"case", report.provenance.case_text}};
-    json.update(report.json());
+    take_entries(json, report.json());
     return json;
 }
 

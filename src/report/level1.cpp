@@ -90,7 +90,7 @@ const Columns<At> curve{{"q", "q [N/m]", {}, {}, &At::q},
 
 Json level1_json(const Level1 &level1) {
     Json json = json_row(found, level1);
-    json.update(json_lists(curve, points(level1)));
+    take_entries(json, json_lists(curve, points(level1)));
     return json;
 }
 

@@ -56,20 +56,31 @@ void carry(std::vector<std::optional<double>> &values, const std::vector<double>
 
 /// What `of` gives at all places, asked at so many that between two neighbours it changes by little
 /// or is the larger of both: the errors between them are no smaller.
-std::vector<double> along(std::size_t count, const std::function<double(std::size_t)> &of) {
+/// @param of  of several places at once
+std::vector<double>
+along(std::size_t count,
+      const std::function<std::vector<double>(const std::vector<std::size_t> &)> &of) {
     constexpr std::size_t stride = 4;
     constexpr double like = 1.2;
     std::vector<double> out(count);
+    const auto ask = [&](const std::vector<std::size_t> &places) {
+        const std::vector<double> found = of(places);
+        for (std::size_t i = 0; i < places.size(); ++i)
+            out[places[i]] = found[i];
+    };
+    std::vector<std::size_t> first;
     for (std::size_t k = 0; k < count; k += stride)
-        out[k] = of(k);
-    out.back() = of(count - 1);
+        first.push_back(k);
+    if (first.back() + 1 < count)
+        first.push_back(count - 1);
+    ask(first);
     const std::function<void(std::size_t, std::size_t)> fill = [&](std::size_t a, std::size_t b) {
         if (b - a < 2)
             return;
         const double larger = std::max(out[a], out[b]);
         const std::size_t middle = (a + b) / 2;
         if (larger > like * std::min(out[a], out[b])) {
-            out[middle] = of(middle);
+            ask({middle});
             fill(a, middle);
             fill(middle, b);
         } else {
@@ -79,6 +90,26 @@ std::vector<double> along(std::size_t count, const std::function<double(std::siz
     };
     for (std::size_t k = 0; k < count; k += stride)
         fill(k, std::min(k + stride, count - 1));
+    return out;
+}
+
+/// By the shapes of the modes of a line, at some speeds; 1 where it has none there.
+std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const Line &line,
+                              const std::vector<modes::Spectrum> &spectra,
+                              const std::vector<std::size_t> &places) {
+    std::vector<double> out(places.size(), 1.0);
+    std::vector<std::size_t> with_mode;
+    std::vector<mesh_error::ShapeResidual::At> at;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const modes::Spectrum &spectrum = spectra[places[i]];
+        if (const int place = line.place[places[i]]; place != Line::absent) {
+            with_mode.push_back(i);
+            at.push_back({&spectrum.modes[static_cast<std::size_t>(place)], spectrum.speed});
+        }
+    }
+    const std::vector<double> found = residual.of(at);
+    for (std::size_t i = 0; i < with_mode.size(); ++i)
+        out[with_mode[i]] = found[i];
     return out;
 }
 
@@ -133,12 +164,9 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (probes.size() == spectra.size())
             continue;
-        carry(errors[i], along(spectra.size(), [&](std::size_t k) {
-                  const int place = lines[i].place[k];
-                  return series || place == Line::absent
-                             ? 1.0
-                             : residual.of(spectra[k].modes[static_cast<std::size_t>(place)],
-                                           spectra[k].speed);
+        carry(errors[i], along(spectra.size(), [&](const std::vector<std::size_t> &places) {
+                  return series ? std::vector<double>(places.size(), 1.0)
+                                : residuals(residual, lines[i], spectra, places);
               }));
     }
     return errors;

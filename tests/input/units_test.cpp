@@ -104,5 +104,25 @@ TEST(Units, DecimalPrefixesAreExactlyRounded) {
     EXPECT_EQ(scaled(3, 0.3), 3 * 0.3);
 }
 
+TEST(Units, CommonOnesAreThoseOfTheDatabase) {
+    struct Same {
+        const char *common;
+        const char *in_full; ///< which the database alone knows
+        Quantity quantity;
+    };
+    const std::vector<Same> same{{"rpm", "turn/min", Quantity::angular_speed},
+                                 {"rad/s", "radian/second", Quantity::angular_speed},
+                                 {"deg", "degree", Quantity::angle},
+                                 {"m", "meter", Quantity::length},
+                                 {"cm", "centimeter", Quantity::length},
+                                 {"mm", "millimeter", Quantity::length},
+                                 {"g", "gram", Quantity::mass},
+                                 {"g mm", "gram millimeter", Quantity::imbalance}};
+    for (const auto &[common, in_full, quantity] : same)
+        EXPECT_EQ(unit_factor(common, quantity), unit_factor(in_full, quantity)) << common;
+    EXPECT_FALSE(unit_factor("rpm", Quantity::length));
+    EXPECT_FALSE(unit_factor("m", Quantity::angle));
+}
+
 } // namespace
 } // namespace whirl::input

@@ -10,6 +10,21 @@
 
 #include <optional>
 
+// What all reports do with JSON, compiled once in json.cpp: their sources are not optimised. `what`
+// is "extern template" or "template".
+#define WHIRL_JSON(what)                                                                           \
+    what nlohmann::ordered_json::basic_json(const nlohmann::ordered_json &);                       \
+    what nlohmann::ordered_json::basic_json(nlohmann::ordered_json &&) noexcept;                   \
+    what nlohmann::ordered_json::basic_json(initializer_list_t, bool, value_t);                    \
+    what nlohmann::ordered_json::~basic_json() noexcept;                                           \
+    what void nlohmann::ordered_json::json_value::destroy(value_t);                                \
+    what nlohmann::ordered_json &nlohmann::ordered_json::operator=(                                \
+        nlohmann::ordered_json) noexcept;                                                          \
+    what void nlohmann::ordered_json::push_back(nlohmann::ordered_json &&);                        \
+    what nlohmann::ordered_json &nlohmann::ordered_json::operator[](object_t::key_type);           \
+    what std::string nlohmann::ordered_json::dump(int, char, bool, error_handler_t) const
+WHIRL_JSON(extern template);
+
 /// null for what is missing. The library itself writes NaN and infinity as null, and a pair as a
 /// list of two.
 template <class T> struct nlohmann::adl_serializer<std::optional<T>> {
@@ -17,10 +32,20 @@ template <class T> struct nlohmann::adl_serializer<std::optional<T>> {
         json = value ? Json(*value) : Json(nullptr);
     }
 };
+template <> struct nlohmann::adl_serializer<std::optional<double>> {
+    static void to_json(nlohmann::ordered_json &json, const std::optional<double> &value);
+};
 
 namespace whirl::report {
 
 using Json = nlohmann::ordered_json;
+
+/// An empty object with room for some entries: where it has to grow, the library copies all that it
+/// holds.
+[[nodiscard]] Json json_object(std::size_t entries);
+
+/// Moves the entries of one object into another one, which `update` would copy.
+void take_entries(Json &object, Json &&more);
 
 /// As text; bytes that are not UTF-8 are replaced: a title must not cost the result.
 [[nodiscard]] inline std::string json_text(const Json &json) {

@@ -117,7 +117,7 @@ template <class Row>
 /// The row as an object.
 template <class Row>
 [[nodiscard]] Json json_row(const Columns<Row> &columns, const Row &row, std::size_t index = 0) {
-    Json object = Json::object();
+    Json object = json_object(columns.size());
     for (const Column<Row> &column : columns)
         if (!column.key.empty())
             object[column.key] = column.value(row, index);
@@ -134,7 +134,7 @@ template <class Row, class Rows>
 /// The rows as one object whose entries are lists over them.
 template <class Row, class Rows>
 [[nodiscard]] Json json_lists(const Columns<Row> &columns, const Rows &rows) {
-    Json object = Json::object();
+    Json object = json_object(columns.size());
     for (const Column<Row> &column : columns) {
         if (column.key.empty())
             continue;

@@ -46,7 +46,7 @@ Json json_of_kind(const std::vector<double> &speeds, const std::vector<Of> &all,
         for (std::size_t i = 0; i < speeds.size(); ++i)
             rows.push_back({speeds[i], &of, i});
         Json json = json_row(once, At<Of>{0, &of, 0});
-        json.update(json_lists(over_speeds, rows));
+        take_entries(json, json_lists(over_speeds, rows));
         return json;
     });
 }
