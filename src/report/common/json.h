@@ -13,16 +13,20 @@
 // What all reports do with JSON, compiled once in json.cpp: their sources are not optimised. `what`
 // is "extern template" or "template".
 #define WHIRL_JSON(what)                                                                           \
-    what nlohmann::ordered_json::basic_json(const nlohmann::ordered_json &);                       \
-    what nlohmann::ordered_json::basic_json(nlohmann::ordered_json &&) noexcept;                   \
-    what nlohmann::ordered_json::basic_json(initializer_list_t, bool, value_t);                    \
-    what nlohmann::ordered_json::~basic_json() noexcept;                                           \
-    what void nlohmann::ordered_json::json_value::destroy(value_t);                                \
-    what nlohmann::ordered_json &nlohmann::ordered_json::operator=(                                \
+    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(const nlohmann::ordered_json &);  \
+    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(                                  \
+        nlohmann::ordered_json &&) noexcept;                                                       \
+    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(initializer_list_t, bool,         \
+                                                                 value_t);                         \
+    what nlohmann::basic_json<nlohmann::ordered_map>::~basic_json() noexcept;                      \
+    what void nlohmann::basic_json<nlohmann::ordered_map>::json_value::destroy(value_t);           \
+    what nlohmann::ordered_json &nlohmann::basic_json<nlohmann::ordered_map>::operator=(           \
         nlohmann::ordered_json) noexcept;                                                          \
-    what void nlohmann::ordered_json::push_back(nlohmann::ordered_json &&);                        \
-    what nlohmann::ordered_json &nlohmann::ordered_json::operator[](object_t::key_type);           \
-    what std::string nlohmann::ordered_json::dump(int, char, bool, error_handler_t) const
+    what void nlohmann::basic_json<nlohmann::ordered_map>::push_back(nlohmann::ordered_json &&);   \
+    what nlohmann::ordered_json &nlohmann::basic_json<nlohmann::ordered_map>::operator[](          \
+        object_t::key_type);                                                                       \
+    what std::string nlohmann::basic_json<nlohmann::ordered_map>::dump(int, char, bool,            \
+                                                                       error_handler_t) const
 WHIRL_JSON(extern template);
 
 /// null for what is missing. The library itself writes NaN and infinity as null, and a pair as a
