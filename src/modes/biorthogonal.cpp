@@ -6,9 +6,11 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace whirl::modes {
 
@@ -20,14 +22,47 @@ using Complex = std::complex<double>;
 template <class Scalar> using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar> using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-Eigen::MatrixXd times(const Sparse &A, const Eigen::MatrixXd &X) { return A * X; }
+/// A X or A^T X: the rows of X, filled up to whole vectors, stand in line.
+template <class Scalar>
+Columns<Scalar> product(const Sparse &A, bool transposed, const Columns<Scalar> &X) {
+    constexpr std::size_t each = sizeof(Scalar) / sizeof(double);
+    const auto rows = static_cast<std::size_t>(X.rows());
+    const auto columns = static_cast<std::size_t>(X.cols());
+    const std::size_t width = (each * columns + linalg::lanes - 1) / linalg::lanes;
+    std::vector<linalg::Real4> in(rows * width);
+    std::vector<linalg::Real4> out(rows * width);
+    for (std::size_t i = 0; i < rows; ++i) {
+        auto *line = reinterpret_cast<Scalar *>(&in[i * width]);
+        for (std::size_t j = 0; j < columns; ++j)
+            line[j] = X.data()[j * rows + i];
+    }
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (Eigen::Index j = 0; j < A.outerSize(); ++j)
+            for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+                const Eigen::Index from = transposed ? entry.row() : j;
+                const Eigen::Index to = transposed ? j : entry.row();
+                const linalg::Real4 *x = &in[static_cast<std::size_t>(from) * width];
+                linalg::Real4 *y = &out[static_cast<std::size_t>(to) * width];
+                for (std::size_t k = 0; k < width; ++k)
+                    y[k] += entry.value() * x[k];
+            }
+    });
+    Columns<Scalar> Y(X.rows(), X.cols());
+    for (std::size_t i = 0; i < rows; ++i) {
+        const auto *line = reinterpret_cast<const Scalar *>(&out[i * width]);
+        for (std::size_t j = 0; j < columns; ++j)
+            Y.data()[j * rows + i] = line[j];
+    }
+    return Y;
+}
 
-/// Real matrices times complex columns without complex products.
-Eigen::MatrixXcd times(const Sparse &A, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(A.rows(), X.cols());
-    out.real() = A * X.real();
-    out.imag() = A * X.imag();
-    return out;
+template <class Scalar> Columns<Scalar> times(const Sparse &A, const Columns<Scalar> &X) {
+    return product(A, false, X);
+}
+
+template <class Scalar>
+Columns<Scalar> transposed_times(const Sparse &A, const Columns<Scalar> &X) {
+    return product(A, true, X);
 }
 
 Eigen::MatrixXcd times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
@@ -38,22 +73,20 @@ Eigen::MatrixXcd transposed_times(const ComplexQuadraticAt::Sparse &A, const Eig
     return A.transpose() * X;
 }
 
-Eigen::MatrixXd transposed_times(const Sparse &A, const Eigen::MatrixXd &X) {
-    return A.transpose() * X;
-}
-
-Eigen::MatrixXcd transposed_times(const Sparse &A, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(A.cols(), X.cols());
-    out.real() = A.transpose() * X.real();
-    out.imag() = A.transpose() * X.imag();
-    return out;
+template <class Matrix> bool same_entries(const Matrix &A, const Matrix &B) {
+    return A.isCompressed() && B.isCompressed() && A.nonZeros() == B.nonZeros() &&
+           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize(), B.outerIndexPtr()) &&
+           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
+           std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr());
 }
 
 /// y^T (v dD + dK) x of each mode.
 template <class Scalar, class Change>
 Values<Scalar> derivatives(const Change &change, const Values<Scalar> &values,
                            const Columns<Scalar> &X, const Columns<Scalar> &Y) {
-    const Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal() + times(change.K, X);
+    Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal();
+    if (change.K.nonZeros() > 0)
+        dQ += times(change.K, X);
     return Y.cwiseProduct(dQ).colwise().sum().transpose();
 }
 
@@ -69,7 +102,9 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
     left << KY, -MY * values.asDiagonal();
     right << X, X * values.asDiagonal();
     const Values<Scalar> below = derivatives<Scalar>(problem.below, values, X, Y);
-    const Values<Scalar> above = derivatives<Scalar>(problem.above, values, X, Y);
+    const bool alike = same_entries(problem.below.D, problem.above.D) &&
+                       same_entries(problem.below.K, problem.above.K);
+    const Values<Scalar> above = alike ? below : derivatives<Scalar>(problem.above, values, X, Y);
     out.rate_below.resize(X.cols());
     out.rate_above.resize(X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
