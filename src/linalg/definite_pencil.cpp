@@ -27,10 +27,70 @@ Sparse with_positive_diagonal(Sparse M, const Sparse &K) {
     return M;
 }
 
+/// The lower triangles of K, S and M on the pattern of all three.
+class Triangles {
+  public:
+    void take(const Sparse &K, const Sparse &S, const Sparse &M) {
+        const Sparse all = Sparse(K.cwiseAbs()) + Sparse(S.cwiseAbs()) + Sparse(M.cwiseAbs());
+        _Q = all.triangularView<Eigen::Lower>();
+        _Q.makeCompressed();
+        _K = on_pattern(K);
+        _S = on_pattern(S);
+        _M = on_pattern(M);
+    }
+
+    /// K + a S - b M
+    const Sparse &sum(double a, double b) {
+        _Q.coeffs() = _K + a * _S - b * _M;
+        return _Q;
+    }
+
+    /// x^T |K| x + b x^T |M| x, no entry of x negative.
+    [[nodiscard]] double absolute_form(double b, const Eigen::VectorXd &x) const {
+        double twice = 0; // below the diagonal
+        double once = 0;
+        const int *rows = _Q.innerIndexPtr();
+        for (int j = 0; j < static_cast<int>(x.size()); ++j) {
+            double column = 0;
+            int p = _Q.outerIndexPtr()[j];
+            const auto entry = [&] { return (std::abs(_K(p)) + b * std::abs(_M(p))) * x(rows[p]); };
+            const int last = _Q.outerIndexPtr()[j + 1];
+            if (p < last && rows[p] == j) {
+                once += entry() * x(j);
+                ++p;
+            }
+            for (; p < last; ++p)
+                column += entry();
+            twice += column * x(j);
+        }
+        return once + 2 * twice;
+    }
+
+  private:
+    Sparse _Q;
+    Eigen::ArrayXd _K, _S, _M;
+
+    [[nodiscard]] Eigen::ArrayXd on_pattern(const Sparse &A) const {
+        Eigen::ArrayXd out = Eigen::ArrayXd::Zero(_Q.nonZeros());
+        for (Eigen::Index j = 0; j < A.outerSize(); ++j) {
+            int p = _Q.outerIndexPtr()[j];
+            for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+                if (entry.row() < j)
+                    continue;
+                while (_Q.innerIndexPtr()[p] < entry.row())
+                    ++p;
+                out(p) = entry.value();
+            }
+        }
+        return out;
+    }
+};
+
 } // namespace
 
 struct DefinitePencil::Factors {
-    Sparse K, M, S, absK, absM;
+    Sparse K, M, S;
+    mutable Triangles triangles;
     Sparse L, Lt, F, Ft;
     mutable Eigen::SimplicialLDLT<Sparse> inertia;
     // Small problems: the same operator in the modes at rest, L^-1 F = U sigma V^T, where it is
@@ -99,8 +159,7 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
     f.K = K.view();
     f.M = with_positive_diagonal(M.view(), f.K);
     f.S = S.view();
-    f.absK = f.K.cwiseAbs();
-    f.absM = f.M.cwiseAbs();
+    f.triangles.take(f.K, f.S, f.M);
     using Cholesky = Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>;
     const Cholesky of_K(f.K);
     const Cholesky of_M(f.M);
@@ -110,7 +169,7 @@ DefinitePencil::DefinitePencil(const Matrix &K, const Matrix &M, const Matrix &S
     f.Lt = f.L.transpose();
     f.F = of_M.matrixL();
     f.Ft = f.F.transpose();
-    f.inertia.analyzePattern(f.absK + f.absM + Sparse(f.S.cwiseAbs()));
+    f.inertia.analyzePattern(f.triangles.sum(0, 0));
 }
 
 DefinitePencil::~DefinitePencil() = default;
@@ -120,8 +179,7 @@ int DefinitePencil::size() const { return static_cast<int>(_factors->K.rows()); 
 int DefinitePencil::count_below(double s, double bound) const {
     int count = 0;
     for (const double w : {bound, -bound}) {
-        const Sparse Q = _factors->K + (w * s) * _factors->S - (w * w) * _factors->M;
-        _factors->inertia.factorize(Q);
+        _factors->inertia.factorize(_factors->triangles.sum(w * s, w * w));
         if (_factors->inertia.info() != Eigen::Success)
             throw SolverError("an inertia count met a zero pivot");
         count += static_cast<int>((_factors->inertia.vectorD().array() < 0).count());
@@ -143,7 +201,7 @@ RealPair DefinitePencil::pair_from(double s, double mu, const Eigen::VectorXd &z
     const Eigen::VectorXd x = pair.vector.cwiseAbs();
     // d(w)/w = x^T dQ x / (w x^T Q' x), and w x^T Q' x = -1 in this norm.
     pair.rounding = std::numeric_limits<double>::epsilon() *
-                    (x.dot(f.absK * x) + pair.value * pair.value * x.dot(f.absM * x));
+                    f.triangles.absolute_form(pair.value * pair.value, x);
     return pair;
 }
 

@@ -1,12 +1,16 @@
 #include "modes/biorthogonal.h"
 
+#include "linalg/lanes/complex4.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 namespace whirl::modes {
 
@@ -18,14 +22,47 @@ using Complex = std::complex<double>;
 template <class Scalar> using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <class Scalar> using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-Eigen::MatrixXd times(const Sparse &A, const Eigen::MatrixXd &X) { return A * X; }
+/// A X or A^T X: the rows of X, filled up to whole vectors, stand in line.
+template <class Scalar>
+Columns<Scalar> product(const Sparse &A, bool transposed, const Columns<Scalar> &X) {
+    constexpr std::size_t each = sizeof(Scalar) / sizeof(double);
+    const auto rows = static_cast<std::size_t>(X.rows());
+    const auto columns = static_cast<std::size_t>(X.cols());
+    const std::size_t width = (each * columns + linalg::lanes - 1) / linalg::lanes;
+    std::vector<linalg::Real4> in(rows * width);
+    std::vector<linalg::Real4> out(rows * width);
+    for (std::size_t i = 0; i < rows; ++i) {
+        auto *line = reinterpret_cast<Scalar *>(&in[i * width]);
+        for (std::size_t j = 0; j < columns; ++j)
+            line[j] = X.data()[j * rows + i];
+    }
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        for (Eigen::Index j = 0; j < A.outerSize(); ++j)
+            for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
+                const Eigen::Index from = transposed ? entry.row() : j;
+                const Eigen::Index to = transposed ? j : entry.row();
+                const linalg::Real4 *x = &in[static_cast<std::size_t>(from) * width];
+                linalg::Real4 *y = &out[static_cast<std::size_t>(to) * width];
+                for (std::size_t k = 0; k < width; ++k)
+                    y[k] += entry.value() * x[k];
+            }
+    });
+    Columns<Scalar> Y(X.rows(), X.cols());
+    for (std::size_t i = 0; i < rows; ++i) {
+        const auto *line = reinterpret_cast<const Scalar *>(&out[i * width]);
+        for (std::size_t j = 0; j < columns; ++j)
+            Y.data()[j * rows + i] = line[j];
+    }
+    return Y;
+}
 
-/// Real matrices times complex columns without complex products.
-Eigen::MatrixXcd times(const Sparse &A, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(A.rows(), X.cols());
-    out.real() = A * X.real();
-    out.imag() = A * X.imag();
-    return out;
+template <class Scalar> Columns<Scalar> times(const Sparse &A, const Columns<Scalar> &X) {
+    return product(A, false, X);
+}
+
+template <class Scalar>
+Columns<Scalar> transposed_times(const Sparse &A, const Columns<Scalar> &X) {
+    return product(A, true, X);
 }
 
 Eigen::MatrixXcd times(const ComplexQuadraticAt::Sparse &A, const Eigen::MatrixXcd &X) {
@@ -36,22 +73,20 @@ Eigen::MatrixXcd transposed_times(const ComplexQuadraticAt::Sparse &A, const Eig
     return A.transpose() * X;
 }
 
-Eigen::MatrixXd transposed_times(const Sparse &A, const Eigen::MatrixXd &X) {
-    return A.transpose() * X;
-}
-
-Eigen::MatrixXcd transposed_times(const Sparse &A, const Eigen::MatrixXcd &X) {
-    Eigen::MatrixXcd out(A.cols(), X.cols());
-    out.real() = A.transpose() * X.real();
-    out.imag() = A.transpose() * X.imag();
-    return out;
+template <class Matrix> bool same_entries(const Matrix &A, const Matrix &B) {
+    return A.isCompressed() && B.isCompressed() && A.nonZeros() == B.nonZeros() &&
+           std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize(), B.outerIndexPtr()) &&
+           std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
+           std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr());
 }
 
 /// y^T (v dD + dK) x of each mode.
 template <class Scalar, class Change>
 Values<Scalar> derivatives(const Change &change, const Values<Scalar> &values,
                            const Columns<Scalar> &X, const Columns<Scalar> &Y) {
-    const Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal() + times(change.K, X);
+    Columns<Scalar> dQ = times(change.D, X) * values.asDiagonal();
+    if (change.K.nonZeros() > 0)
+        dQ += times(change.K, X);
     return Y.cwiseProduct(dQ).colwise().sum().transpose();
 }
 
@@ -67,7 +102,9 @@ void fill(const Problem &problem, const Values<Scalar> &values, const Columns<Sc
     left << KY, -MY * values.asDiagonal();
     right << X, X * values.asDiagonal();
     const Values<Scalar> below = derivatives<Scalar>(problem.below, values, X, Y);
-    const Values<Scalar> above = derivatives<Scalar>(problem.above, values, X, Y);
+    const bool alike = same_entries(problem.below.D, problem.above.D) &&
+                       same_entries(problem.below.K, problem.above.K);
+    const Values<Scalar> above = alike ? below : derivatives<Scalar>(problem.above, values, X, Y);
     out.rate_below.resize(X.cols());
     out.rate_above.resize(X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
@@ -138,10 +175,44 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
 
 void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
 
+namespace {
+
+/// Column i of A times column j of B, not conjugated, in vector instructions.
+Complex transposed_product(const Eigen::MatrixXcd &A, Eigen::Index i, const Eigen::MatrixXcd &B,
+                           Eigen::Index j) {
+    const auto *x = reinterpret_cast<const double *>(A.data() + i * A.rows());
+    const auto *y = reinterpret_cast<const double *>(B.data() + j * B.rows());
+    linalg::Real4 squares{}; // products of two real parts and of two imaginary ones, in turn
+    linalg::Real4 across{};
+    const Eigen::Index whole = 2 * A.rows() / linalg::lanes * linalg::lanes;
+    linalg::in_lanes([&]() __attribute__((always_inline)) {
+        linalg::Real4 one{};
+        linalg::Real4 other{};
+        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
+            linalg::Real4 p;
+            linalg::Real4 q;
+            std::memcpy(&p, x + k, sizeof p);
+            std::memcpy(&q, y + k, sizeof q);
+            one += p * q;
+            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
+        }
+        squares = one;
+        across = other;
+    });
+    for (Eigen::Index k = whole; k < 2 * A.rows(); k += 2) {
+        squares[0] += x[k] * y[k] - x[k + 1] * y[k + 1];
+        across[0] += x[k] * y[k + 1] + x[k + 1] * y[k];
+    }
+    return {squares[0] - squares[1] + squares[2] - squares[3],
+            across[0] + across[1] + across[2] + across[3]};
+}
+
+} // namespace
+
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
-    return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
-           b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
+    return transposed_product(a.complex_left, i, b.complex_right, j) *
+           transposed_product(b.complex_left, j, a.complex_right, i);
 }
 
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,

@@ -24,6 +24,15 @@ bool mirror_is_transpose(const Sparse &A) {
     return (mirrored - A).norm() <= 1e-14 * A.norm();
 }
 
+/// A + f B, many of which are empty.
+Sparse sum(const Sparse &A, double f, const Sparse &B) {
+    if (B.nonZeros() == 0)
+        return A;
+    if (A.nonZeros() == 0)
+        return f * B;
+    return A + f * B;
+}
+
 bool mirrored_bearings(const model::Rotor &rotor) {
     const auto mirrored = [](const Eigen::Matrix2d &k) { return k(0, 1) == -k(1, 0); };
     return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const auto &bearing) {
@@ -197,9 +206,9 @@ void FormMatrices::add_tables(QuadraticAt &problem, double speed, Part part) con
 QuadraticAt FormMatrices::at(double speed) const {
     QuadraticAt out;
     out.M = _M;
-    out.D = _D + speed * _Ds;
-    out.K = _K + speed * _Ks + speed * speed * _Kss;
-    out.below = {_Ds, _Ks + 2 * speed * _Kss};
+    out.D = sum(_D, speed, _Ds);
+    out.K = sum(sum(_K, speed, _Ks), speed * speed, _Kss);
+    out.below = {_Ds, sum(_Ks, 2 * speed, _Kss)};
     out.above = out.below;
     if (_discretization.rotor().bearings_depend_on_speed())
         add_tables(out, speed, Part::real);

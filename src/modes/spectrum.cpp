@@ -153,7 +153,12 @@ const SpectrumSolver *SpectrumSolver::on_few_shapes(double from, double to, int 
 
 const assembly::Discretization &SpectrumSolver::discretization() const { return _data->d; }
 results::Form SpectrumSolver::form() const { return _data->form; }
-int SpectrumSolver::unknowns() const { return _data->matrices().size(); }
+
+int SpectrumSolver::unknowns() const {
+    if (_data->few || _data->shapes || results::in_rotating_axes(_data->form))
+        return _data->matrices().size();
+    return _data->d.planar_size() * (results::is_planar(_data->form) ? 1 : 2);
+}
 
 Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     Spectrum spectrum;

@@ -113,11 +113,11 @@ std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const L
     return out;
 }
 
-/// Of the modes of a spectrum; of a Hill series, where finding all of the finer model costs most,
-/// of those on lines alone.
+/// Of the modes on lines; infinite for others, or of these as well.
+/// @param singly  of each mode the finer one can be found from it
 std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
-                              const modes::Spectrum &spectrum, std::size_t k, bool series) {
-    if (!series)
+                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
+    if (!singly)
         return finer.errors(spectrum);
     std::vector<std::size_t> places;
     modes::Spectrum on_lines = spectrum;
@@ -151,11 +151,12 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
         return errors;
     }
     const mesh_error::FinerModel finer(rotor, solver);
+    const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
     if (series && spectra.size() > 1)
         probes.insert(1); // slow, but not at rest: needs most harmonics
     for (const std::size_t k : probes) {
-        const std::vector<double> all = errors_at(finer, lines, spectra[k], k, series);
+        const std::vector<double> all = errors_at(finer, lines, spectra[k], k, singly);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
                 errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];
