@@ -1,4 +1,5 @@
 #include "linalg/check.h"
+#include "linalg/handles.h"
 #include "linalg/test_matrices.h"
 #include "process/processes.h"
 
@@ -41,18 +42,29 @@ TEST(Matrix, MovedFromIsEmptyAndCanBeUsedAgain) {
     const Matrix B = std::move(A);
     EXPECT_EQ(B.size(), 2);
     // NOLINTNEXTLINE(bugprone-use-after-move): this is what is tested
-    EXPECT_EQ(A.handle(), nullptr);
     EXPECT_EQ(A.size(), 0);
     A = Matrix::from_entries(3, {{1, 1, 1.0}});
     EXPECT_EQ(A.size(), 3);
 }
 
-TEST(Matrix, ErrorsOfPetscThrowAndPrintNothing) {
+TEST(Matrix, OfDifferentSizesHaveNoSum) {
     const Matrix A = Matrix::from_entries(2, {{0, 0, 1.0}});
     const Matrix B = Matrix::from_entries(3, {{0, 0, 1.0}});
+    EXPECT_THROW((void)Matrix::sum(1, A, 1, B), linalg::SolverError);
+}
+
+linalg::VecOwner vector_of(int size) {
+    Vec handle = nullptr;
+    linalg::check(VecCreateSeq(PETSC_COMM_SELF, size, &handle));
+    return linalg::VecOwner(handle);
+}
+
+TEST(Check, ErrorsOfPetscThrowAndPrintNothing) {
+    const linalg::VecOwner two = vector_of(2);
+    const linalg::VecOwner three = vector_of(3);
     testing::internal::CaptureStderr();
     testing::internal::CaptureStdout();
-    EXPECT_THROW((void)Matrix::sum(1, A, 1, B), linalg::SolverError);
+    EXPECT_THROW(linalg::check(VecAXPY(two.get(), 1, three.get())), linalg::SolverError);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
     EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }

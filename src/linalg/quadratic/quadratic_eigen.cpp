@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace whirl::linalg {
 
@@ -72,9 +73,37 @@ void configure(PEP pep, const QuadraticOptions &options, int size, const Attempt
     check(PCFactorSetMatSolverType(pc, MATSOLVERKLU)); // SuiteSparse, partial pivoting
 }
 
-/// Matrices in PETSc's form, for its solver.
+/// A matrix in PETSc's form, for its solver, which reads the rows where they are.
+class Operator {
+  public:
+    explicit Operator(const Sparse &A) : _rows(Matrix::from_sparse(A).view()) {
+        const auto n = static_cast<PetscInt>(_rows.rows());
+        Mat handle = nullptr;
+        check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, _rows.outerIndexPtr(),
+                                        _rows.innerIndexPtr(), _rows.valuePtr(), &handle));
+        _handle.reset(handle);
+    }
+
+    Operator(const Operator &) = delete;
+    Operator &operator=(const Operator &) = delete;
+    Operator(Operator &&) = delete;
+    Operator &operator=(Operator &&) = delete;
+    ~Operator() = default;
+
+    [[nodiscard]] int size() const { return static_cast<int>(_rows.rows()); }
+    [[nodiscard]] Mat handle() const { return _handle.get(); }
+
+  private:
+    using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, PetscInt>;
+    Rows _rows;
+    MatOwner _handle; ///< after what it reads
+};
+
 struct Operators {
-    Matrix M, D, K;
+    Operator M, D, K;
+
+    Operators(const Sparse &mass, const Sparse &damping, const Sparse &stiffness)
+        : M(mass), D(damping), K(stiffness) {}
 };
 
 std::vector<ComplexPair> toar(const Operators &operators, const QuadraticOptions &options,
@@ -199,16 +228,16 @@ QuadraticResult solve_problem(const QuadraticProblem &problem, const Sparse &M, 
         options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
                                                     !prefers_dense(problem.size(), options.wanted));
     QuadraticResult result;
-    Operators operators;
+    std::optional<Operators> operators;
     if (try_toar)
-        operators = {Matrix::from_sparse(M), Matrix::from_sparse(D), Matrix::from_sparse(K)};
+        operators.emplace(M, D, K);
     // Rounding in ill-conditioned matrices can keep the residual above the first tolerance.
     for (const Attempt &attempt :
          {Attempt{1e-11, 1, 30}, Attempt{1e-11, 2, 47}, Attempt{1e-8, 1, 30}}) {
         if (!try_toar)
             break;
         try {
-            result.pairs = toar(operators, options, attempt);
+            result.pairs = toar(*operators, options, attempt);
             problem.assess(result.pairs);
         } catch (const SolverError &) {
             result.pairs.clear(); // the next way decides
