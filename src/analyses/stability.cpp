@@ -17,7 +17,6 @@
 #include "process/processes.h"
 #include "process/progress.h"
 #include "results/formulation.h"
-#include "stability/band_errors.h"
 #include "stability/band_finder.h"
 #include "stability/hill/hill_motions.h"
 #include "stability/permissible.h"
@@ -140,7 +139,8 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
             return finder.solver().at(speed);
         };
         const auto bands =
-            k == 0 ? first : bands_between_ends(finder, model, arrangements[k], at, grid).bands;
+            k == 0 ? first
+                   : bands_between_ends(finder, model, arrangements[k], at, grid).found.bands;
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
@@ -202,20 +202,6 @@ void search_zero_roots(const stability::StabilityModel &model,
                                         "beside the other roots: they are not listed");
 }
 
-/// Unstable bands and the speeds at which the number of growing motions changes.
-void search_bands(stability::BandFinder &finder, const ends::AllMotions *motions,
-                  results::Form form, const stability::MotionsAt &at,
-                  const std::vector<double> &grid, results::StabilityResult &result) {
-    auto found =
-        motions != nullptr ? certain_ends(*motions, grid, ends::usual_steps) : std::nullopt;
-    if (found) {
-        result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
-        result.ends = std::move(found->ends);
-    } else {
-        add_bands_and_ends(finder, motions, form, at, grid, result);
-    }
-}
-
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
@@ -245,8 +231,9 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         add_growth(*all, result);
     }
     stage.emplace("unstable bands", 0.3, 0.6);
+    std::vector<ends::WholeMotion> roots;
     if (grid.size() > 1) {
-        search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
+        roots = search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
         settle_rounding(result, model.rotor.damped());
     }
     result.model.unknowns = solver.unknowns();
@@ -255,8 +242,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         search_zero_roots(model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
         stage.emplace("errors of the bands", 0.6, 0.65);
-        result.unstable_error = stability::band_errors(
-            finder, at, model, arrangement, result.unstable, {grid.front(), grid.back()});
+        result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
+                                            {grid.front(), grid.back()}, roots);
         stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible =
             stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);
@@ -347,12 +334,12 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
     find_shapes(finder, known);
     give_up_unsettled(at, known, model);
     if (known.size() > 1) {
-        stability::BandsFound found = bands_between_ends(finder, model, arrangement, at, known);
-        out.bands = std::move(found.bands);
-        out.doubtful = std::move(found.doubtful);
+        BandsBetween between = bands_between_ends(finder, model, arrangement, at, known);
+        out.bands = std::move(between.found.bands);
+        out.doubtful = std::move(between.found.doubtful);
         if (with_errors)
-            out.errors = stability::band_errors(finder, at, model, arrangement, out.bands,
-                                                {known.front(), known.back()});
+            out.errors = band_errors(finder, at, model, arrangement, out.bands,
+                                     {known.front(), known.back()}, between.roots);
     }
     const auto not_resolved = [&](double from, double to) {
         out.bands.emplace_back(from, to);

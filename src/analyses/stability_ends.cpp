@@ -2,7 +2,9 @@
 
 #include "balancers/arrangement.h"
 #include "ends/band_ends.h"
+#include "ends/finer_ends.h"
 #include "linalg/check.h"
+#include "stability/band_errors.h"
 
 #include <fmt/format.h>
 
@@ -53,28 +55,10 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
     return real ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
-} // namespace
-
-void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     results::StabilityResult &result) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const double speed : result.speeds) {
-        const bool known = std::abs(speed) >= model.from;
-        const std::vector<stability::Motion> motions =
-            known ? at(speed) : std::vector<stability::Motion>{};
-        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
-        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
-    }
-}
-
-void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {
-    for (const double speed : result.speeds) {
-        const std::complex<double> fastest = motions.fastest_growing(speed);
-        result.growth.push_back(fastest.real());
-        result.verdict.push_back(verdict_of(fastest));
-    }
-}
-
+/// All speeds at which the number of growing motions changes, where they tell all there is to tell
+/// of the unstable bands: every motion is damped or grows, and was followed throughout.
+/// @param grid   range of speeds, its ends alone matter
+/// @param steps  of the range to begin with
 std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
                                             const std::vector<double> &grid, int steps) {
     ends::EndsFound found = ends::find_ends(motions, grid.front(), grid.back(), {}, steps);
@@ -83,26 +67,14 @@ std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
     return found;
 }
 
-stability::BandsFound bands_between_ends(stability::BandFinder &finder,
-                                         const stability::StabilityModel &model,
-                                         const balancers::Arrangement &arrangement,
-                                         const stability::MotionsAt &at,
-                                         const std::vector<double> &grid) {
-    if (model.form != results::Form::hill)
-        try {
-            const ends::AllMotions motions(finder.solver().discretization(), model.form,
-                                           arrangement, finder.good_shapes(grid), grid.front(),
-                                           grid.back());
-            if (const auto found = certain_ends(motions, grid, ends::few_steps))
-                return {ends::bands_of(*found, {grid.front(), grid.back()}), {}};
-        } catch (const linalg::SolverError &) { // the search for bands has other ways
-        }
-    return finder.find(at, grid);
-}
-
-void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
-                        results::Form form, const stability::MotionsAt &at,
-                        const std::vector<double> &grid, results::StabilityResult &result) {
+/// Bands and ends where the search for bands is needed beside that for ends: motions without
+/// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
+/// @param motions  of the rotor; none: form hill
+/// @returns the motions at the ends that are known as roots
+std::vector<ends::WholeMotion>
+add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
+                   results::Form form, const stability::MotionsAt &at,
+                   const std::vector<double> &grid, results::StabilityResult &result) {
     auto &notes = result.model.notes;
     const stability::BandsFound bands = finder.find(at, grid);
     result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
@@ -144,9 +116,82 @@ void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *m
     if (!counted) {
         notes.emplace_back("the ends of growth are not listed: so many lie so close together that "
                            "the growing motions between them could not be counted");
-        return;
+        return {};
     }
     result.ends = std::move(found.ends);
+    return std::move(found.roots);
+}
+
+} // namespace
+
+void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
+                     results::StabilityResult &result) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    for (const double speed : result.speeds) {
+        const bool known = std::abs(speed) >= model.from;
+        const std::vector<stability::Motion> motions =
+            known ? at(speed) : std::vector<stability::Motion>{};
+        result.growth.push_back(known ? stability::growth_of(motions) : unknown);
+        result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
+    }
+}
+
+void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {
+    for (const double speed : result.speeds) {
+        const std::complex<double> fastest = motions.fastest_growing(speed);
+        result.growth.push_back(fastest.real());
+        result.verdict.push_back(verdict_of(fastest));
+    }
+}
+
+BandsBetween bands_between_ends(stability::BandFinder &finder,
+                                const stability::StabilityModel &model,
+                                const balancers::Arrangement &arrangement,
+                                const stability::MotionsAt &at, const std::vector<double> &grid) {
+    if (model.form != results::Form::hill)
+        try {
+            const ends::AllMotions motions(finder.solver().discretization(), model.form,
+                                           arrangement, finder.good_shapes(grid), grid.front(),
+                                           grid.back());
+            if (const auto found = certain_ends(motions, grid, ends::few_steps))
+                return {{ends::bands_of(*found, {grid.front(), grid.back()}), {}},
+                        std::move(found->roots)};
+        } catch (const linalg::SolverError &) { // the search for bands has other ways
+        }
+    return {finder.find(at, grid), {}};
+}
+
+std::vector<stability::SpeedInterval>
+band_errors(const stability::BandFinder &finder, const stability::MotionsAt &at,
+            const stability::StabilityModel &model, const balancers::Arrangement &arrangement,
+            const std::vector<stability::SpeedInterval> &bands,
+            const stability::SpeedInterval &range, const std::vector<ends::WholeMotion> &roots) {
+    std::optional<ends::FinerEnds> finer;
+    const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
+        const auto root = std::find_if(roots.begin(), roots.end(),
+                                       [speed](const auto &known) { return known.speed == speed; });
+        if (root == roots.end())
+            return std::nullopt;
+        if (!finer)
+            finer.emplace(finder.solver().discretization(), model.form, arrangement);
+        return finer->error(*root, inward, reach);
+    };
+    return stability::band_errors(finder, at, model, arrangement, bands, range, by_root);
+}
+
+std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
+                                            const ends::AllMotions *motions, results::Form form,
+                                            const stability::MotionsAt &at,
+                                            const std::vector<double> &grid,
+                                            results::StabilityResult &result) {
+    auto found =
+        motions != nullptr ? certain_ends(*motions, grid, ends::usual_steps) : std::nullopt;
+    if (found) {
+        result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
+        result.ends = std::move(found->ends);
+        return std::move(found->roots);
+    }
+    return add_bands_and_ends(finder, motions, form, at, grid, result);
 }
 
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result) {

@@ -20,27 +20,36 @@ void add_growth_of_all_speeds(const ends::AllMotions &motions, results::Stabilit
 void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
                      results::StabilityResult &result);
 
-/// All speeds at which the number of growing motions changes, where they tell all there is to tell
-/// of the unstable bands: every motion is damped or grows, and was followed throughout.
-/// @param grid   range of speeds, its ends alone matter
-/// @param steps  of the range to begin with
-[[nodiscard]] std::optional<ends::EndsFound>
-certain_ends(const ends::AllMotions &motions, const std::vector<double> &grid, int steps);
+/// Unstable bands, and the motions at their ends that are known as roots.
+struct BandsBetween {
+    stability::BandsFound found;
+    std::vector<ends::WholeMotion> roots;
+};
 
 /// Unstable bands by the ends of growth, where these are certain, else by the search for bands.
 /// @param at  motions of the whole rotor of the finder
-[[nodiscard]] stability::BandsFound bands_between_ends(stability::BandFinder &finder,
-                                                       const stability::StabilityModel &model,
-                                                       const balancers::Arrangement &arrangement,
-                                                       const stability::MotionsAt &at,
-                                                       const std::vector<double> &grid);
+[[nodiscard]] BandsBetween bands_between_ends(stability::BandFinder &finder,
+                                              const stability::StabilityModel &model,
+                                              const balancers::Arrangement &arrangement,
+                                              const stability::MotionsAt &at,
+                                              const std::vector<double> &grid);
 
-/// Bands and ends where the search for bands is needed beside that for ends: motions without
-/// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
+/// Errors of the ends of unstable bands (stability::band_errors), by a root of a finer model where
+/// the end is one of `roots`.
+[[nodiscard]] std::vector<stability::SpeedInterval>
+band_errors(const stability::BandFinder &finder, const stability::MotionsAt &at,
+            const stability::StabilityModel &model, const balancers::Arrangement &arrangement,
+            const std::vector<stability::SpeedInterval> &bands,
+            const stability::SpeedInterval &range, const std::vector<ends::WholeMotion> &roots);
+
+/// Unstable bands and the speeds at which the number of growing motions changes: by the ends of
+/// growth where these are certain, else by the search for bands beside them.
 /// @param motions  of the rotor; none: form hill
-void add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
-                        results::Form form, const stability::MotionsAt &at,
-                        const std::vector<double> &grid, results::StabilityResult &result);
+/// @returns the motions at the ends that are known as roots
+[[nodiscard]] std::vector<ends::WholeMotion>
+search_bands(stability::BandFinder &finder, const ends::AllMotions *motions, results::Form form,
+             const stability::MotionsAt &at, const std::vector<double> &grid,
+             results::StabilityResult &result);
 
 /// Growth below 1e-8 of the highest speed outside of the unstable bands is what rounding leaves of
 /// none: the search for bands looks more sharply than the eigenvalues at a speed can. So is decay

@@ -33,6 +33,14 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
 /// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
 constexpr double same_root = 1e-3;
 
+/// Nothing is known of a root but that it is faster than this: rounding does not tell its inverse
+/// from zero. So are motions of parts that hardly have mass, other ones at every speed: there is
+/// nothing to follow.
+bool is_lost(const Root &root, double shift, double fast) {
+    const double distance = std::abs(root.value - shift);
+    return root.noise >= std::abs(root.value) && distance / (1 + root.noise / distance) > fast;
+}
+
 /// Numbers in all spectra that are remembered: some 60 MB.
 constexpr double most_remembered = 8e6;
 
@@ -72,7 +80,12 @@ double AllMotions::reach() const {
 
 Spectrum AllMotions::at(double speed, int piece) const {
     const double shift = 0.31 * std::max(std::abs(speed), _slow);
-    return all_roots(_rotor->at(speed, piece), speed, shift, _zeros);
+    Spectrum out = all_roots(_rotor->at(speed, piece), speed, shift, _zeros);
+    constexpr double beyond = 10; // of all that is looked at
+    std::erase_if(out.roots, [&](const Root &root) {
+        return is_lost(root, shift, beyond * std::max(least_reach(), _slow));
+    });
+    return out;
 }
 
 Spectrum AllMotions::remembered_at(double speed, int piece) const {

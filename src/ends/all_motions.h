@@ -28,6 +28,7 @@ class AllMotions {
 
     [[nodiscard]] int pieces() const { return _rotor->pieces(); }
     [[nodiscard]] const RotorPieces &rotor() const { return *_rotor; }
+    /// Without those that rounding does not tell from infinitely fast ones.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
     [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor->piece_of(speed)); }

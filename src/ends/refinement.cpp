@@ -136,8 +136,10 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
         m.rate = -f.by_speed / f.by_root;
         if (std::abs(m.speed - guess.speed) > 0.5 * std::abs(guess.speed))
             return std::nullopt;
-        if (settled(std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale))))
+        if (settled(std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale)))) {
+            m.noise = noise_of(problem, m, f.by_root);
             return m;
+        }
     }
     return std::nullopt;
 }

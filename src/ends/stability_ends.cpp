@@ -96,6 +96,8 @@ class EndSearch {
             fill_frequency(end, found.motion);
             if (end.growing_below != end.growing_above)
                 _out.ends.push_back(end);
+            if (found.kind != EndKind::collision)
+                _out.roots.push_back(found.motion);
         }
         return std::move(_out);
     }

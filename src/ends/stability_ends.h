@@ -20,6 +20,8 @@ struct EndsFound {
     int growing_from = 0;                    ///< motions that grow at the beginning of the range
     /// Where the number of growing motions is not what the ends make of it.
     std::vector<SpeedInterval> doubtful;
+    /// The motions on the imaginary axis at the ends that are roots (kinds zero and pair).
+    std::vector<WholeMotion> roots;
     /// Of some motions rounding does not let one tell whether they grow: there is no damping, and
     /// collisions of theirs are found more surely by a search for them (stability/).
     bool undamped = false;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace whirl::modes {
@@ -30,35 +32,63 @@ GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
                                  assembly::FixedSystem system)
     : _discretization(discretization), _bearing_speed(0), _system(std::move(system)) {}
 
-GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors errors) const {
-    using linalg::Matrix;
-    const Matrix D = Matrix::sum(1, _system.C, speed, _system.G);
-    const Matrix K = Matrix::sum(1, _system.K, speed, _system.Kc);
-    const ZeroModes zeros =
-        zero_modes(_discretization, results::Form::general, _bearing_speed, speed);
-    linalg::QuadraticOptions options;
-    options.zeros = zeros.eigenvalues;
+class GeneralSpectrum::AtSpeed {
+  public:
+    AtSpeed(const GeneralSpectrum &of, double speed)
+        : _M(of._system.M.view()), _D(_M), _K(_M),
+          _elastic_shift(0.3 * assembly::elastic_scale(of._discretization)),
+          _zeros(zero_modes(of._discretization, results::Form::general, of._bearing_speed, speed)) {
+        using linalg::Matrix;
+        _D = Matrix::sum(1, of._system.C, speed, of._system.G).view();
+        _K = Matrix::sum(1, of._system.K, speed, of._system.Kc).view();
+    }
+
+    [[nodiscard]] const ZeroModes &zeros() const { return _zeros; }
+    [[nodiscard]] double elastic_shift() const { return _elastic_shift; }
+
+    [[nodiscard]] linalg::QuadraticOptions options(int wanted) const {
+        linalg::QuadraticOptions out;
+        out.zeros = _zeros.eigenvalues;
+        out.wanted = std::min(static_cast<int>(_M.rows()), wanted + (_zeros.eigenvalues + 1) / 2);
+        out.shift = _zeros.eigenvalues > 0 ? _elastic_shift : 0;
+        return out;
+    }
+
+    /// @throws linalg::SolverError where the matrix at the shift is singular
+    [[nodiscard]] linalg::QuadraticSolver &solver(double shift) {
+        std::unique_ptr<linalg::QuadraticSolver> &out = _solvers[shift];
+        if (!out)
+            out = std::make_unique<linalg::QuadraticSolver>(_M, _D, _K, shift);
+        return *out;
+    }
+
+  private:
+    Eigen::SparseMatrix<double> _M, _D, _K;
+    double _elastic_shift; ///< 1/s
+    ZeroModes _zeros;
+    std::map<double, std::unique_ptr<linalg::QuadraticSolver>> _solvers; ///< by their shifts
+};
+
+GeneralSpectrum::Modes GeneralSpectrum::solve(AtSpeed &problem, int wanted, Errors errors) const {
+    linalg::QuadraticOptions options = problem.options(wanted);
     options.condition = errors == Errors::with_left_vectors;
-    options.wanted = std::min(D.size(), wanted + (zeros.eigenvalues + 1) / 2);
-    if (zeros.eigenvalues > 0)
-        options.shift = 0.3 * assembly::elastic_scale(_discretization);
+    const ZeroModes &zeros = problem.zeros();
     linalg::QuadraticResult found;
     try {
-        found = linalg::solve_quadratic(_system.M, D, K, options);
+        found = problem.solver(options.shift).solve(options);
     } catch (const linalg::SolverError &) {
         // Motions that creep, as against strong dampers, have eigenvalues so near zero that the
         // others drown beside them; a shift towards the others brings both to one size.
         if (options.shift != 0)
             throw;
-        options.shift = 0.3 * assembly::elastic_scale(_discretization);
-        options.wanted = std::min(D.size(), options.wanted + 4);
-        found = linalg::solve_quadratic(_system.M, D, K, options);
+        options.shift = problem.elastic_shift();
+        options.wanted = std::min(_system.M.size(), options.wanted + 4);
+        found = problem.solver(options.shift).solve(options);
     }
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     Modes out;
     out.complete_radius = std::max(0.0, found.complete_radius - options.shift);
-    out.dense = found.method == linalg::QuadraticMethod::dense;
     out.modes = zeros.modes;
     int skip = zeros.eigenvalues;
     for (const linalg::ComplexPair &pair : found.pairs) {
@@ -85,11 +115,12 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(double speed, int wanted, Errors e
 GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted, Errors errors) const {
     const int all = _system.M.size();
     int ask = std::min(all, wanted);
+    AtSpeed problem(*this, speed);
     Modes out;
     // Where double precision does not resolve as many side by side, fewer: the caller sees it.
     for (bool solved = false; !solved;) {
         try {
-            out = solve(speed, ask, errors);
+            out = solve(problem, ask, errors);
             solved = true;
         } catch (const linalg::SolverError &) {
             if (ask <= 4)
@@ -106,11 +137,17 @@ GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted, Errors e
         // Real eigenvalues took the places; ask for as many more.
         ask = std::min(all, ask + std::max(4, wanted - found));
         try {
-            out = solve(speed, ask, errors);
+            out = solve(problem, ask, errors);
         } catch (const linalg::SolverError &) {
             return out; // what lies above cannot be resolved beside what is found
         }
     }
+}
+
+bool GeneralSpectrum::needs_all(double speed, int wanted) const {
+    AtSpeed problem(*this, speed);
+    const linalg::QuadraticOptions options = problem.options(std::min(_system.M.size(), wanted));
+    return !problem.solver(options.shift).by_toar(options);
 }
 
 } // namespace whirl::modes

@@ -20,12 +20,15 @@ class GeneralSpectrum {
         std::vector<double> overdamped; ///< real eigenvalues, 1/s
         std::vector<double> growing;    ///< those of them that are positive beyond their error
         double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
-        bool dense = false;             ///< found among all eigenvalues, as cubes of unknowns cost
     };
 
     /// At least `wanted` whirl modes of least modulus, or all.
     [[nodiscard]] Modes modes(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
+
+    /// Whether as many are found, if at all, among all eigenvalues alone. By one attempt without
+    /// them: a few hundredths of a second, where they would take seconds.
+    [[nodiscard]] bool needs_all(double speed, int wanted) const;
 
     [[nodiscard]] const assembly::FixedSystem &system() const { return _system; }
 
@@ -34,7 +37,9 @@ class GeneralSpectrum {
     double _bearing_speed;
     assembly::FixedSystem _system;
 
-    [[nodiscard]] Modes solve(double speed, int wanted, Errors errors) const;
+    /// The problem at one speed and one shift after the other.
+    class AtSpeed;
+    [[nodiscard]] Modes solve(AtSpeed &problem, int wanted, Errors errors) const;
 };
 
 } // namespace whirl::modes

@@ -44,11 +44,8 @@ bool all_followed(const Spectrum &spectrum) {
 
 /// @param found  Modes of a form
 template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
-    Spectrum out{speed, std::move(found.modes), std::move(found.overdamped),
-                 std::move(found.growing), found.complete_radius};
-    if constexpr (requires { found.dense; })
-        out.dense = found.dense;
-    return out;
+    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
+            found.complete_radius};
 }
 
 } // namespace
@@ -179,6 +176,13 @@ GeneralSpectrum::Modes SpectrumSolver::planar_damped(double speed, int wanted) c
 GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted, Errors errors) const {
     return _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted, errors)
                          : Data::made(_data->general, _data->d, 0.0).modes(speed, wanted, errors);
+}
+
+bool SpectrumSolver::needs_all_eigenvalues(double speed, int wanted) const {
+    if (_data->form != results::Form::general || _data->few)
+        return false;
+    return _data->tables ? GeneralSpectrum(_data->d, speed).needs_all(speed, wanted)
+                         : Data::made(_data->general, _data->d, 0.0).needs_all(speed, wanted);
 }
 
 Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {

@@ -27,7 +27,6 @@ struct Spectrum {
     std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
     std::vector<double> growing;    ///< those of them above zero by more than their error
     double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
-    bool dense = false;             ///< form general: found among all eigenvalues, which costs most
 };
 
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
@@ -49,6 +48,10 @@ class SpectrumSolver {
     /// @throws model::AnalysisFailure where they cannot be found.
     [[nodiscard]] Spectrum at(double speed, int wanted,
                               Errors errors = Errors::with_left_vectors) const;
+
+    /// Form general: whether so many modes are found among all eigenvalues alone, which costs the
+    /// cube of the unknowns. Known by one attempt that does without them.
+    [[nodiscard]] bool needs_all_eigenvalues(double speed, int wanted) const;
 
     /// Damped rotors with symmetric matrices (SymmetricProblem): follows as many modes through
     /// these speeds; at() then knows them there, and finds those between by few steps.

@@ -63,6 +63,9 @@ double distance(const MotionsAt &finer, const End &end, double slope) {
     }
 }
 
+/// How far from it the finer model's end can lie without being another one.
+double reach_of(const End &end) { return std::min(end.width, end.beyond) / 4; }
+
 /// The whole rotor of a finer model whose motions stay periodic.
 class FinerRotor {
   public:
@@ -81,7 +84,7 @@ class FinerRotor {
 /// nothing where it is not one.
 std::optional<double> by_roots(const PeriodicMotions &motions, const FinerRotor &finer,
                                const End &end) {
-    const double reach = std::min(end.width, end.beyond) / 4;
+    const double reach = reach_of(end);
     const auto own = motions.neutral_next_to(end.speed, reach);
     if (!own || own->slope * end.inward <= 0 ||
         std::abs(own->speed - end.speed) > 1e-9 * std::abs(end.speed))
@@ -101,7 +104,7 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt
                                        const StabilityModel &model,
                                        const balancers::Arrangement &arrangement,
                                        const std::vector<SpeedInterval> &bands,
-                                       const SpeedInterval &range) {
+                                       const SpeedInterval &range, const ErrorByRoot &by_root) {
     const bool elastic = !model.rotor.shaft.rigid;
     const PeriodicMotions *const periodic = finder.solver().by_monodromy();
     std::optional<FinerRotor> whole;
@@ -122,6 +125,9 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt
     const auto error_of = [&](const End &end) {
         if (whole)
             if (const auto error = by_roots(*periodic, *whole, end))
+                return *error;
+        if (elastic && by_root)
+            if (const auto error = by_root(end.speed, end.inward, reach_of(end)))
                 return *error;
         double slope = 0;
         const double rounding = blurred(at, end, slope);

@@ -4,9 +4,16 @@
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace whirl::stability {
+
+/// Error of the end at this speed, rad/s, where it is known as a root; nothing elsewhere.
+/// @param inward  1 where the band lies above it, -1 below
+/// @param reach   rad/s, how far the finer model's can lie
+using ErrorByRoot = std::function<std::optional<double>(double speed, double inward, double reach)>;
 
 /// Error of both ends of each band, rad/s: the distance to the end that a finer model has there
 /// (order p + 4 on the same mesh), and what rounding leaves open of the place where the growth
@@ -16,10 +23,10 @@ namespace whirl::stability {
 /// @param finder  of the model that the bands belong to
 /// @param at      its motions
 /// @param range   in which they were looked for
-[[nodiscard]] std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt &at,
-                                                     const StabilityModel &model,
-                                                     const balancers::Arrangement &arrangement,
-                                                     const std::vector<SpeedInterval> &bands,
-                                                     const SpeedInterval &range);
+/// @param by_root  asked first; may be empty
+[[nodiscard]] std::vector<SpeedInterval>
+band_errors(const BandFinder &finder, const MotionsAt &at, const StabilityModel &model,
+            const balancers::Arrangement &arrangement, const std::vector<SpeedInterval> &bands,
+            const SpeedInterval &range, const ErrorByRoot &by_root = {});
 
 } // namespace whirl::stability

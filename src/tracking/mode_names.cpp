@@ -30,7 +30,7 @@ double most_left_out(const modes::SpectrumSolver &solver,
 /// unknowns: a tenth of a second for every spectrum, or more.
 bool each_is_dear(const modes::SpectrumSolver &solver, double speed, int modes) {
     constexpr int many_unknowns = 100;
-    return solver.unknowns() > many_unknowns && solver.at(speed, modes).dense;
+    return solver.unknowns() > many_unknowns && solver.needs_all_eigenvalues(speed, modes);
 }
 
 /// A mode to be named whose line comes in from beyond the modes computed: more would show more of

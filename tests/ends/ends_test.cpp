@@ -270,6 +270,34 @@ TEST(Ends, OfInternalDampingAreThoseOfTheJeffcottRotor) {
     EXPECT_NEAR(std::abs(series(w, first.speed)) / kf, 0, 1e-7); // the mass of the shaft
 }
 
+/// Of a rotor whose shaft of two stiffnesses has this density, kg/m3.
+results::StabilityResult of_light_shaft(double density) {
+    model::Rotor rotor;
+    rotor.shaft = tests::uniform_shaft(0.8, 0.025, {"light", 2.1e11, 8.1e10, density});
+    rotor.shaft.order = 4;
+    rotor.shaft.segments.front().asymmetry = 0.08;
+    rotor.discs = {tests::disc_at(0.3, 9, 0.05, 0.06)};
+    rotor.bearings = {tests::isotropic_bearing(0, 2e6, 600),
+                      tests::isotropic_bearing(0.8, 3e6, 900)};
+    return analyses::stability(tests::scene_of(rotor, 10, 800, 80), {});
+}
+
+// The elastic motions of a shaft without mass are infinitely fast: rounding makes others of them at
+// every speed, none of which is to be followed.
+TEST(Ends, OfAShaftWithoutMassAreThoseOfALightOne) {
+    const results::StabilityResult without = of_light_shaft(1e-9);
+    const results::StabilityResult light = of_light_shaft(1e-3);
+    ASSERT_EQ(light.ends.size(), 2);
+    ASSERT_EQ(without.ends.size(), 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(without.ends[i].kind, results::EndKind::zero);
+        EXPECT_EQ(without.ends[i].growing_below, light.ends[i].growing_below);
+        EXPECT_NEAR(without.ends[i].speed, light.ends[i].speed, 1e-6 * light.ends[i].speed);
+    }
+    for (const std::string &note : without.model.notes)
+        EXPECT_EQ(note.find("doubt"), std::string::npos) << note;
+}
+
 // Nothing depends on the grid of the user.
 TEST(Ends, AreTheSameFromTwoGrids) {
     for (const int seed : {1, 4, 20}) {

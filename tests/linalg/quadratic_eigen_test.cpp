@@ -95,6 +95,24 @@ TEST(QuadraticEigen, DenseAndArnoldiFindTheSame) {
     }
 }
 
+TEST(QuadraticEigen, OneSolverForSeveralOptionsFindsTheSame) {
+    const System s = rotor_like(40);
+    linalg::QuadraticSolver solver(s.M.sparseView(), s.D.sparseView(), s.K.sparseView(), 1);
+    for (const int wanted : {30, 3, 20}) { // all, TOAR, all again
+        const linalg::QuadraticOptions options{.wanted = wanted, .shift = 1};
+        const QuadraticResult alone = solve(s, options);
+        const QuadraticResult again = solver.solve(options);
+        EXPECT_EQ(again.method, wanted == 3 ? QuadraticMethod::toar : QuadraticMethod::dense);
+        EXPECT_EQ(again.complete_radius, alone.complete_radius);
+        ASSERT_EQ(again.pairs.size(), alone.pairs.size());
+        for (std::size_t i = 0; i < alone.pairs.size(); ++i) {
+            EXPECT_EQ(again.pairs[i].value, alone.pairs[i].value);
+            EXPECT_EQ(again.pairs[i].residual, alone.pairs[i].residual);
+        }
+        EXPECT_EQ(solver.by_toar(options), wanted == 3);
+    }
+}
+
 TEST(QuadraticEigen, ResidualsAndVectorsSatisfyTheEquation) {
     const System s = rotor_like(90);
     const QuadraticResult found = solve(s, {.wanted = 10});

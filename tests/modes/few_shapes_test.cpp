@@ -76,4 +76,16 @@ TEST(FewShapes, AreNotTakenWhereTheRotorIsFreeOrSmall) {
     EXPECT_FALSE(modes::SpectrumSolver(rotor, results::Form::general, 3).take_few_shapes(12));
 }
 
+// Internal damping of 1 ms: overdamped motions crowd at -1000 1/s, where no few of them are found
+// alone.
+TEST(Spectrum, NeedsAllEigenvaluesWhereMotionsCrowd) {
+    tests::Random random(3);
+    model::Rotor rotor = random_rotor(random);
+    EXPECT_FALSE(
+        modes::SpectrumSolver(rotor, results::Form::general, 3).needs_all_eigenvalues(100, 8));
+    rotor.shaft.internal_damping = 1e-3;
+    EXPECT_TRUE(
+        modes::SpectrumSolver(rotor, results::Form::general, 3).needs_all_eigenvalues(100, 8));
+}
+
 } // namespace

@@ -159,7 +159,7 @@ bool keep_resolved(std::vector<ComplexPair> &pairs, const QuadraticOptions &opti
 
 /// All eigenvalues that double precision resolves, with where they are complete up to: nowhere
 /// (negative) where they are too few.
-QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options,
+QuadraticResult solve_dense(QuadraticProblem &problem, const QuadraticOptions &options,
                             bool otherwise) {
     QuadraticResult result;
     result.method = QuadraticMethod::dense;
@@ -181,7 +181,7 @@ QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOpti
 }
 
 /// Where not enough are resolved, by another decomposition too, and the better of both.
-QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOptions &options) {
+QuadraticResult solve_dense(QuadraticProblem &problem, const QuadraticOptions &options) {
     QuadraticResult result = solve_dense(problem, options, false);
     if (result.complete_radius >= options.enough)
         return result;
@@ -193,7 +193,7 @@ QuadraticResult solve_dense(const QuadraticProblem &problem, const QuadraticOpti
     return result;
 }
 
-QuadraticResult solve_problem(const QuadraticProblem &problem, const Sparse &M, const Sparse &D,
+QuadraticResult solve_problem(QuadraticProblem &problem, const Sparse &M, const Sparse &D,
                               const Sparse &K, const QuadraticOptions &options) {
     const bool try_toar =
         options.method == QuadraticMethod::toar || (options.method == QuadraticMethod::automatic &&
@@ -249,13 +249,24 @@ QuadraticResult solve_quadratic(const Matrix &M, const Matrix &D, const Matrix &
     return solve_quadratic(Sparse(M.view()), Sparse(D.view()), Sparse(K.view()), options);
 }
 
-QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
-                                const QuadraticOptions &options) {
-    const Scaled scaled(M, D, K, options.shift);
-    QuadraticProblem problem(scaled.M, scaled.D, scaled.K, options.shift);
-    QuadraticResult result = solve_problem(problem, scaled.M, scaled.D, scaled.K, options);
+struct QuadraticSolver::Data {
+    Scaled scaled;
+    QuadraticProblem problem;
+
+    Data(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
+        : scaled(M, D, K, shift), problem(scaled.M, scaled.D, scaled.K, shift) {}
+};
+
+QuadraticSolver::QuadraticSolver(const Sparse &M, const Sparse &D, const Sparse &K, double shift)
+    : _data(std::make_unique<Data>(M, D, K, shift)) {}
+
+QuadraticSolver::~QuadraticSolver() = default;
+
+QuadraticResult QuadraticSolver::solve(const QuadraticOptions &options) {
+    const Scaled &scaled = _data->scaled;
+    QuadraticResult result = solve_problem(_data->problem, scaled.M, scaled.D, scaled.K, options);
     if (options.condition)
-        problem.assess_condition(result.pairs);
+        _data->problem.assess_condition(result.pairs);
     for (ComplexPair &pair : result.pairs) {
         pair.vector = scaled.d.asDiagonal() * pair.vector;
         Eigen::Index largest = 0;
@@ -265,6 +276,24 @@ QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &
             pair.left = scaled.d.asDiagonal() * pair.left;
     }
     return result;
+}
+
+bool QuadraticSolver::by_toar(QuadraticOptions options) {
+    if (prefers_dense(_data->problem.size(), options.wanted))
+        return false;
+    options.method = QuadraticMethod::toar;
+    options.condition = false;
+    try {
+        (void)solve(options);
+        return true;
+    } catch (const SolverError &) {
+        return false;
+    }
+}
+
+QuadraticResult solve_quadratic(const Sparse &M, const Sparse &D, const Sparse &K,
+                                const QuadraticOptions &options) {
+    return QuadraticSolver(M, D, K, options.shift).solve(options);
 }
 
 void assess_condition(const Sparse &M, const Sparse &D, const Sparse &K, double shift,

@@ -4,6 +4,7 @@
 #include "linalg/matrix.h"
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace whirl::linalg {
@@ -53,6 +54,31 @@ struct QuadraticResult {
                                               const Eigen::SparseMatrix<double> &D,
                                               const Eigen::SparseMatrix<double> &K,
                                               const QuadraticOptions &options);
+
+/// The same problem at one shift for several other options: what all eigenvalues are by each dense
+/// decomposition is found once.
+class QuadraticSolver {
+  public:
+    /// @throws SolverError where Q(shift) is singular
+    QuadraticSolver(const Eigen::SparseMatrix<double> &M, const Eigen::SparseMatrix<double> &D,
+                    const Eigen::SparseMatrix<double> &K, double shift);
+    ~QuadraticSolver();
+    QuadraticSolver(const QuadraticSolver &) = delete;
+    QuadraticSolver &operator=(const QuadraticSolver &) = delete;
+    QuadraticSolver(QuadraticSolver &&) = delete;
+    QuadraticSolver &operator=(QuadraticSolver &&) = delete;
+
+    /// @param options  with the shift given above
+    /// @throws SolverError as solve_quadratic()
+    [[nodiscard]] QuadraticResult solve(const QuadraticOptions &options);
+    /// Whether TOAR finds as many as wanted, without all eigenvalues: what they cost, the cube of
+    /// the unknowns, is not spent on the answer.
+    [[nodiscard]] bool by_toar(QuadraticOptions options);
+
+  private:
+    struct Data;
+    std::unique_ptr<Data> _data;
+};
 
 /// Residual and rounding of some of the pairs, found from a shift without it, as with `condition`.
 void assess_condition(const Eigen::SparseMatrix<double> &M, const Eigen::SparseMatrix<double> &D,

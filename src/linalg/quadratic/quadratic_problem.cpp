@@ -272,7 +272,10 @@ std::vector<ComplexPair> inverted_pairs(const Eigen::MatrixXd &A, const Eigen::M
 
 } // namespace
 
-std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
+const std::vector<ComplexPair> &QuadraticProblem::dense(bool otherwise) {
+    std::optional<std::vector<ComplexPair>> &all = _all[otherwise ? 1 : 0];
+    if (all)
+        return *all;
     // mu^2 Q(shift) + mu Q'(shift) + M = 0, mu = 1/(l - shift).
     Eigen::MatrixXd A = 2 * _shift * _M + _D;
     Eigen::MatrixXd B = _M;
@@ -280,7 +283,7 @@ std::vector<ComplexPair> QuadraticProblem::dense(bool otherwise) const {
     _lu.solve(B);
     std::vector<ComplexPair> pairs = inverted_pairs(A, B, _shift, otherwise);
     assess(pairs);
-    return pairs;
+    return all.emplace(std::move(pairs));
 }
 
 std::vector<ComplexPair> all_pairs(const Eigen::MatrixXd &M, const Eigen::MatrixXd &D,

@@ -40,8 +40,9 @@ class QuadraticProblem {
 
     /// All finite eigenvalues with Im >= 0, by the companion matrix of the problem in
     /// 1/(l - shift), scaled so that the eigenvalue nearest the shift is about 1.
+    /// Remembered: they cost the cube of the unknowns.
     /// @param otherwise  by the other QR algorithm (general_eigen.h)
-    [[nodiscard]] std::vector<ComplexPair> dense(bool otherwise) const;
+    [[nodiscard]] const std::vector<ComplexPair> &dense(bool otherwise);
 
   private:
     using Sparse = Eigen::SparseMatrix<double>;
@@ -57,7 +58,8 @@ class QuadraticProblem {
         Vector4 Q, slopes, x, slope, residual, start, left, lost;
     } _four;
 
-    std::optional<QuadraticPattern> _on_pattern; ///< likewise
+    std::optional<QuadraticPattern> _on_pattern;                 ///< likewise
+    std::array<std::optional<std::vector<ComplexPair>>, 2> _all; ///< of dense(), by its argument
 
     void look_beside(std::span<ComplexPair *const> pairs);
     void take_condition(ComplexPair &pair, int lane);

@@ -1,0 +1,64 @@
+#include "ends/finer_ends.h"
+
+#include "balancers/linear_element.h"
+#include "mesh_error/safety.h"
+
+#include <cmath>
+
+namespace whirl::ends {
+
+namespace {
+
+/// Part of the kinetic energy that both have in common, of that of both.
+double likeness(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b,
+                const Eigen::SparseMatrix<double> &mass) {
+    const auto product = [&mass](const Eigen::VectorXcd &x, const Eigen::VectorXcd &y) {
+        return x.dot(mass.cast<std::complex<double>>() * y);
+    };
+    return std::norm(product(a, b)) / std::abs(product(a, a) * product(b, b));
+}
+
+std::vector<balancers::BalancerElement> balancers_of(const model::Rotor &rotor, results::Form form,
+                                                     const balancers::Arrangement &arrangement) {
+    if (!results::in_rotating_axes(form))
+        return {};
+    return balancers::balancer_elements(rotor, arrangement);
+}
+
+} // namespace
+
+FinerEnds::FinerEnds(const assembly::Discretization &discretization, results::Form form,
+                     const balancers::Arrangement &arrangement)
+    : _discretization(discretization),
+      _finer(discretization.rotor(), mesh_error::finer_order(discretization.order())),
+      _matrices(_finer, form, balancers_of(discretization.rotor(), form, arrangement)),
+      _places(discretization.places_in(_finer)) {}
+
+Eigen::VectorXcd FinerEnds::embedded(const Eigen::VectorXcd &vector) const {
+    const Eigen::Index own = 2 * _discretization.planar_size();
+    const Eigen::Index all = 2 * _finer.planar_size();
+    const Eigen::Index attached = vector.size() - own; // balls
+    Eigen::VectorXcd out = Eigen::VectorXcd::Zero(all + attached);
+    out.tail(attached) = vector.tail(attached);
+    for (std::size_t i = 0; i < _places.size(); ++i)
+        out.segment<2>(2 * _places[i]) = vector.segment<2>(2 * static_cast<Eigen::Index>(i));
+    return out;
+}
+
+std::optional<double> FinerEnds::error(const WholeMotion &own, double inward, double reach) const {
+    constexpr double alike = 0.5;
+    WholeMotion guess = own;
+    guess.right = embedded(own.right);
+    guess.left = embedded(own.left);
+    const auto other = on_the_axis(_matrices, guess, own.value.imag() == 0);
+    if (!other || !(std::abs(other->speed - own.speed) <= reach) ||
+        !(own.rate.real() * inward > 0) || !(other->rate.real() * inward > 0) ||
+        !(likeness(guess.right, other->right, _matrices.mass()) > alike))
+        return std::nullopt;
+    const double rounding =
+        own.noise / std::abs(own.rate.real()) + other->noise / std::abs(other->rate.real());
+    return rounding + 1e-12 * std::abs(own.speed) +
+           mesh_error::estimate_safety * std::abs(other->speed - own.speed);
+}
+
+} // namespace whirl::ends
