@@ -172,39 +172,46 @@ SymmetricProblem::energies(const linalg::Vector4 &b,
     return known->second(b);
 }
 
-/// p and q of x and y = i y'.
-void SymmetricProblem::turn_to_pairs(Eigen::VectorXcd &vector) {
-    constexpr double half = 0.5 * std::numbers::sqrt2;
-    for (Complex *at = vector.data(), *end = at + vector.size(); at != end; at += 2) {
-        const Complex x = half * at[0];
-        const Complex y(half * at[1].imag(), -half * at[1].real());
-        at[0] = x + y;
-        at[1] = x - y;
-    }
-}
+// The pairs (x, y = i y') as p and q, and back, in real numbers: these are done for each mode of a
+// sweep.
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
-    Eigen::VectorXcd out = shape;
-    if (conjugates())
-        turn_to_pairs(out);
-    return out.cwiseProduct(_inverse_scales);
+    Eigen::VectorXcd out(_size);
+    const auto *in = reinterpret_cast<const double *>(shape.data());
+    auto *to = reinterpret_cast<double *>(out.data());
+    const double *scale = _inverse_scales.data();
+    const bool turned = conjugates();
+    constexpr double half = 0.5 * std::numbers::sqrt2;
+    for (const double *end = in + 2 * _size; turned && in != end; in += 4, to += 4, scale += 2) {
+        const double first = half * scale[0];
+        const double second = half * scale[1];
+        to[0] = first * (in[0] + in[3]);
+        to[1] = first * (in[1] - in[2]);
+        to[2] = second * (in[0] - in[3]);
+        to[3] = second * (in[1] + in[2]);
+    }
+    return turned ? out : Eigen::VectorXcd(shape.cwiseProduct(_inverse_scales));
 }
 
 /// @param sign  of i in y = i y': -1 for covectors
 Eigen::VectorXcd SymmetricProblem::scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales,
                                                   double sign) const {
-    Eigen::VectorXcd out = vector.cwiseProduct(scales);
-    if (!conjugates())
-        return out;
+    Eigen::VectorXcd out(_size);
+    const auto *in = reinterpret_cast<const double *>(vector.data());
+    auto *to = reinterpret_cast<double *>(out.data());
+    const double *scale = scales.data();
+    const bool turned = conjugates();
     constexpr double half = 0.5 * std::numbers::sqrt2;
-    for (Complex *at = out.data(), *end = at + out.size(); at != end; at += 2) {
-        const Complex x = half * (at[0] + at[1]);
-        const Complex y = half * sign * (at[0] - at[1]);
-        at[0] = x;
-        at[1] = {-y.imag(), y.real()};
+    for (const double *end = in + 2 * _size; turned && in != end; in += 4, to += 4, scale += 2) {
+        const double first = half * scale[0];
+        const double second = half * scale[1];
+        to[0] = first * in[0] + second * in[2];
+        to[1] = first * in[1] + second * in[3];
+        to[2] = -sign * (first * in[1] - second * in[3]);
+        to[3] = sign * (first * in[0] - second * in[2]);
     }
-    return out;
+    return turned ? out : Eigen::VectorXcd(vector.cwiseProduct(scales));
 }
 
 Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {

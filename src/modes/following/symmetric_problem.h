@@ -109,7 +109,6 @@ class SymmetricProblem {
     mutable std::map<Exponents, linalg::RealEnergies> _energies;
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
-    static void turn_to_pairs(Eigen::VectorXcd &vector);
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales, double sign) const;
     void set_everywhere();

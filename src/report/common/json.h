@@ -18,7 +18,6 @@
         nlohmann::ordered_json &&) noexcept;                                                       \
     what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(initializer_list_t, bool,         \
                                                                  value_t);                         \
-    what nlohmann::basic_json<nlohmann::ordered_map>::~basic_json() noexcept;                      \
     what void nlohmann::basic_json<nlohmann::ordered_map>::json_value::destroy(value_t);           \
     what nlohmann::ordered_json &nlohmann::basic_json<nlohmann::ordered_map>::operator=(           \
         nlohmann::ordered_json) noexcept;                                                          \
