@@ -5,6 +5,7 @@
 #include "ends/finer_ends.h"
 #include "linalg/check.h"
 #include "stability/band_errors.h"
+#include "stability/hill/hill_motions.h"
 
 #include <fmt/format.h>
 

@@ -78,10 +78,12 @@ class BallMotion final : public PartsMotion {
     [[nodiscard]] int size() const override { return static_cast<int>(_balls.size()); }
 
     void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
-                   const double *rates, MassEquation *out) const override {
+                   const double *rates, const Directions &towards,
+                   MassEquation *out) const override {
         for (std::size_t j = 0; j < _balls.size(); ++j) {
             MassEquation &e = out[j];
-            _balls[j].mass.write_equation(plane, spin.angle + angles[j], spin.speed + rates[j], e);
+            _balls[j].mass.write_equation(plane, towards.cosines[j], towards.sines[j],
+                                          spin.speed + rates[j], e);
             e.friction = _balls[j].drag * rates[j];
             e.b += e.friction;
             e.torque(0) = -e.friction;

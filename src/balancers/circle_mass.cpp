@@ -19,11 +19,8 @@ Tilt tilt_of(const PlaneVector &p, const PlaneVector &v, double cosine, double s
 
 } // namespace
 
-void CircleMass::write_equation(const PlaneMotion &plane, double angle, double rate,
+void CircleMass::write_equation(const PlaneMotion &plane, double cosine, double sine, double rate,
                                 MassEquation &out) const {
-    double cosine = 0;
-    double sine = 0;
-    ::sincos(angle, &sine, &cosine); // of the C library: both for little more than one
     const Tilt t = tilt_of(plane.place, plane.velocity, cosine, sine);
     out.u << -moment * sine, moment * cosine, tilt * t.s * cosine, tilt * t.s * sine;
     out.a = inertia + tilt * (t.s * t.s - t.c * t.c);

@@ -2,6 +2,8 @@
 
 #include "balancers/parts_motion.h"
 
+#include <cmath>
+
 namespace whirl::balancers {
 
 /// A point on a circle about the axis: a ball (angle free), or a mass fixed in the rotor. Its
@@ -15,12 +17,12 @@ struct CircleMass {
     double weight = 0;  ///< m g R, N m
 
     /// Writes u, a, b, force, tilt and weight of the equation; the others are not its own.
-    /// @param angle,rate  g (fixed frame) and g'
-    void write_equation(const PlaneMotion &plane, double angle, double rate,
+    /// @param cosine,sine,rate  of g (fixed frame), and g'
+    void write_equation(const PlaneMotion &plane, double cosine, double sine, double rate,
                         MassEquation &out) const;
     [[nodiscard]] MassEquation equation(const PlaneMotion &plane, double angle, double rate) const {
         MassEquation out;
-        write_equation(plane, angle, rate, out);
+        write_equation(plane, std::cos(angle), std::sin(angle), rate, out);
         return out;
     }
     [[nodiscard]] MassMomenta momenta(const PlaneMotion &plane, double angle, double rate) const;

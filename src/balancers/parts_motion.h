@@ -21,6 +21,12 @@ struct SpinState {
     double speed = 0; ///< Omega, rad/s
 };
 
+/// Of the coordinates of some parts: cosine and sine of each angle in the fixed frame.
+struct Directions {
+    const double *cosines = nullptr;
+    const double *sines = nullptr;
+};
+
 /// An equation a g'' + u . y + b = 0 of one angle g, and the force -(u g'' + Q y) + P on its plane,
 /// y the plane's acceleration. The constant inertia that the rotor's mass matrix already holds is
 /// not in Q.
@@ -81,9 +87,11 @@ class PartsMotion {
 
     [[nodiscard]] virtual int size() const = 0; ///< coordinates
     /// @param angles,rates  in the rotor, rad and rad/s
+    /// @param towards       of the same angles
     /// @param out           `size()` equations
     virtual void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
-                           const double *rates, MassEquation *out) const = 0;
+                           const double *rates, const Directions &towards,
+                           MassEquation *out) const = 0;
     [[nodiscard]] virtual std::vector<TouchingRow> touching() const { return {}; }
     /// A coordinate has dry resistance.
     [[nodiscard]] virtual bool resists([[maybe_unused]] int coordinate) const { return false; }

@@ -86,7 +86,8 @@ class PendulumMotion final : public PartsMotion {
     [[nodiscard]] int size() const override { return 2; }
 
     void equations(const PlaneMotion & /*plane*/, const SpinState &spin, const double *angles,
-                   const double *rates, MassEquation *out) const override {
+                   const double *rates, const Directions & /*towards*/,
+                   MassEquation *out) const override {
         for (std::size_t j = 0; j < _pairs.size(); ++j)
             out[j] = _pairs[j].equation(spin, angles[j], rates[j]);
     }

@@ -49,15 +49,18 @@ class RingMotion final : public PartsMotion {
 
     [[nodiscard]] int size() const override { return 2 * _rings.n; }
 
-    void equations(const PlaneMotion &plane, const SpinState &spin, const double *angles,
-                   const double *rates, MassEquation *out) const override {
+    void equations(const PlaneMotion &plane, const SpinState &spin, const double * /*angles*/,
+                   const double *rates, const Directions &towards,
+                   MassEquation *out) const override {
         const double e = _rings.clearance;
         const double R = _rings.bore_radius();
         for (int j = 0; j < _rings.n; ++j) {
             const double own_rate = rates[_rings.n + j]; // in the rotor
             MassEquation &centre = out[j];
             MassEquation &own = out[_rings.n + j];
-            centre = _centre.equation(plane, spin.angle + angles[j], spin.speed + rates[j]);
+            centre = {};
+            _centre.write_equation(plane, towards.cosines[j], towards.sines[j],
+                                   spin.speed + rates[j], centre);
             own = _own.equation(plane, spin.speed + own_rate);
             const double sliding = _rings.damping * (e * rates[j] - R * own_rate); // N
             centre.friction = e * sliding;

@@ -1,6 +1,5 @@
 #include "ends/finer_ends.h"
 
-#include "balancers/linear_element.h"
 #include "mesh_error/safety.h"
 
 #include <cmath>

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "assembly/discretization.h"
+#include "balancers/arrangement.h"
 #include "ends/refinement.h"
+#include "modes/form_matrices.h"
+#include "results/formulation.h"
 
 #include <optional>
 #include <vector>

@@ -1,5 +1,7 @@
 #include "simulation/motion.h"
 
+#include "linalg/lanes/directions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -80,6 +82,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
         linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
+    for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})
+        each->resize(_parts.free_angles());
     _fixed_equations.resize(_parts.fixed.size());
     _forces.setZero(2 * r, 2);
     _planes.setZero(4 * planes, 2);
@@ -190,12 +194,18 @@ void RotorMotion::mass_loads(const Spin::At &spin, const double *state) const {
     for (std::size_t i = 0; i < _motions.size(); ++i)
         _motions[i] = motion_of(static_cast<int>(i), state);
     const double *angles = state + first_angle();
+    const auto free = std::ssize(_free_equations);
+    _turned = Eigen::Map<const Eigen::ArrayXd>(angles, free) + spin.angle;
+    linalg::set_directions(_turned.data(), static_cast<int>(free), _cosines.data(), _sines.data());
+    balancers::Directions towards{_cosines.data(), _sines.data()};
     balancers::MassEquation *equation = _free_equations.data();
     for (const FreeParts &parts : _parts.free) {
         const int size = parts.motion->size();
         parts.motion->equations(_motions[static_cast<std::size_t>(parts.plane)],
-                                {spin.angle, spin.speed}, angles, angles + n, equation);
+                                {spin.angle, spin.speed}, angles, angles + n, towards, equation);
         angles += size;
+        towards.cosines += size;
+        towards.sines += size;
         const Index at = 4 * parts.plane;
         for (const balancers::MassEquation *end = equation + size; equation != end; ++equation) {
             balancers::MassEquation &e = *equation;

@@ -88,6 +88,7 @@ class RotorMotion {
     double _piece = 0;
     // Room for one evaluation of the rates, kept between them.
     mutable std::vector<balancers::PlaneMotion> _motions; ///< of the planes
+    mutable Eigen::ArrayXd _turned, _cosines, _sines;     ///< of the free angles, fixed frame
     mutable std::vector<balancers::MassEquation> _free_equations;
     mutable std::vector<balancers::MassEquation> _fixed_equations;
     mutable Eigen::MatrixXd _forces;          ///< 2r x 2: alone, per unit of spin acceleration

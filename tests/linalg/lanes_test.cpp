@@ -1,6 +1,7 @@
 // Small matrices in vector instructions against Eigen's.
 
 #include "linalg/check.h"
+#include "linalg/lanes/directions.h"
 #include "linalg/lanes/general_factors.h"
 #include "linalg/lanes/row_products.h"
 #include "linalg/lanes/small_products.h"
@@ -10,8 +11,11 @@
 #include <Eigen/LU>
 
 #include <array>
+#include <cmath>
 #include <complex>
+#include <limits>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -147,6 +151,30 @@ TEST(GeneralFactors, ALaneWithoutPivotsIsTold) {
         for (std::size_t i = 0; i < 4; ++i)
             values[i].set(lane, i == 1 || i == 2 ? 1.0 : lane == 2 ? 0.0 : 2.0);
     EXPECT_EQ(factors.factorize(values), (std::array{true, true, false, true}));
+}
+
+TEST(Directions, AreThoseOfTheLibraryToTheLastPlaces) {
+    std::mt19937 random(5);
+    for (const double range : {0.8, 10.0, 1e4, 9.9e5, 1e12}) {
+        std::uniform_real_distribution<double> angle(-range, range);
+        std::vector<double> angles;
+        for (int i = 0; i < 1003; ++i) // the last ones do not fill a vector
+            angles.push_back(angle(random));
+        for (const int k : {1, 2, 3, 1001}) // next to multiples of a quarter turn
+            angles.push_back(k * std::acos(0.0));
+        angles.push_back(0);
+        std::vector<double> cosines(angles.size());
+        std::vector<double> sines(angles.size());
+        set_directions(angles.data(), static_cast<int>(angles.size()), cosines.data(),
+                       sines.data());
+        constexpr double places = 3 * std::numeric_limits<double>::epsilon() / 2;
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            EXPECT_NEAR(cosines[i], std::cos(angles[i]), places * std::abs(std::cos(angles[i])))
+                << angles[i];
+            EXPECT_NEAR(sines[i], std::sin(angles[i]), places * std::abs(std::sin(angles[i])))
+                << angles[i];
+        }
+    }
 }
 
 } // namespace
