@@ -25,7 +25,7 @@ template <class Scalar> using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 /// A X or A^T X: the rows of X, filled up to whole vectors, stand in line.
 template <class Scalar>
 Columns<Scalar> product(const Sparse &A, bool transposed, const Columns<Scalar> &X) {
-    constexpr std::size_t each = sizeof(Scalar) / sizeof(double);
+    constexpr std::size_t each = Eigen::NumTraits<Scalar>::IsComplex ? 2 : 1; // numbers
     const auto rows = static_cast<std::size_t>(X.rows());
     const auto columns = static_cast<std::size_t>(X.cols());
     const std::size_t width = (each * columns + linalg::lanes - 1) / linalg::lanes;

@@ -1,6 +1,8 @@
 #include "report/common/json.h"
 
+namespace nlohmann {
 WHIRL_JSON(template);
+}
 
 void nlohmann::adl_serializer<std::optional<double>>::to_json(nlohmann::ordered_json &json,
                                                               const std::optional<double> &value) {

@@ -9,24 +9,24 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <type_traits>
 
 // What all reports do with JSON, compiled once in json.cpp: their sources are not optimised. `what`
-// is "extern template" or "template".
+// is "extern template" or "template"; void is written so that a check of macros takes it for a
+// type.
 #define WHIRL_JSON(what)                                                                           \
-    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(const nlohmann::ordered_json &);  \
-    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(                                  \
-        nlohmann::ordered_json &&) noexcept;                                                       \
-    what nlohmann::basic_json<nlohmann::ordered_map>::basic_json(initializer_list_t, bool,         \
-                                                                 value_t);                         \
-    what void nlohmann::basic_json<nlohmann::ordered_map>::json_value::destroy(value_t);           \
-    what nlohmann::ordered_json &nlohmann::basic_json<nlohmann::ordered_map>::operator=(           \
-        nlohmann::ordered_json) noexcept;                                                          \
-    what void nlohmann::basic_json<nlohmann::ordered_map>::push_back(nlohmann::ordered_json &&);   \
-    what nlohmann::ordered_json &nlohmann::basic_json<nlohmann::ordered_map>::operator[](          \
-        object_t::key_type);                                                                       \
-    what std::string nlohmann::basic_json<nlohmann::ordered_map>::dump(int, char, bool,            \
-                                                                       error_handler_t) const
+    what basic_json<ordered_map>::basic_json(const ordered_json &);                                \
+    what basic_json<ordered_map>::basic_json(ordered_json &&) noexcept;                            \
+    what basic_json<ordered_map>::basic_json(initializer_list_t, bool, value_t);                   \
+    what basic_json<ordered_map>::~basic_json() noexcept;                                          \
+    what std::void_t<> basic_json<ordered_map>::json_value::destroy(value_t);                      \
+    what ordered_json &basic_json<ordered_map>::operator=(ordered_json) noexcept;                  \
+    what std::void_t<> basic_json<ordered_map>::push_back(ordered_json &&);                        \
+    what ordered_json &basic_json<ordered_map>::operator[](object_t::key_type);                    \
+    what std::string basic_json<ordered_map>::dump(int, char, bool, error_handler_t) const
+namespace nlohmann {
 WHIRL_JSON(extern template);
+}
 
 /// null for what is missing. The library itself writes NaN and infinity as null, and a pair as a
 /// list of two.
