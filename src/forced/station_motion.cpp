@@ -1,6 +1,5 @@
 #include "forced/station_motion.h"
 
-
 namespace whirl::forced {
 
 StationMotion::StationMotion(const assembly::Discretization &discretization, results::Form form,
