@@ -9,7 +9,6 @@
 #include "forced/response_gravity.h"
 #include "forced/response_places.h"
 #include "forced/station_motion.h"
-#include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/case.h"
 #include "model/errors.h"
@@ -83,17 +82,9 @@ class Response {
 
     /// False at a resonance without damping.
     bool solve(double speed) {
-        try {
-            _forced.solve(speed);
-        } catch (const linalg::SolverError &) {
+        if (!forced::solves(_forced, speed))
             return false;
-        }
-        _error_known = true;
-        try {
-            _finer.solve(speed);
-        } catch (const linalg::SolverError &) { // the finer model is at its resonance
-            _error_known = false;
-        }
+        _error_known = forced::solves(_finer, speed);
         return _forced.rounding() <= forced::resonance_rounding || confirmed() || unexcited(speed);
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/rotating_system.h"
+#include "linalg/check.h"
 #include "linalg/harmonic_solve.h"
 #include "model/case.h"
 #include "results/formulation.h"
@@ -122,5 +123,16 @@ class ForcedMotion {
 /// The form the response uses: planar with isotropic bearings, damped or not, else general.
 /// @throws model::BadInput where the case forces the planar form and it cannot describe the scene.
 [[nodiscard]] results::Formulation response_formulation(const model::Case &scene);
+
+/// Solves a motion at a speed; false at a resonance without damping, of the rotor or of a part of
+/// it.
+template <class Motion> [[nodiscard]] bool solves(Motion &motion, double speed) {
+    try {
+        motion.solve(speed);
+    } catch (const linalg::SolverError &) {
+        return false;
+    }
+    return true;
+}
 
 } // namespace whirl::forced

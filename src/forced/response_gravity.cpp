@@ -3,7 +3,6 @@
 #include "forced/forced_motion.h"
 #include "forced/response_error.h"
 #include "forced/response_places.h"
-#include "linalg/check.h"
 #include "model/errors.h"
 #include "modes/free_motions.h"
 #include "process/parallel.h"
@@ -54,19 +53,11 @@ class Weighed {
 
     /// False at a resonance without damping.
     bool solve(double speed) {
-        try {
-            _motion.solve(speed);
-        } catch (const linalg::SolverError &) {
+        if (!solves(_motion, speed))
             return false;
-        }
         if (_motion.rounding() > resonance_rounding && !same_beside(speed))
             return false;
-        _error_known = true;
-        try {
-            _finer.solve(speed);
-        } catch (const linalg::SolverError &) { // the finer model is at its resonance
-            _error_known = false;
-        }
+        _error_known = solves(_finer, speed);
         return true;
     }
 

@@ -1,7 +1,6 @@
 #include "forced/response_peaks.h"
 
 #include "forced/station_motion.h"
-#include "linalg/check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +32,7 @@ class Comparison {
           _full(discretization, form, drive, agreed / 10) {}
 
     /// Solves the whole rotor; false at a resonance without damping.
-    bool solve(double speed) {
-        try {
-            _full.solve(speed);
-        } catch (const linalg::SolverError &) {
-            return false;
-        }
-        return true;
-    }
+    bool solve(double speed) { return solves(_full, speed); }
 
     [[nodiscard]] Eigen::MatrixXcd motion() { return _full.whole().planar_motion(); }
 

@@ -1,7 +1,5 @@
 #include "forced/station_motion.h"
 
-#include "linalg/check.h"
-
 namespace whirl::forced {
 
 StationMotion::StationMotion(const assembly::Discretization &discretization, results::Form form,
@@ -13,13 +11,8 @@ StationMotion::StationMotion(const assembly::Discretization &discretization, res
 }
 
 bool StationMotion::condensed(double speed) {
-    if (!_condensed)
+    if (!_condensed || !solves(*_condensed, speed))
         return false;
-    try {
-        _condensed->solve(speed);
-    } catch (const linalg::SolverError &) { // at a resonance of the rotor, or of a part of it
-        return false;
-    }
     _rounding = _condensed->rounding();
     return _rounding <= _acceptable;
 }

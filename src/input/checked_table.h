@@ -103,4 +103,10 @@ class CheckedTable {
     std::vector<std::string> _known;
 };
 
+/// `name` and `z`, which all that sits on a shaft has.
+template <class Part> void read_place(CheckedTable &table, Part &part) {
+    part.name = table.text("name").value_or("");
+    part.z = table.number("z", Quantity::length);
+}
+
 } // namespace whirl::input

@@ -73,8 +73,7 @@ void read_discs(CheckedTable &root, const Materials &materials, model::Rotor &ro
 void read_anisotropies(CheckedTable &root, model::Rotor &rotor) {
     for (CheckedTable &table : root.tables("anisotropy")) {
         model::Anisotropy anisotropy;
-        anisotropy.name = table.text("name").value_or("");
-        anisotropy.z = table.number("z", Quantity::length);
+        read_place(table, anisotropy);
         anisotropy.dI = table.number("dI", Quantity::inertia);
         anisotropy.angle = table.number_or("angle", 0, Quantity::angle);
         table.refuse_unknown();
@@ -85,8 +84,7 @@ void read_anisotropies(CheckedTable &root, model::Rotor &rotor) {
 void read_planes(CheckedTable &root, model::Rotor &rotor) {
     for (CheckedTable &table : root.tables("plane")) {
         model::CorrectionPlane plane;
-        plane.name = table.text("name").value_or("");
-        plane.z = table.number("z", Quantity::length);
+        read_place(table, plane);
         table.refuse_unknown();
         rotor.planes.push_back(plane);
     }
@@ -159,8 +157,7 @@ double read_mr(CheckedTable &table, const model::Case &scene) {
 void read_imbalances(CheckedTable &root, model::Case &scene) {
     for (CheckedTable &table : root.tables("imbalance")) {
         model::Imbalance imbalance;
-        imbalance.name = table.text("name").value_or("");
-        imbalance.z = table.number("z", Quantity::length);
+        read_place(table, imbalance);
         imbalance.mr = read_mr(table, scene);
         imbalance.phase = table.number_or("phase", 0, Quantity::angle);
         table.refuse_unknown();
@@ -171,8 +168,7 @@ void read_imbalances(CheckedTable &root, model::Case &scene) {
 void read_probes(CheckedTable &root, model::Rotor &rotor) {
     for (CheckedTable &table : root.tables("probe")) {
         model::Probe probe;
-        probe.name = table.text("name").value_or("");
-        probe.z = table.number("z", Quantity::length);
+        read_place(table, probe);
         probe.angle = table.number_or("angle", 0, Quantity::angle);
         table.refuse_unknown();
         rotor.probes.push_back(probe);

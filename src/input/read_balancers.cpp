@@ -183,8 +183,7 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor) {
         names.push_back(kind.name);
     for (CheckedTable &table : root.tables("balancer")) {
         model::Balancer balancer;
-        balancer.name = table.text("name").value_or("");
-        balancer.z = table.number("z", Quantity::length);
+        read_place(table, balancer);
         const KindOfTable &kind = kinds.at(table.choice("kind", names, 0));
         kind.read(table, balancer);
         refuse_keys_of_others(table, kind);

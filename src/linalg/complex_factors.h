@@ -62,6 +62,7 @@ class SymmetricFactor {
 
   private:
     friend class RealEnergy;
+    friend class EliminationPattern;
     friend class SymmetricFactors;
     friend class GeneralFactors;
     using Complex = std::complex<double>;

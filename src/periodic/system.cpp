@@ -119,4 +119,14 @@ Eigen::MatrixXd System::turning(double speed, double angle) const {
     return out;
 }
 
+const System &KeptSystem::at(const assembly::Discretization &discretization, double speed,
+                             const std::vector<balancers::BalancerElement> &balancers,
+                             const Eigen::MatrixXd *shapes) {
+    const bool tables = discretization.rotor().bearings_depend_on_speed();
+    if (!_system || (tables && speed != _speed))
+        _system = std::make_unique<System>(discretization, tables ? speed : 0, balancers, shapes);
+    _speed = speed;
+    return *_system;
+}
+
 } // namespace whirl::periodic

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 namespace whirl::periodic {
@@ -59,6 +60,21 @@ class System {
     Pair _turning_C, _turning_K, _turning_Ks;
 
     void scale(const Eigen::VectorXd &unknowns);
+};
+
+/// The System of one rotor, kept while the speed does not change its bearings.
+class KeptSystem {
+  public:
+    /// With the bearings of this speed, rad/s, where they depend on it; the rest as for System, and
+    /// the same until forget().
+    [[nodiscard]] const System &at(const assembly::Discretization &discretization, double speed,
+                                   const std::vector<balancers::BalancerElement> &balancers,
+                                   const Eigen::MatrixXd *shapes);
+    void forget() { _system.reset(); }
+
+  private:
+    std::unique_ptr<System> _system;
+    double _speed = 0; ///< whose bearings it has, where they depend on it
 };
 
 } // namespace whirl::periodic

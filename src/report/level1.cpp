@@ -71,20 +71,20 @@ const Columns<Level1> found{
      reserve}};
 
 /// A point of the curve.
-struct At {
+struct CurvePoint {
     double q, log_dec, frequency;
 };
 
-std::vector<At> points(const Level1 &level1) {
-    std::vector<At> out;
+std::vector<CurvePoint> points(const Level1 &level1) {
+    std::vector<CurvePoint> out;
     for (std::size_t i = 0; i < level1.q.size(); ++i)
         out.push_back({level1.q[i], level1.log_dec[i], level1.frequency[i]});
     return out;
 }
 
-const Columns<At> curve{{"q", "q [N/m]", {}, {}, &At::q},
-                        {"log_dec", "log_dec", {}, {}, &At::log_dec},
-                        {"frequency", "frequency [rad/s]", {}, {}, &At::frequency}};
+const Columns<CurvePoint> curve{{"q", "q [N/m]", {}, {}, &CurvePoint::q},
+                                {"log_dec", "log_dec", {}, {}, &CurvePoint::log_dec},
+                                {"frequency", "frequency [rad/s]", {}, {}, &CurvePoint::frequency}};
 
 } // namespace
 

@@ -182,14 +182,8 @@ void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
     }
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         add_anisotropy(anisotropy, plane_at(anisotropy.z, d, places, motion.parts), motion.parts);
-    for (const model::Imbalance &imbalance : scene.rotor.imbalances) {
-        FixedMass mass;
-        mass.row = motion.parts.rotor.row(d.deflection_at(imbalance.z));
-        mass.mass.moment = imbalance.mr;
-        mass.mass.weight = imbalance.mr * scene.simulate.gravity;
-        mass.phase = imbalance.phase;
-        motion.parts.fixed.push_back(mass);
-    }
+    for (const model::Imbalance &imbalance : scene.rotor.imbalances)
+        motion.parts.fixed.push_back(fixed_mass(imbalance, scene, d, motion.parts));
     motion.start_angles = start_of(scene.rotor, scene.simulate.ball_angles);
     add_outside(scene, d, motion);
 }

@@ -14,11 +14,7 @@ namespace {
 void add_sudden_imbalances(const model::Case &scene, const assembly::Discretization &d,
                            MotionScene &motion) {
     for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances) {
-        FixedMass mass;
-        mass.row = motion.parts.rotor.row(d.deflection_at(imbalance.z));
-        mass.mass.moment = imbalance.mr;
-        mass.mass.weight = imbalance.mr * scene.simulate.gravity;
-        mass.phase = imbalance.phase;
+        FixedMass mass = fixed_mass(imbalance, scene, d, motion.parts);
         mass.from = imbalance.time;
         motion.parts.fixed.push_back(mass);
     }

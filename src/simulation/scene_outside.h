@@ -17,6 +17,18 @@ namespace whirl::simulation {
 /// Places of what [simulate] adds, and of all that is attached to a rotor without balancers, m.
 void add_places(const model::Case &scene, std::vector<double> &places);
 
+/// The mass fixed in the rotor that a model::Imbalance or model::SuddenImbalance is.
+template <class Imbalance>
+[[nodiscard]] FixedMass fixed_mass(const Imbalance &imbalance, const model::Case &scene,
+                                   const assembly::Discretization &d, const MovingParts &parts) {
+    FixedMass out;
+    out.row = parts.rotor.row(d.deflection_at(imbalance.z));
+    out.mass.moment = imbalance.mr;
+    out.mass.weight = imbalance.mr * scene.simulate.gravity;
+    out.phase = imbalance.phase;
+    return out;
+}
+
 /// Sudden imbalances, forces and the foundation; stations where there are no balancers.
 void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion);
 

@@ -65,8 +65,7 @@ PeriodicMotions::PeriodicMotions(const assembly::Discretization &discretization,
                                  std::vector<balancers::BalancerElement> balancers, bool driven,
                                  double top, std::shared_ptr<const Eigen::MatrixXd> shapes,
                                  std::shared_ptr<StepExperience> experience)
-    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
-      _tables(discretization.rotor().bearings_depend_on_speed()), _top(top),
+    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven), _top(top),
       _reduced(!shapes && !discretization.rigid() && discretization.planar_size() > few_unknowns),
       _grows(_reduced), _shapes(std::move(shapes)),
       _experience(experience ? std::move(experience) : std::make_shared<StepExperience>()) {
@@ -87,7 +86,7 @@ void PeriodicMotions::set_top(double speed) const {
     _top = std::abs(speed);
     if (!_reduced)
         return;
-    _system.reset();
+    _system.forget();
     _known.clear();
     _corrected.clear();
     _good_at.clear();
@@ -95,11 +94,7 @@ void PeriodicMotions::set_top(double speed) const {
 }
 
 const periodic::System &PeriodicMotions::system(double speed) const {
-    if (!_system || (_tables && speed != _system_speed))
-        _system = std::make_unique<periodic::System>(_discretization, _tables ? speed : 0,
-                                                     _balancers, _shapes.get());
-    _system_speed = speed;
-    return *_system;
+    return _system.at(_discretization, speed, _balancers, _shapes.get());
 }
 
 /// Of the octave of the range that the speed lies in: all that may meet at its largest speed at the
@@ -249,7 +244,7 @@ Eigen::MatrixXd PeriodicMotions::planar_parts_above(double part,
 void PeriodicMotions::use_planar() const {
     _known.clear();
     _corrected.clear();
-    _system.reset();
+    _system.forget();
     _reduced =
         static_cast<double>(_planar->matrix().cols()) < large_share * _discretization.planar_size();
     _shapes = _reduced ? std::make_shared<Eigen::MatrixXd>(_planar->matrix()) : nullptr;

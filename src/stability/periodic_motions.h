@@ -89,14 +89,12 @@ class PeriodicMotions {
     const assembly::Discretization &_discretization;
     std::vector<balancers::BalancerElement> _balancers;
     bool _driven;
-    bool _tables;
     mutable double _top;
     mutable bool _reduced; ///< to shapes of its own
     bool _grows;           ///< was so to begin with
     mutable std::unique_ptr<reduction::PlanarShapes> _planar;
     mutable std::shared_ptr<const Eigen::MatrixXd> _shapes;
-    mutable std::unique_ptr<periodic::System> _system;
-    mutable double _system_speed = 0;               ///< with tables: whose bearings it has
+    mutable periodic::KeptSystem _system;
     mutable std::map<double, double> _steady_reach; ///< at |speed|, of the fastest steady motions
     std::shared_ptr<StepExperience> _experience;
     mutable std::unique_ptr<periodic::WholeRotor> _whole;

@@ -1,7 +1,23 @@
 #pragma once
 
-// What many tests use of the templates of libraries: for the precompiled header, in which they are
-// then instantiated once. Never called.
+// For the precompiled header: what many tests include, and what many use of the templates of
+// libraries, which are then instantiated once. Never called.
+
+#include "analyses/balance.h"
+#include "analyses/campbell.h"
+#include "analyses/critical.h"
+#include "analyses/stability.h"
+#include "assembly/discretization.h"
+#include "assembly/rotating_system.h"
+#include "assembly/system.h"
+#include "balancers/arrangement.h"
+#include "balancers/linear_element.h"
+#include "linalg/matrix.h"
+#include "stability/band_finder.h"
+#include "support/balancer_scenes.h"
+#include "support/rotating_scenes.h"
+#include "support/scenes.h"
+#include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

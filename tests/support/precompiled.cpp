@@ -1,1 +1,1 @@
-// Carries the precompiled header of the tests; nothing of its own.
+// The precompiled header stands before this; what it has of functions is compiled here (whirl_instances).

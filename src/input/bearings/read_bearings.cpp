@@ -103,8 +103,7 @@ void add_acting(CheckedTable &table, const model::Bearing &bearing, const char *
 void read_bearings(CheckedTable &root, model::Rotor &rotor) {
     for (CheckedTable &table : root.tables("bearing")) {
         model::Bearing bearing;
-        bearing.name = table.text("name").value_or("");
-        bearing.z = table.number("z", Quantity::length);
+        read_place(table, bearing);
         read_rows(table, bearing);
         const double kt = table.number_or("kt", 0, Quantity::tilt_stiffness, Range::not_negative());
         const double ct = table.number_or("ct", 0, Quantity::tilt_damping, Range::not_negative());
@@ -126,8 +125,7 @@ void read_seals(CheckedTable &root, model::Rotor &rotor) {
     for (CheckedTable &table : root.tables("seal")) {
         model::Bearing seal;
         seal.seal = true;
-        seal.name = table.text("name").value_or("");
-        seal.z = table.number("z", Quantity::length);
+        read_place(table, seal);
         read_rows(table, seal);
         seal.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
         table.refuse_unknown();

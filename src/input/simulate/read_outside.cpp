@@ -9,8 +9,7 @@ namespace {
 
 void read_imbalance(CheckedTable &table, model::SimulateSettings &simulate) {
     model::SuddenImbalance imbalance;
-    imbalance.name = table.text("name").value_or("");
-    imbalance.z = table.number("z", Quantity::length);
+    read_place(table, imbalance);
     imbalance.time = table.number("time", Quantity::time, Range::not_negative());
     imbalance.mr = table.number("mr", Quantity::imbalance);
     imbalance.phase = table.number_or("phase", 0, Quantity::angle);

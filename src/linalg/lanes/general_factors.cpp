@@ -15,12 +15,12 @@ int place_of(const GeneralFactors::Sparse &pattern, int row, int column) {
 
 } // namespace
 
-GeneralFactors::GeneralFactors(const Sparse &pattern) {
-    const SymmetricFactor one(pattern);
-    _order = one._order;
-    _first = one._first;
-    _reach_first = one._reach_first;
-    _start = one._start;
+GeneralFactors::GeneralFactors(const Sparse &pattern)
+    : GeneralFactors(pattern, SymmetricFactor(pattern)) {}
+
+GeneralFactors::GeneralFactors(const Sparse &pattern, const SymmetricFactor &one)
+    : EliminationPattern(one), _L(_rows.size()), _U(_rows.size()), _inverse(_order.size()),
+      _left(_order.size(), Complex4{}), _above(_order.size(), Complex4{}), _x(_order.size()) {
     for (std::size_t column = 0; column < _order.size(); ++column)
         for (int p = _first[column]; p < _first[column + 1]; ++p) {
             const auto [row, value] = one._entries[static_cast<std::size_t>(p)];
@@ -28,19 +28,6 @@ GeneralFactors::GeneralFactors(const Sparse &pattern) {
                 {row, value,
                  place_of(pattern, _order[column], _order[static_cast<std::size_t>(row)])});
         }
-    _rows.resize(one._rows.size());
-    std::vector<int> next(_start.begin(), _start.end() - 1);
-    for (std::size_t row = 0; row < _order.size(); ++row)
-        for (int r = _reach_first[row]; r < _reach_first[row + 1]; ++r) {
-            const int column = one._reach[static_cast<std::size_t>(r)];
-            const int place = next[static_cast<std::size_t>(column)]++;
-            _reach.push_back({column, place});
-            _rows[static_cast<std::size_t>(place)] = static_cast<int>(row);
-        }
-    for (Vector4 *factor : {&_L, &_U})
-        factor->resize(_rows.size());
-    for (Vector4 *vector : {&_inverse, &_left, &_above, &_x})
-        vector->assign(_order.size(), Complex4{});
 }
 
 /// Row k of L and column k of U by those before.

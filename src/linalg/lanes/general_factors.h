@@ -1,7 +1,7 @@
 #pragma once
 
-#include "linalg/complex_factors.h"
 #include "linalg/lanes/complex4.h"
+#include "linalg/lanes/elimination_pattern.h"
 
 #include <array>
 #include <vector>
@@ -9,8 +9,9 @@
 namespace whirl::linalg {
 
 /// L U of four complex matrices at once, all with one pattern, which is its own mirror image, their
-/// entries are not. Rows are not exchanged: whoever solves with it looks at the residual.
-class GeneralFactors {
+/// entries are not; U has its entries where the mirror image of L has. Rows are not exchanged:
+/// whoever solves with it looks at the residual.
+class GeneralFactors : private EliminationPattern {
   public:
     using Sparse = Eigen::SparseMatrix<std::complex<double>>;
 
@@ -25,21 +26,13 @@ class GeneralFactors {
     void solve_transposed(Vector4 &b) const;
 
   private:
+    GeneralFactors(const Sparse &pattern, const SymmetricFactor &one);
+
     /// An entry above the diagonal, or on it, and its mirror image: places in the pattern.
     struct Entry {
         int row, upper, lower;
     };
-    /// A column of L and row of U in which a row of L and column of U has an entry, and its place.
-    struct Reach {
-        int column, place;
-    };
-    std::vector<int> _order;       ///< unknown eliminated at each step
-    std::vector<int> _first;       ///< of each column in `_entries`
-    std::vector<Entry> _entries;   ///< by column, in the order of elimination
-    std::vector<int> _reach_first; ///< of each row in `_reach`
-    std::vector<Reach> _reach;
-    std::vector<int> _start; ///< of each column in `_rows`, `_L`, `_U`
-    std::vector<int> _rows;  ///< of L below the diagonal, and columns of U behind it
+    std::vector<Entry> _entries; ///< by column, in the order of elimination
     Vector4 _L, _U, _inverse;
     Vector4 _left, _above; ///< a row and a column at work, zero between calls
     mutable Vector4 _x;

@@ -6,19 +6,8 @@
 namespace whirl::linalg {
 
 SymmetricFactors::SymmetricFactors(const SymmetricFactor &one)
-    : _order(one._order), _first(one._first), _entries(one._entries),
-      _reach_first(one._reach_first), _start(one._start), _rows(one._rows.size()),
-      _L(one._rows.size()), _D(one._order.size()), _inverse(one._order.size()),
-      _work(one._order.size(), Complex4{}), _x(one._order.size()) {
-    std::vector<int> next(_start.begin(), _start.end() - 1);
-    for (std::size_t row = 0; row < _order.size(); ++row)
-        for (int r = _reach_first[row]; r < _reach_first[row + 1]; ++r) {
-            const int column = one._reach[static_cast<std::size_t>(r)];
-            const int place = next[static_cast<std::size_t>(column)]++;
-            _reach.push_back({column, place});
-            _rows[static_cast<std::size_t>(place)] = static_cast<int>(row);
-        }
-}
+    : EliminationPattern(one), _entries(one._entries), _L(_rows.size()), _D(_order.size()),
+      _inverse(_order.size()), _work(_order.size(), Complex4{}), _x(_order.size()) {}
 
 std::vector<int> SymmetricFactors::places(std::size_t nonzeros) const {
     std::vector<int> out(nonzeros, -1);

@@ -2,6 +2,7 @@
 
 #include "linalg/complex_factors.h"
 #include "linalg/lanes/complex4.h"
+#include "linalg/lanes/elimination_pattern.h"
 
 #include <vector>
 
@@ -9,7 +10,7 @@ namespace whirl::linalg {
 
 /// L D L^T of four complex symmetric matrices at once, all with one pattern. Rows are not
 /// exchanged: whoever solves with it looks at the residual.
-class SymmetricFactors {
+class SymmetricFactors : private EliminationPattern {
   public:
     /// @param one  its pattern and order of elimination
     explicit SymmetricFactors(const SymmetricFactor &one);
@@ -30,18 +31,7 @@ class SymmetricFactors {
     [[nodiscard]] std::array<double, lanes> determinant_phases() const;
 
   private:
-    friend class RealEnergies;
-    std::vector<int> _order; ///< unknown eliminated at each step
-    std::vector<int> _first; ///< of each column in `_entries`
-    std::vector<SymmetricFactor::Entry> _entries;
-    std::vector<int> _reach_first; ///< of each row in `_reach`
-    /// A column of L in which a row has an entry, and the place of that in L.
-    struct Reach {
-        int column, place;
-    };
-    std::vector<Reach> _reach;
-    std::vector<int> _start; ///< of each column in `_rows`, `_L`
-    std::vector<int> _rows;  ///< of L below the diagonal
+    std::vector<SymmetricFactor::Entry> _entries; ///< by column, in the order of elimination
     Vector4 _L, _D, _inverse;
     Vector4 _work; ///< zero between calls
     mutable Vector4 _x;

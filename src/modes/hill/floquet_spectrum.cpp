@@ -44,11 +44,7 @@ FloquetSpectrum::FloquetSpectrum(const assembly::Discretization &discretization,
       _shapes(std::move(shapes)), _tables(discretization.rotor().bearings_depend_on_speed()) {}
 
 const periodic::System &FloquetSpectrum::system(double speed) const {
-    if (!_system || (_tables && speed != _system_speed))
-        _system = std::make_unique<periodic::System>(_discretization, _tables ? speed : 0,
-                                                     _balancers, _shapes.get());
-    _system_speed = speed;
-    return *_system;
+    return _system.at(_discretization, speed, _balancers, _shapes.get());
 }
 
 /// At one speed of those that differ by no more than a fifth.

@@ -39,8 +39,7 @@ class FloquetSpectrum {
     std::vector<balancers::BalancerElement> _balancers;
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
     bool _tables;
-    mutable std::unique_ptr<periodic::System> _system;
-    mutable double _system_speed = 0; ///< with tables: whose bearings it has
+    mutable periodic::KeptSystem _system;
     mutable std::map<int, std::unique_ptr<RotatingSpectrum>> _series; ///< by harmonics
     mutable double _series_speed = 0;     ///< with tables: whose bearings they have
     mutable std::map<int, double> _usual; ///< by modes: reach that was enough last time, rad/s

@@ -108,7 +108,7 @@ bool ExponentialAdams::evaluate(Point &at) {
     return true;
 }
 
-void ExponentialAdams::start(double t, const double *y) {
+void ExponentialAdams::start(double t, const double *y, double /*step*/) {
     _t = _end = t;
     _now.y = Eigen::Map<const Eigen::VectorXd>(y, _problem.size);
     decompose(_now);

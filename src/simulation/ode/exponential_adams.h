@@ -2,7 +2,7 @@
 
 #include "linalg/lanes/small_products.h"
 #include "simulation/ode/adams_weights.h"
-#include "simulation/ode/ode_problem.h"
+#include "simulation/ode/integrator.h"
 
 #include <Eigen/Core>
 
@@ -18,22 +18,18 @@ namespace whirl::simulation {
 /// Of an OdeProblem whose rates do not depend on time in the turning axes, with its `linear` part.
 /// Steps are equal parts of the way to the next stop, so that the differences last over it; they
 /// change by halves and doubles on the way and freely at a stop.
-class ExponentialAdams {
+class ExponentialAdams : public Integrator {
   public:
     /// @param problem  must outlive this
     explicit ExponentialAdams(const OdeProblem &problem);
 
-    /// @param y  in the turning axes
-    void start(double t, const double *y);
-    /// As OdeSolver::step().
-    double step(double end);
-    /// In the turning axes.
-    [[nodiscard]] const double *state() const { return _now.y.data(); }
-    /// The same after this share (between 0 and 1) of the last step; valid until the next call.
-    [[nodiscard]] const double *within(double share);
-    [[nodiscard]] double next_step() const { return _h; }
-    [[nodiscard]] double last_step() const { return _last_step; }
-    [[nodiscard]] const OdeCounts &counts() const { return _counts; }
+    void start(double t, const double *y, double step) override;
+    double step(double end) override;
+    [[nodiscard]] const double *state() const override { return _now.y.data(); }
+    [[nodiscard]] const double *within(double share) override;
+    [[nodiscard]] double next_step() const override { return _h; }
+    [[nodiscard]] double last_step() const override { return _last_step; }
+    [[nodiscard]] OdeCounts counts() const override { return _counts; }
 
   private:
     static constexpr int most = 12;             ///< order of the estimate

@@ -1,112 +1,20 @@
 #include "simulation/ode/ode_solver.h"
 
-#include "linalg/check.h"
+#include "simulation/ode/arkode.h"
 #include "simulation/ode/exponential_adams.h"
-#include "simulation/ode/runge_kutta.h"
-
-#include <arkode/arkode_arkstep.h>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace whirl::simulation {
 
-namespace {
-
-struct FreeContext {
-    void operator()(SUNContext context) const { SUNContext_Free(&context); }
-};
-struct FreeVector {
-    void operator()(N_Vector vector) const { N_VDestroy(vector); }
-};
-struct FreeMatrix {
-    void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
-};
-struct FreeSolver {
-    void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
-struct FreeStepper {
-    void operator()(void *memory) const { ARKStepFree(&memory); }
-};
-struct FreeTable {
-    void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
-};
-template <class T, class Free> using Handle = std::unique_ptr<std::remove_pointer_t<T>, Free>;
-
-/// What the integrator's own word for a failure means.
-std::string in_words(int flag) {
-    switch (flag) {
-    case ARK_TOO_MUCH_ACC:
-        return "the tolerance is below what double precision can follow";
-    case ARK_ILL_INPUT:
-    case ARK_TOO_CLOSE:
-        return "the time is too short to make a step";
-    case ARK_TOO_MUCH_WORK:
-        return "too many steps";
-    case ARK_ERR_FAILURE:
-    case ARK_CONV_FAILURE:
-        return "no step is small enough to meet the tolerance";
-    case ARK_RHSFUNC_FAIL:
-    case ARK_UNREC_RHSFUNC_ERR:
-    case ARK_REPTD_RHSFUNC_ERR:
-        return "the motion grows beyond all numbers";
-    default:
-        return "the integrator gave up (code " + std::to_string(flag) + ")";
-    }
-}
-
-void require(int flag) {
-    if (flag < 0)
-        throw linalg::SolverError(in_words(flag));
-}
-
-void silent(int /*code*/, const char * /*module*/, const char * /*function*/, char * /*message*/,
-            void * /*data*/) {}
-
-/// Sums over the stages of a step take a good part of the time for small systems: one pass over
-/// the entries, made for the compiler to vectorise, instead of one pass a stage.
-int linear_combination(int count, double *factors, N_Vector *vectors, N_Vector out) {
-    const auto size = static_cast<Eigen::Index>(N_VGetLength(out));
-    const auto array = [size](N_Vector v) {
-        return Eigen::Map<Eigen::ArrayXd>(N_VGetArrayPointer(v), size);
-    };
-    // `out` may be the first of the vectors, and none of the others.
-    auto sum = array(out);
-    sum = factors[0] * array(vectors[0]);
-    int i = 1;
-    for (; i + 2 < count; i += 3)
-        sum += factors[i] * array(vectors[i]) + factors[i + 1] * array(vectors[i + 1]) +
-               factors[i + 2] * array(vectors[i + 2]);
-    for (; i < count; ++i)
-        sum += factors[i] * array(vectors[i]);
-    return 0;
-}
-
-} // namespace
-
 struct OdeSolver::Data {
     OdeProblem problem;
-    OdeMethod method;
-    // In the order of their making; destroyed from the last to the first.
-    Handle<SUNContext, FreeContext> context;
-    Handle<N_Vector, FreeVector> y;
-    Handle<SUNMatrix, FreeMatrix> jacobian;
-    Handle<SUNLinearSolver, FreeSolver> linear;
-    std::unique_ptr<void, FreeStepper> stepper;
-    std::unique_ptr<ExponentialAdams> adams; ///< in place of all these
+    std::unique_ptr<Integrator> integrator = nullptr; ///< of `problem`
     double t = 0;
-    OdeCounts before;            ///< of what ran before the last start
-    std::vector<double> resting; ///< y in axes that stand still, where those of `y` turn
+    std::vector<double> resting = {}; ///< y in axes that stand still, where those of it turn
 
     [[nodiscard]] bool turns() const { return problem.axes.speed != 0; }
 
@@ -131,171 +39,44 @@ struct OdeSolver::Data {
         turn(std::cos(problem.axes.speed * at), std::sin(problem.axes.speed * at), resting.data());
         return resting.data();
     }
-
-    /// dy/dt; in turning axes less i speed y, for these turn away.
-    void rates_in_axes(double at, const double *y, double *out) const {
-        if (!turns()) {
-            problem.rates(at, y, out);
-            return;
-        }
-        const TurningAxes &axes = problem.axes;
-        problem.rates(0, y, out);
-        for (const int first : axes.first)
-            for (int i = first; i < first + axes.count; ++i) {
-                out[i] += axes.speed * y[i + axes.count];
-                out[i + axes.count] -= axes.speed * y[i];
-            }
-    }
-
-    static int rates(double t, N_Vector y, N_Vector out, void *self) {
-        auto &data = *static_cast<Data *>(self);
-        const auto &problem = data.problem;
-        double *values = N_VGetArrayPointer(out);
-        data.rates_in_axes(t, N_VGetArrayPointer(y), values);
-        // A trial step that is far too long may overflow: it is repeated with a shorter one.
-        const bool finite = std::all_of(values, values + problem.size,
-                                        [](double value) { return std::isfinite(value); });
-        return finite ? 0 : 1;
-    }
-
-    static int weights(N_Vector y, N_Vector out, void *self) {
-        const auto &problem = static_cast<Data *>(self)->problem;
-        double *values = N_VGetArrayPointer(out);
-        problem.allowed_error(N_VGetArrayPointer(y), values);
-        for (int i = 0; i < problem.size; ++i)
-            values[i] = 1 / values[i];
-        return 0;
-    }
-
-    void create() {
-        const bool implicit = method == OdeMethod::implicit_stiff;
-        stepper.reset(ARKStepCreate(implicit ? nullptr : rates, implicit ? rates : nullptr, t,
-                                    y.get(), context.get()));
-        if (!stepper)
-            throw linalg::SolverError("the integrator cannot start");
-        void *memory = stepper.get();
-        require(ARKStepSetErrHandlerFn(memory, silent, nullptr));
-        require(ARKStepSetUserData(memory, this));
-        require(ARKStepWFtolerances(memory, weights));
-        require(ARKStepSetMaxNumSteps(memory, -1));
-        require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
-        if (!implicit) {
-            set_explicit_table();
-            return;
-        }
-        require(ARKStepSetTableNum(memory, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE));
-        require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
-        require(ARKStepSetDeduceImplicitRhs(memory, 1));
-    }
-
-    void set_explicit_table() {
-        RungeKuttaPair pair = verner_pair();
-        std::vector<double> a;
-        for (const auto &row : pair.a)
-            a.insert(a.end(), row.begin(), row.end());
-        const Handle<ARKodeButcherTable, FreeTable> table(ARKodeButcherTable_Create(
-            RungeKuttaPair::stages, pair.order, pair.embedded, pair.c.data(), a.data(),
-            pair.b.data(), pair.embedded_b.data()));
-        if (!table)
-            throw linalg::SolverError("the integrator cannot start");
-        // The estimate is the error of order 7, and the solution goes on with order 8: it is taken
-        // as it is.
-        require(ARKStepSetErrorBias(stepper.get(), 1.0));
-        require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
-    }
 };
 
-OdeSolver::OdeSolver(OdeProblem problem, OdeMethod method) : _data(std::make_unique<Data>()) {
+OdeSolver::OdeSolver(OdeProblem problem, OdeMethod method)
+    : _data(std::make_unique<Data>(Data{std::move(problem)})) {
     Data &d = *_data;
-    d.problem = std::move(problem);
-    d.method = method;
     d.resting.resize(d.problem.size);
-    if (method == OdeMethod::exponential) {
-        d.adams = std::make_unique<ExponentialAdams>(d.problem);
-        return;
-    }
-    SUNContext context = nullptr;
-    if (SUNContext_Create(nullptr, &context) != 0)
-        throw linalg::SolverError("SUNDIALS: cannot start");
-    d.context.reset(context);
-    d.y.reset(N_VNew_Serial(d.problem.size, context));
-    d.y->ops->nvlinearcombination = linear_combination;
-    if (method == OdeMethod::implicit_stiff) {
-        d.jacobian.reset(SUNDenseMatrix(d.problem.size, d.problem.size, context));
-        d.linear.reset(SUNLinSol_Dense(d.y.get(), d.jacobian.get(), context));
-    }
+    if (method == OdeMethod::exponential)
+        d.integrator = std::make_unique<ExponentialAdams>(d.problem);
+    else
+        d.integrator = std::make_unique<Arkode>(d.problem, method == OdeMethod::implicit_stiff);
 }
 
 OdeSolver::~OdeSolver() = default;
 
 void OdeSolver::start(double t, const double *y, double step) {
     Data &d = *_data;
-    d.before = counts();
-    double *own = d.y ? N_VGetArrayPointer(d.y.get()) : d.resting.data();
-    std::copy(y, y + d.problem.size, own);
+    d.t = t;
+    std::copy(y, y + d.problem.size, d.resting.data());
     const double angle = d.problem.axes.speed * t;
     if (d.turns())
-        d.turn(std::cos(angle), -std::sin(angle), own);
-    d.t = t;
-    if (d.adams) {
-        d.adams->start(t, own);
-        return;
-    }
-    d.create();
-    if (step > 0)
-        require(ARKStepSetInitStep(d.stepper.get(), step));
+        d.turn(std::cos(angle), -std::sin(angle), d.resting.data());
+    d.integrator->start(t, d.resting.data(), step);
 }
 
-double OdeSolver::step(double end) {
-    Data &d = *_data;
-    if (d.adams)
-        return d.t = d.adams->step(end);
-    require(ARKStepSetStopTime(d.stepper.get(), end));
-    require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP));
-    double last = 0;
-    require(ARKStepGetLastStep(d.stepper.get(), &last));
-    // Ever shorter steps towards a moment at which the rates cease to be numbers.
-    if (d.t < end && std::abs(last) < 16 * std::numeric_limits<double>::epsilon() * std::abs(d.t))
-        throw linalg::SolverError("the steps become too short to go on");
-    return d.t;
-}
+double OdeSolver::step(double end) { return _data->t = _data->integrator->step(end); }
 
-double OdeSolver::next_step() const {
-    if (_data->adams)
-        return _data->adams->next_step();
-    double step = 0;
-    require(ARKStepGetCurrentStep(_data->stepper.get(), &step));
-    return step;
-}
+double OdeSolver::next_step() const { return _data->integrator->next_step(); }
 
 const double *OdeSolver::state() const {
-    Data &d = *_data;
-    return d.in_resting_axes(d.adams ? d.adams->state() : N_VGetArrayPointer(d.y.get()), d.t);
+    return _data->in_resting_axes(_data->integrator->state(), _data->t);
 }
 
 const double *OdeSolver::within(double share) const {
-    ExponentialAdams &adams = *_data->adams;
-    return _data->in_resting_axes(adams.within(share), _data->t - (1 - share) * adams.last_step());
+    Integrator &integrator = *_data->integrator;
+    return _data->in_resting_axes(integrator.within(share),
+                                  _data->t - (1 - share) * integrator.last_step());
 }
 
-OdeCounts OdeSolver::counts() const {
-    if (_data->adams)
-        return _data->adams->counts();
-    OdeCounts total = _data->before;
-    if (!_data->stepper)
-        return total;
-    long explicit_rates = 0;
-    long implicit_rates = 0;
-    long steps = 0;
-    long failed = 0;
-    void *memory = _data->stepper.get();
-    require(ARKStepGetNumSteps(memory, &steps));
-    require(ARKStepGetNumErrTestFails(memory, &failed));
-    require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates));
-    total.steps += steps;
-    total.failed += failed;
-    total.rates += explicit_rates + implicit_rates;
-    return total;
-}
+OdeCounts OdeSolver::counts() const { return _data->integrator->counts(); }
 
 } // namespace whirl::simulation

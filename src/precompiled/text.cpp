@@ -1,0 +1,1 @@
+// The precompiled header stands before this; what it has of functions is compiled here (whirl_instances).

@@ -1,0 +1,253 @@
+#include "simulation/ode/arkode.h"
+
+#include "linalg/check.h"
+#include "simulation/ode/runge_kutta.h"
+
+#include <arkode/arkode_arkstep.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace whirl::simulation {
+
+namespace {
+
+struct FreeContext {
+    void operator()(SUNContext context) const { SUNContext_Free(&context); }
+};
+struct FreeVector {
+    void operator()(N_Vector vector) const { N_VDestroy(vector); }
+};
+struct FreeMatrix {
+    void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
+};
+struct FreeSolver {
+    void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
+};
+struct FreeStepper {
+    void operator()(void *memory) const { ARKStepFree(&memory); }
+};
+struct FreeTable {
+    void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
+};
+template <class T, class Free> using Handle = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+
+/// What the integrator's own word for a failure means.
+std::string in_words(int flag) {
+    switch (flag) {
+    case ARK_TOO_MUCH_ACC:
+        return "the tolerance is below what double precision can follow";
+    case ARK_ILL_INPUT:
+    case ARK_TOO_CLOSE:
+        return "the time is too short to make a step";
+    case ARK_TOO_MUCH_WORK:
+        return "too many steps";
+    case ARK_ERR_FAILURE:
+    case ARK_CONV_FAILURE:
+        return "no step is small enough to meet the tolerance";
+    case ARK_RHSFUNC_FAIL:
+    case ARK_UNREC_RHSFUNC_ERR:
+    case ARK_REPTD_RHSFUNC_ERR:
+        return "the motion grows beyond all numbers";
+    default:
+        return "the integrator gave up (code " + std::to_string(flag) + ")";
+    }
+}
+
+void require(int flag) {
+    if (flag < 0)
+        throw linalg::SolverError(in_words(flag));
+}
+
+void silent(int /*code*/, const char * /*module*/, const char * /*function*/, char * /*message*/,
+            void * /*data*/) {}
+
+/// Sums over the stages of a step take a good part of the time for small systems: one pass over
+/// the entries, made for the compiler to vectorise, instead of one pass a stage.
+int linear_combination(int count, double *factors, N_Vector *vectors, N_Vector out) {
+    const auto size = static_cast<Eigen::Index>(N_VGetLength(out));
+    const auto array = [size](N_Vector v) {
+        return Eigen::Map<Eigen::ArrayXd>(N_VGetArrayPointer(v), size);
+    };
+    // `out` may be the first of the vectors, and none of the others.
+    auto sum = array(out);
+    sum = factors[0] * array(vectors[0]);
+    int i = 1;
+    for (; i + 2 < count; i += 3)
+        sum += factors[i] * array(vectors[i]) + factors[i + 1] * array(vectors[i + 1]) +
+               factors[i + 2] * array(vectors[i + 2]);
+    for (; i < count; ++i)
+        sum += factors[i] * array(vectors[i]);
+    return 0;
+}
+
+} // namespace
+
+struct Arkode::Data {
+    const OdeProblem &problem;
+    bool stiff;
+    // In the order of their making; destroyed from the last to the first.
+    Handle<SUNContext, FreeContext> context = nullptr;
+    Handle<N_Vector, FreeVector> y = nullptr;
+    Handle<SUNMatrix, FreeMatrix> jacobian = nullptr;
+    Handle<SUNLinearSolver, FreeSolver> linear = nullptr;
+    std::unique_ptr<void, FreeStepper> stepper = nullptr;
+    double t = 0;
+    OdeCounts before = {}; ///< of what ran before the last start
+
+    /// dy/dt; in turning axes less i speed y, for these turn away.
+    void rates_in_axes(double at, const double *y, double *out) const {
+        const TurningAxes &axes = problem.axes;
+        if (axes.speed == 0) {
+            problem.rates(at, y, out);
+            return;
+        }
+        problem.rates(0, y, out);
+        for (const int first : axes.first)
+            for (int i = first; i < first + axes.count; ++i) {
+                out[i] += axes.speed * y[i + axes.count];
+                out[i + axes.count] -= axes.speed * y[i];
+            }
+    }
+
+    static int rates(double t, N_Vector y, N_Vector out, void *self) {
+        auto &data = *static_cast<Data *>(self);
+        const auto &problem = data.problem;
+        double *values = N_VGetArrayPointer(out);
+        data.rates_in_axes(t, N_VGetArrayPointer(y), values);
+        // A trial step that is far too long may overflow: it is repeated with a shorter one.
+        const bool finite = std::all_of(values, values + problem.size,
+                                        [](double value) { return std::isfinite(value); });
+        return finite ? 0 : 1;
+    }
+
+    static int weights(N_Vector y, N_Vector out, void *self) {
+        const auto &problem = static_cast<Data *>(self)->problem;
+        double *values = N_VGetArrayPointer(out);
+        problem.allowed_error(N_VGetArrayPointer(y), values);
+        for (int i = 0; i < problem.size; ++i)
+            values[i] = 1 / values[i];
+        return 0;
+    }
+
+    void create() {
+        stepper.reset(ARKStepCreate(stiff ? nullptr : rates, stiff ? rates : nullptr, t, y.get(),
+                                    context.get()));
+        if (!stepper)
+            throw linalg::SolverError("the integrator cannot start");
+        void *memory = stepper.get();
+        require(ARKStepSetErrHandlerFn(memory, silent, nullptr));
+        require(ARKStepSetUserData(memory, this));
+        require(ARKStepWFtolerances(memory, weights));
+        require(ARKStepSetMaxNumSteps(memory, -1));
+        require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
+        if (!stiff) {
+            set_explicit_table();
+            return;
+        }
+        require(ARKStepSetTableNum(memory, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE));
+        require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
+        require(ARKStepSetDeduceImplicitRhs(memory, 1));
+    }
+
+    void set_explicit_table() {
+        RungeKuttaPair pair = verner_pair();
+        std::vector<double> a;
+        for (const auto &row : pair.a)
+            a.insert(a.end(), row.begin(), row.end());
+        const Handle<ARKodeButcherTable, FreeTable> table(ARKodeButcherTable_Create(
+            RungeKuttaPair::stages, pair.order, pair.embedded, pair.c.data(), a.data(),
+            pair.b.data(), pair.embedded_b.data()));
+        if (!table)
+            throw linalg::SolverError("the integrator cannot start");
+        // The estimate is the error of order 7, and the solution goes on with order 8: it is taken
+        // as it is.
+        require(ARKStepSetErrorBias(stepper.get(), 1.0));
+        require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
+    }
+};
+
+Arkode::Arkode(const OdeProblem &problem, bool stiff)
+    : _data(std::make_unique<Data>(Data{problem, stiff})) {
+    Data &d = *_data;
+    SUNContext context = nullptr;
+    if (SUNContext_Create(nullptr, &context) != 0)
+        throw linalg::SolverError("SUNDIALS: cannot start");
+    d.context.reset(context);
+    d.y.reset(N_VNew_Serial(problem.size, context));
+    d.y->ops->nvlinearcombination = linear_combination;
+    if (stiff) {
+        d.jacobian.reset(SUNDenseMatrix(problem.size, problem.size, context));
+        d.linear.reset(SUNLinSol_Dense(d.y.get(), d.jacobian.get(), context));
+    }
+}
+
+Arkode::~Arkode() = default;
+
+void Arkode::start(double t, const double *y, double step) {
+    Data &d = *_data;
+    d.before = counts();
+    std::copy(y, y + d.problem.size, N_VGetArrayPointer(d.y.get()));
+    d.t = t;
+    d.create();
+    if (step > 0)
+        require(ARKStepSetInitStep(d.stepper.get(), step));
+}
+
+double Arkode::step(double end) {
+    Data &d = *_data;
+    require(ARKStepSetStopTime(d.stepper.get(), end));
+    require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP));
+    // Ever shorter steps towards a moment at which the rates cease to be numbers.
+    if (d.t < end &&
+        std::abs(last_step()) < 16 * std::numeric_limits<double>::epsilon() * std::abs(d.t))
+        throw linalg::SolverError("the steps become too short to go on");
+    return d.t;
+}
+
+const double *Arkode::state() const { return N_VGetArrayPointer(_data->y.get()); }
+
+const double *Arkode::within(double /*share*/) {
+    throw linalg::SolverError("states within a step are not known");
+}
+
+double Arkode::last_step() const {
+    double step = 0;
+    require(ARKStepGetLastStep(_data->stepper.get(), &step));
+    return step;
+}
+
+double Arkode::next_step() const {
+    double step = 0;
+    require(ARKStepGetCurrentStep(_data->stepper.get(), &step));
+    return step;
+}
+
+OdeCounts Arkode::counts() const {
+    OdeCounts total = _data->before;
+    if (!_data->stepper)
+        return total;
+    long explicit_rates = 0;
+    long implicit_rates = 0;
+    long steps = 0;
+    long failed = 0;
+    void *memory = _data->stepper.get();
+    require(ARKStepGetNumSteps(memory, &steps));
+    require(ARKStepGetNumErrTestFails(memory, &failed));
+    require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates));
+    total.steps += steps;
+    total.failed += failed;
+    total.rates += explicit_rates + implicit_rates;
+    return total;
+}
+
+} // namespace whirl::simulation
