@@ -140,6 +140,8 @@ void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.com
 
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
+    if (a.complex_left.size() == 0)
+        return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
     return a.complex_left.col(i).cwiseProduct(b.complex_right.col(j)).sum() *
            b.complex_left.col(j).cwiseProduct(a.complex_right.col(i)).sum();
 }
