@@ -4,6 +4,7 @@
 #include "results/formulation.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::tracking {
 
@@ -139,7 +140,8 @@ ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b
     const Matching direct = match_by_vectors(a, b, _important);
     const bool last = depth == deepest || _budget <= 0 || _left_in_step <= 0;
     const bool planar = results::is_planar(_solver.form());
-    if (!direct.ambiguous && (last || !may_veer(a, b, direct, _important, planar)))
+    const bool fine = std::abs(b.spectrum.speed - a.spectrum.speed) <= _finest;
+    if (!direct.ambiguous && (last || fine || !may_veer(a, b, direct, _important, planar)))
         return plain(direct, a.spectrum, b.spectrum);
     if (last) {
         _cut_short = _cut_short || _budget <= 0;
@@ -173,7 +175,9 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
                int important, std::optional<int> most_between) {
     // Most steps need none; an event (modes veer, or turn real) needs eight.
     const int budget = most_between.value_or(100 + 4 * static_cast<int>(spectra.size()));
-    ModeFollower follower(solver, important, budget);
+    constexpr double finest = 1.0 / 400; // of the range, whatever its grid
+    ModeFollower follower(solver, important, budget,
+                          finest * std::abs(spectra.back().speed - spectra.front().speed));
     GrowingLines lines(spectra.size());
     Tracking out;
     Snapshot a = follower.snapshot(spectra.front());
