@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -22,8 +21,8 @@ struct Usual {
     const char *unit;
     const char *example;
 };
-constexpr double no_limit = std::numeric_limits<double>::infinity(); // a shaft made rigid
-constexpr Usual of_modulus{5e8, no_limit, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
+constexpr Usual of_modulus{5e8, 1.3e12, "Pa", "steel has 2.1e11 Pa, \"210 GPa\""};
+constexpr double made_rigid = 5e13; // Pa: no slip by a power of ten or two
 constexpr Usual of_density{200, 25000, "kg/m3", "steel has 7850 kg/m3, \"7.85 g/cm3\""};
 constexpr double massless = 1e-3; // kg/m3: a shaft made so
 constexpr Usual of_length{1e-3, 60, "m", "lengths are in m unless they have a unit: \"1200 mm\""};
@@ -66,7 +65,8 @@ void check_density(double rho, Remarks &remarks) {
 void check_shaft(const model::Shaft &shaft, Remarks &remarks) {
     remarks.check("a shaft length", shaft.length(), of_length);
     for (const model::Segment &segment : shaft.segments) {
-        remarks.check("a modulus E", segment.material.E, of_modulus);
+        if (segment.material.E < made_rigid)
+            remarks.check("a modulus E", segment.material.E, of_modulus);
         check_density(segment.material.rho, remarks);
         remarks.check("a shaft diameter", std::max(segment.outer_start, segment.outer_end),
                       of_diameter);

@@ -211,6 +211,8 @@ Complex transposed_product(const Eigen::MatrixXcd &A, Eigen::Index i, const Eige
 
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
+    if (a.complex_left.size() == 0)
+        return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
     return transposed_product(a.complex_left, i, b.complex_right, j) *
            transposed_product(b.complex_left, j, a.complex_right, i);
 }

@@ -54,7 +54,7 @@ struct ModeBasis {
 /// a mode and itself, 0 for two modes of one speed. Rows of a, columns of b.
 [[nodiscard]] Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b);
 
-/// One of these products, with its phase; complex vectors.
+/// One of these products, with its phase; of a mode itself, not of its copies.
 [[nodiscard]] std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                                            Eigen::Index j);
 

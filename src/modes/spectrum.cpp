@@ -246,6 +246,10 @@ std::unique_ptr<SpectrumSolver> SpectrumSolver::by_monodromy(double from, double
 
 bool SpectrumSolver::by_matrix() const { return _data->floquet != nullptr; }
 
+bool SpectrumSolver::by_matrix(double speed, int wanted) const {
+    return by_matrix() && _data->floquet->tells(speed, wanted);
+}
+
 bool SpectrumSolver::follows() const { return _data->following != nullptr; }
 
 std::vector<WhirlMode> SpectrumSolver::near(double speed,

@@ -81,6 +81,9 @@ class SpectrumSolver {
                                                                int wanted) const;
     /// This is such a rotor: a speed costs little.
     [[nodiscard]] bool by_matrix() const;
+    /// Of such a rotor: it does so, for it is not next to rest, where its matrix cannot tell as
+    /// many modes (FloquetSpectrum::tells).
+    [[nodiscard]] bool by_matrix(double speed, int wanted) const;
     /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
     /// beside; not a number where it is not clear which one a mode becomes.
     [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;

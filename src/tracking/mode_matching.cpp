@@ -197,6 +197,26 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
     return out;
 }
 
+bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching, int important,
+              bool planar) {
+    // Of a veering as wide as a hundredth of a step this much is left at the ends of the step.
+    constexpr double hardly = 1e-4;
+    const auto &modes = a.spectrum.modes;
+    const auto next = [&](std::size_t i) { return static_cast<std::size_t>(matching.to[i]); };
+    const auto mixed = [&](std::size_t i, std::size_t j) {
+        return std::abs(modes::overlap(a.basis, b.basis, static_cast<Eigen::Index>(i),
+                                       static_cast<Eigen::Index>(j))) > hardly;
+    };
+    for (std::size_t k = 1; k < modes.size(); ++k)
+        for (std::size_t i = 0; i < k && static_cast<int>(i) < important; ++i)
+            if (matching.to[i] > matching.to[k] && matching.to[k] != Matching::none &&
+                matching.to[k] < important && modes[i].rotating_vector.size() == 0 &&
+                !(planar && modes[i].whirl != modes[k].whirl) &&
+                (mixed(i, next(k)) || mixed(k, next(i))))
+                return true;
+    return false;
+}
+
 Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
     const Eigen::MatrixXd overlap = overlaps_of(a, b);
     Matching out = nothing_matched(overlap);

@@ -33,6 +33,13 @@ struct Matching {
 /// of either speed has no sure partner.
 [[nodiscard]] Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important);
 
+/// Whether two of the `important` lowest modes change places in frequency between the speeds while
+/// a part of each goes over into the other: they may veer instead of crossing, within a part of the
+/// step that the overlaps step over. Not asked in rotating axes, where lines stay on each other.
+/// @param planar  modes of opposite whirl are of opposite frequencies and never meet
+[[nodiscard]] bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching,
+                            int important, bool planar);
+
 /// What is left unsure is settled within groups of modes that span one space at both speeds (modes
 /// that come close mix): by continuity of eigenvalues and their slopes.
 [[nodiscard]] Matching match_by_groups(const Snapshot &a, const Snapshot &b);

@@ -1,6 +1,10 @@
 #include "tracking/tracking.h"
 
+#include "model/errors.h"
+#include "results/formulation.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::tracking {
 
@@ -134,20 +138,30 @@ ModeFollower::Followed ModeFollower::settle(const Snapshot &a, const Snapshot &b
 
 ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b, int depth) {
     const Matching direct = match_by_vectors(a, b, _important);
-    if (!direct.ambiguous)
+    const bool last = depth == deepest || _budget <= 0 || _left_in_step <= 0;
+    const bool planar = results::is_planar(_solver.form());
+    const bool fine = std::abs(b.spectrum.speed - a.spectrum.speed) <= _finest;
+    if (!direct.ambiguous && (last || fine || !may_veer(a, b, direct, _important, planar)))
         return plain(direct, a.spectrum, b.spectrum);
-    if (depth == deepest || _budget <= 0 || _left_in_step <= 0) {
+    if (last) {
         _cut_short = _cut_short || _budget <= 0;
         return settle(a, b);
     }
-    --_budget;
-    --_left_in_step;
     const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
     const auto wanted =
         static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
-    const Snapshot between = snapshot(_solver.at(middle, wanted));
-    const Followed first = follow(a, between, depth + 1);
-    return joined(first, follow(between, b, depth + 1));
+    if (_solver.by_matrix() && !_solver.by_matrix(middle, wanted))
+        return settle(a, b);
+    --_budget;
+    --_left_in_step;
+    std::optional<Snapshot> between;
+    try {
+        between = snapshot(_solver.at(middle, wanted));
+    } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
+        return settle(a, b);
+    }
+    const Followed first = follow(a, *between, depth + 1);
+    return joined(first, follow(*between, b, depth + 1));
 }
 
 ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b) {
@@ -161,7 +175,9 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
                int important, std::optional<int> most_between) {
     // Most steps need none; an event (modes veer, or turn real) needs eight.
     const int budget = most_between.value_or(100 + 4 * static_cast<int>(spectra.size()));
-    ModeFollower follower(solver, important, budget);
+    constexpr double finest = 1.0 / 400; // of the range, whatever its grid
+    ModeFollower follower(solver, important, budget,
+                          finest * std::abs(spectra.back().speed - spectra.front().speed));
     GrowingLines lines(spectra.size());
     Tracking out;
     Snapshot a = follower.snapshot(spectra.front());

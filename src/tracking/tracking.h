@@ -42,8 +42,9 @@ class ModeFollower {
   public:
     /// @param important  that many of the lowest modes must be followed
     /// @param budget     speeds that may be solved beside those given, in all
-    ModeFollower(const modes::SpectrumSolver &solver, int important, int budget)
-        : _solver(solver), _important(important), _budget(budget) {}
+    /// @param finest     steps that are no longer are not halved to tell crossings from veerings
+    ModeFollower(const modes::SpectrumSolver &solver, int important, int budget, double finest)
+        : _solver(solver), _important(important), _budget(budget), _finest(finest) {}
 
     /// With the vectors of its modes.
     [[nodiscard]] Snapshot snapshot(modes::Spectrum spectrum) const;
@@ -65,6 +66,7 @@ class ModeFollower {
     const modes::SpectrumSolver &_solver;
     int _important;
     int _budget;
+    double _finest; // rad/s
     int _left_in_step = 0;
     bool _cut_short = false;
     std::vector<Gap> _gaps;

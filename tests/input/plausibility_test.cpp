@@ -27,6 +27,8 @@ TEST(Plausibility, NumbersAPowerOfTenFromAnyMachineAreNamed) {
         {{"material.steel.rho=7.81"}, "a density of 7.81 kg/m3"},
         {{"material.steel.rho=7.85e-9"}, "a density of 7.85e-09 kg/m3 makes the shaft massless"},
         {{"material.steel.E=211e6"}, "a modulus E of 2.11e+08 Pa"},
+        {{"material.steel.E=2.11e12"}, "a modulus E of 2.11e+12 Pa"},
+        {{"material.steel.E=\"21100 GPa\""}, "a modulus E of 2.11e+13 Pa"},
         {{"disc=[{z = 0.5, mass = 10, Id = 0.1, Ip = 0.2}]", "operation.from=300",
           "operation.to=11000"},
          "operation.to = 11000 is in rad/s, 105042 rpm"},

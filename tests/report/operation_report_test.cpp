@@ -59,6 +59,15 @@ TEST(OperationBand, IsCutAtTheAxis) {
               std::string::npos);
 }
 
+TEST(OperationBand, HasEdgesForWhatLiesOverIt) {
+    const model::Case scene = running_case();
+    const std::string both = operation_edges(scene, {0, 1000 * rpm});
+    for (const double speed : {100 * rpm, 200 * rpm})
+        EXPECT_NE(both.find(fmt::format("from first {:.9g},graph 0", speed)), std::string::npos);
+    EXPECT_EQ(operation_edges(scene, {0, 90 * rpm}), "");
+    EXPECT_EQ(operation_edges(model::Case{}, {0, 1000 * rpm}), "");
+}
+
 class OperationReport : public ScratchFolder {};
 
 TEST_F(OperationReport, MarginsAreInTextPageAndData) {

@@ -8,6 +8,7 @@
 #include "results/critical.h"
 #include "results/modes.h"
 #include "support/scenes.h"
+#include "support/written_case.h"
 
 #include <gtest/gtest.h>
 
@@ -185,6 +186,69 @@ TEST(NamesAgree, beyond_the_range_too_on_bearings_that_differ_between_directions
         bearing.rows = {row(2e7, 4e7, 2e6, 3e3)};
     }
     expect_names_of_shapes_beyond(scene, 100);
+}
+
+/// Overhung discs on pedestals that differ in x and y: of two lines that come near within a tenth
+/// of the range, one forward and one backward, each goes on as the other was.
+constexpr const char *pump = R"(
+[shaft]
+order = 3
+segments = [
+  {length = 0.08, outer = 0.04},
+  {length = 0.16, outer = 0.052},
+  {length = 0.09, outer = 0.045},
+]
+axial_torque = 900
+torque_kind = "tangential"
+[[disc]]
+z = 0.03
+mass = 4.5
+Id = 0.0085
+Ip = 0.0125
+[[disc]]
+z = 0.31
+mass = 7.2
+Id = 0.025
+Ip = 0.046
+[[bearing]]
+z = 0.09
+k = 60e6
+c = 900
+pedestal_kx = 110e6
+pedestal_ky = 170e6
+pedestal_mass_x = 3.0
+pedestal_mass_y = 3.6
+pedestal_cx = 500
+pedestal_cy = 700
+[[bearing]]
+z = 0.23
+k = 70e6
+c = 900
+pedestal_kx = 130e6
+pedestal_ky = 200e6
+pedestal_mass = 4
+pedestal_c = 600
+[[seal]]
+z = 0.03
+k = 4e6
+kxy = 1.5e6
+c = 600
+m = 0.4
+[speeds]
+from = 0
+to = "45000 rpm"
+)";
+
+TEST(NamesAgree, where_a_coarse_step_holds_a_veering) {
+    model::Case scene = tests::written_case(pump);
+    const auto at_the_end = [&scene](int count) {
+        scene.speeds->count = count;
+        return at(analyses::campbell(scene), static_cast<std::size_t>(count) - 1);
+    };
+    const std::vector<Named> fine = at_the_end(401);
+    ASSERT_GE(fine.size(), 8U);
+    for (const int count : {3, 11, 46})
+        EXPECT_GE(agree(fine, at_the_end(count), std::to_string(count) + " speeds"), 8);
 }
 
 } // namespace

@@ -131,4 +131,17 @@ TEST(PeriodicLines, AreModesOfTheWholeRotorsSeries) {
     }
 }
 
+/// Next to rest half a turn takes so long that the matrix knows nothing of damped motions: lines
+/// are not followed through speeds there that nobody asked for.
+TEST(PeriodicLines, AreNotLookedForWhereTheMatrixCannotTell) {
+    const model::Case scene = tests::written_case(drum);
+    const modes::SpectrumSolver whole(scene.rotor, results::Form::hill, order);
+    const auto few = whole.by_monodromy(100, 500, 10);
+    EXPECT_TRUE(few->by_matrix());
+    EXPECT_TRUE(few->by_matrix(500, 10));
+    EXPECT_FALSE(few->by_matrix(0.2, 10));
+    EXPECT_FALSE(few->by_matrix(0, 10));
+    EXPECT_FALSE(whole.by_matrix(500, 10));
+}
+
 } // namespace periodic_bands_test

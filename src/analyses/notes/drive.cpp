@@ -46,7 +46,9 @@ void note_torque(const model::Case &scene, results::StabilityResult &result) {
             "an axial torque of this kind has no potential and does work on a shaft whose ends "
             "tilt: it drives motions that grow by {:.4g} 1/s at {:.6g} rad/s; with torque_kind = "
             "\"semitangential\", which has a potential, {}. Damping of the shaft (beta, "
-            "internal_damping) holds fast motions",
+            "internal_damping) holds fast motions; without it how many grow, and ends of growth of "
+            "motions as fast as the elements resolve, change with their number and order: campbell "
+            "has the slow modes",
             *fastest, speed,
             left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
     } catch (const model::AnalysisFailure &) { // no more than a note

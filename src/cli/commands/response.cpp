@@ -10,7 +10,7 @@ namespace whirl::cli {
 Command response_command() {
     return {"response",
             "unbalance response over speed, forces at bearings",
-            {"speeds", "imbalance", "probe", "operation"},
+            {"speeds", "imbalance", "probe", "response", "operation"},
             {},
             {"cases/compressor_margins --units mm-rpm --peak-to-peak",
              "cases/compressor_margins --set \"imbalance[0].mr=50 g mm\""},

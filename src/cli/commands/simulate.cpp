@@ -61,7 +61,7 @@ void simulate_or_leave_restart(const Run &run) {
 Command simulate_command() {
     return {"simulate",
             "motion in time: run-up, sudden imbalance, forces; nonlinear with real balls",
-            {"simulate", "speeds"},
+            {"simulate", "speeds", "imbalance"},
             {},
             {"cases/runup_jeffcott", "cases/blade_loss --units mm-rpm"},
             simulate_or_leave_restart};

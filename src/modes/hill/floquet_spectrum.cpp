@@ -61,10 +61,7 @@ const FloquetSpectrum::Steady &FloquetSpectrum::steady(double speed) const {
     return out;
 }
 
-/// Motions up to a modulus as seen from the rotor; nothing where the monodromy matrix cannot tell.
-/// @param all  there are none beyond
-std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
-                                                              bool all) const {
+std::optional<int> FloquetSpectrum::steps_for(double speed, double reach) const {
     const double half_turn = std::numbers::pi / std::abs(speed);
     double growth = 0;
     double damping = 0;
@@ -78,10 +75,19 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, doub
         std::max<double>(fewest_steps, std::ceil(angle / periodic::resolved_angle));
     if ((growth + damping) * half_turn > drowned || !(steps <= most_steps))
         return std::nullopt;
+    return static_cast<int>(steps);
+}
+
+/// @param all  there are none beyond
+std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
+                                                              bool all) const {
+    const std::optional<int> steps = steps_for(speed, reach);
+    if (!steps)
+        return std::nullopt;
     RotatingSpectrum::Eigenvalues found;
     found.complete_radius = all ? std::numeric_limits<double>::infinity() : reach;
-    for (const periodic::FloquetSeries &motion : periodic::floquet_series(
-             system(speed), speed, static_cast<int>(steps), of_average * reach))
+    for (const periodic::FloquetSeries &motion :
+         periodic::floquet_series(system(speed), speed, *steps, of_average * reach))
         for (const Eigen::Index place : shown_places(_rotor, motion.value, motion.terms, speed)) {
             found.pairs.push_back(series_pair(_rotor, speed, motion.value, motion.terms, place));
             linalg::ComplexPair &pair = found.pairs.back();
@@ -154,6 +160,18 @@ RotatingSpectrum::Modes FloquetSpectrum::by_series(double speed, int wanted) con
                 Eigen::VectorXcd::Zero(n * (2 * _rotor.harmonics() + 1)));
         return out;
     }
+}
+
+bool FloquetSpectrum::tells(double speed, int wanted) const {
+    if (speed == 0)
+        return false;
+    std::vector<double> moduli; // one of each conjugate pair
+    for (const std::complex<double> &value : steady(speed).values)
+        if (value.imag() >= 0)
+            moduli.push_back(std::abs(value));
+    std::sort(moduli.begin(), moduli.end());
+    const auto last = std::min(static_cast<std::size_t>(wanted), moduli.size());
+    return last == 0 || steps_for(speed, moduli[last - 1] + std::abs(speed)).has_value();
 }
 
 RotatingSpectrum::Modes FloquetSpectrum::modes(double speed, int wanted) const {

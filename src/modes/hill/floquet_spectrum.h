@@ -33,6 +33,11 @@ class FloquetSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] RotatingSpectrum::Modes modes(double speed, int wanted) const;
 
+    /// Whether the matrix can tell that many modes at a speed: not next to rest, where half a turn
+    /// takes so long that damped motions die out in it. Hill's series has so many copies of each
+    /// motion there that it is slow, or does not find all.
+    [[nodiscard]] bool tells(double speed, int wanted) const;
+
   private:
     const assembly::Discretization &_discretization;
     const RotatingSpectrum &_rotor;
@@ -53,6 +58,9 @@ class FloquetSpectrum {
 
     [[nodiscard]] const periodic::System &system(double speed) const;
     [[nodiscard]] const Steady &steady(double speed) const;
+    /// Steps in time for motions up to a modulus as seen from the rotor; nothing where the matrix
+    /// cannot tell.
+    [[nodiscard]] std::optional<int> steps_for(double speed, double reach) const;
     [[nodiscard]] std::optional<RotatingSpectrum::Modes> up_to(double speed, double reach,
                                                                bool all) const;
     [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_monodromy(double speed,

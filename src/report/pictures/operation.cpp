@@ -53,6 +53,15 @@ std::string operation_band(const model::Case &scene, Range range, SpeedAxis axis
     return out;
 }
 
+std::string operation_edges(const model::Case &scene, Range range) {
+    if (!scene.operation)
+        return "";
+    std::string out;
+    for (const double speed : {scene.operation->from, scene.operation->to})
+        out += line_at(speed * rpm, range, SpeedAxis::x, "back lc rgb '#5B8C3A' dt (6,3)");
+    return out;
+}
+
 std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis) {
     if (!scene.operation)
         return "";

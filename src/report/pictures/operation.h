@@ -17,6 +17,10 @@ enum class SpeedAxis { x, y };
 [[nodiscard]] std::string operation_band(const model::Case &scene, Range range,
                                          SpeedAxis axis = SpeedAxis::x);
 
+/// Both ends of the band as lines, for what lies over it. Commands as above.
+/// @param range  of the axis x, rpm
+[[nodiscard]] std::string operation_edges(const model::Case &scene, Range range);
+
 /// The same over a picture that fills its panel: lines at both ends and at the trip speed.
 [[nodiscard]] std::string operation_lines(const model::Case &scene, Range range, SpeedAxis axis);
 

@@ -78,7 +78,7 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     std::string text = data_block("growth", {points}) + operation_band(scene, x);
     if (result.family)
         text += shaded(result.family->unstable, shade_some);
-    text += shaded(result.unstable, shade);
+    text += shaded(result.unstable, shade) + operation_edges(scene, x);
     text +=
         marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
     std::string keys;

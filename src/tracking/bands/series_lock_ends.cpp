@@ -79,8 +79,11 @@ double slowest(const Count &count) {
 }
 
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
+/// Motions on higher multiples than these stand in the rotor as copies that hardly deflect: they
+/// are not of the bands of 1x, and fast ones pass such multiples at every few speeds.
 bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double way) {
     constexpr double farther = 1.5; // than its slope leads
+    constexpr double highest_multiple = 3;
     modes::Spectrum moving;
     moving.speed = from.speed;
     moving.modes = from.others;
@@ -91,6 +94,8 @@ bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double w
         const double frequency = moving.modes[i].eigenvalue.imag();
         const double size = std::abs(from.speed);
         const double multiple = 2 * std::round((frequency / size - 1) / 2) + 1;
+        if (multiple > highest_multiple)
+            continue;
         const double slope =
             std::copysign(1.0, frequency - multiple * size) *
             (rates(static_cast<Eigen::Index>(i)).imag() - std::copysign(multiple, from.speed));

@@ -22,8 +22,8 @@ Speeds with(const Speeds &some, const Speeds &others) {
 }
 
 /// With others, evenly spread over the range, so closely that few bands open and close between two
-/// of them.
-Speeds with_search_speeds(const Speeds &own) {
+/// of them. Next to rest, where the matrix does not tell the modes, there are none.
+Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, int wanted) {
     constexpr int parts = 200;
     constexpr double same = 1e-6; // of a part
     const double width = (own.back() - own.front()) / parts;
@@ -31,7 +31,7 @@ Speeds with_search_speeds(const Speeds &own) {
     for (int i = 0; width > 0 && i <= parts; ++i) {
         const double speed = own.front() + width * i;
         const auto above = std::lower_bound(own.begin(), own.end(), speed - same * width);
-        if (above == own.end() || *above > speed + same * width)
+        if ((above == own.end() || *above > speed + same * width) && few.by_matrix(speed, wanted))
             out.push_back(speed);
     }
     return with(own, out);
@@ -66,9 +66,11 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
 std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &solver,
                                                 const Speeds &speeds, const Speeds &naming,
                                                 int modes, const Speeds &multiples) try {
-    const Speeds all = with_search_speeds(with(speeds, naming));
-    const std::unique_ptr<modes::SpectrumSolver> few = solver.by_monodromy(
-        all.front(), all.back(), modes_to_follow(solver.discretization().rotor(), modes));
+    const Speeds own = with(speeds, naming);
+    const int wanted = modes_to_follow(solver.discretization().rotor(), modes);
+    const std::unique_ptr<modes::SpectrumSolver> few =
+        solver.by_monodromy(own.front(), own.back(), wanted);
+    const Speeds all = with_search_speeds(own, *few, wanted);
     PeriodicDiagram out{followed_lines(*few, all, modes, false), {}};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
