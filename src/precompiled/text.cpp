@@ -1,1 +1,2 @@
-// The precompiled header stands before this; what it has of functions is compiled here (whirl_instances).
+// The precompiled header stands before this; what it has of functions is compiled here
+// (whirl_instances).
