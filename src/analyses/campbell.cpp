@@ -224,6 +224,11 @@ void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &g
         gaps.size(), all.from, all.to, what, all.frequency, highest));
 }
 
+/// `critical` has no answer where the equations stay periodic.
+bool critical_knows(const results::CampbellResult &result) {
+    return result.model.formulation.form != results::Form::hill;
+}
+
 /// Speeds so far apart that lines exchange their places between them.
 void note_far_apart(results::CampbellResult &result) {
     constexpr int most = 4; // of two pairs of modes
@@ -243,9 +248,9 @@ void note_far_apart(results::CampbellResult &result) {
     if (largest > most)
         result.model.notes.push_back(fmt::format(
             "{} crossings lie between {:.6g} and {:.6g} rad/s, two neighbours of the speeds: modes "
-            "that exchange their places in between can cross unseen; take more speeds, or "
-            "`critical`, which needs none",
-            largest, result.speeds[at - 1], result.speeds[at]));
+            "that exchange their places in between can cross unseen; take more speeds{}",
+            largest, result.speeds[at - 1], result.speeds[at],
+            critical_knows(result) ? ", or `critical`, which needs none" : ""));
 }
 
 /// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
@@ -288,8 +293,9 @@ void note_no_peaks(results::CampbellResult &result) {
     if (!speeds.empty())
         result.model.notes.push_back(
             fmt::format("crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
-                        "make no peak in a response; `critical` leaves them out",
-                        fmt::join(speeds, ", ")));
+                        "make no peak in a response{}",
+                        fmt::join(speeds, ", "),
+                        critical_knows(result) ? "; `critical` leaves them out" : ""));
 }
 
 /// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
