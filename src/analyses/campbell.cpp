@@ -291,11 +291,10 @@ void note_no_peaks(results::CampbellResult &result) {
         if (c.multiple == 1 && c.damping.ratio && *c.damping.ratio > 1 / std::numbers::sqrt2)
             speeds.push_back(c.speed);
     if (!speeds.empty())
-        result.model.notes.push_back(
-            fmt::format("crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
-                        "make no peak in a response{}",
-                        fmt::join(speeds, ", "),
-                        critical_knows(result) ? "; `critical` leaves them out" : ""));
+        result.model.notes.push_back(fmt::format(
+            "crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
+            "make no peak in a response{}",
+            fmt::join(speeds, ", "), critical_knows(result) ? "; `critical` leaves them out" : ""));
 }
 
 /// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
