@@ -1,6 +1,7 @@
 #include "modes/biorthogonal.h"
 
 #include "linalg/lanes/complex4.h"
+#include "linalg/lanes/vector_products.h"
 #include "linalg/quadratic/quadratic_pattern.h"
 #include "linalg/sparse_factor.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -175,46 +175,12 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
 
 void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
 
-namespace {
-
-/// Column i of A times column j of B, not conjugated, in vector instructions.
-Complex transposed_product(const Eigen::MatrixXcd &A, Eigen::Index i, const Eigen::MatrixXcd &B,
-                           Eigen::Index j) {
-    const auto *x = reinterpret_cast<const double *>(A.data() + i * A.rows());
-    const auto *y = reinterpret_cast<const double *>(B.data() + j * B.rows());
-    linalg::Real4 squares{}; // products of two real parts and of two imaginary ones, in turn
-    linalg::Real4 across{};
-    const Eigen::Index whole = 2 * A.rows() / linalg::lanes * linalg::lanes;
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        linalg::Real4 one{};
-        linalg::Real4 other{};
-        for (Eigen::Index k = 0; k < whole; k += linalg::lanes) {
-            linalg::Real4 p;
-            linalg::Real4 q;
-            std::memcpy(&p, x + k, sizeof p);
-            std::memcpy(&q, y + k, sizeof q);
-            one += p * q;
-            other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
-        }
-        squares = one;
-        across = other;
-    });
-    for (Eigen::Index k = whole; k < 2 * A.rows(); k += 2) {
-        squares[0] += x[k] * y[k] - x[k + 1] * y[k + 1];
-        across[0] += x[k] * y[k + 1] + x[k + 1] * y[k];
-    }
-    return {squares[0] - squares[1] + squares[2] - squares[3],
-            across[0] + across[1] + across[2] + across[3]};
-}
-
-} // namespace
-
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
     if (a.complex_left.size() == 0)
         return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
-    return transposed_product(a.complex_left, i, b.complex_right, j) *
-           transposed_product(b.complex_left, j, a.complex_right, i);
+    return linalg::product_of_columns(a.complex_left, i, b.complex_right, j) *
+           linalg::product_of_columns(b.complex_left, j, a.complex_right, i);
 }
 
 ModeBasis basis_of(const QuadraticAt &problem, const Eigen::VectorXd &values,

@@ -121,4 +121,36 @@ TEST(VectorProducts, AreTheSumsEntryByEntry) {
     }
 }
 
+// Sizes below, at and beyond those of a block; entries are at most 1, the tolerances some
+// roundings.
+TEST(VectorProducts, OfColumnsSumsAndLanesAreThoseOfEigen) {
+    constexpr double rounding = 4e-16;
+    for (const Eigen::Index size : {1, 2, 3, 7, 8, 9, 40}) {
+        const Eigen::MatrixXcd A = Eigen::MatrixXcd::Random(size, 4);
+        const Eigen::MatrixXcd B = Eigen::MatrixXcd::Random(size, 3);
+        const std::complex<double> product = (A.col(2).transpose() * B.col(1)).value();
+        EXPECT_NEAR(std::abs(product_of_columns(A, 2, B, 1) - product), 0,
+                    rounding * static_cast<double>(4 + size));
+
+        std::vector<Eigen::VectorXcd> vectors;
+        Vector4 four(static_cast<std::size_t>(size));
+        Complex4 factors{};
+        for (int lane = 0; lane < lanes; ++lane) {
+            vectors.emplace_back(A.col(lane));
+            factors.set(lane, B(0, lane % 3));
+            for (Eigen::Index k = 0; k < size; ++k)
+                four[static_cast<std::size_t>(k)].set(lane, A(k, lane));
+        }
+        const Eigen::VectorXcd sum = sum_of({{0.3, &vectors[0]}, {-2.5, &vectors[3]}});
+        EXPECT_NEAR((sum - (0.3 * A.col(0) - 2.5 * A.col(3))).cwiseAbs().maxCoeff(), 0,
+                    5 * rounding);
+        const std::array<Eigen::VectorXcd, lanes> scaled = vectors_of(four, factors);
+        for (int lane = 0; lane < lanes; ++lane)
+            EXPECT_NEAR((scaled[static_cast<std::size_t>(lane)] - factors.at(lane) * A.col(lane))
+                            .cwiseAbs()
+                            .maxCoeff(),
+                        0, 2 * rounding);
+    }
+}
+
 } // namespace

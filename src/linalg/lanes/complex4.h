@@ -45,10 +45,6 @@ inline void set(Vector4 &out, const std::array<const Eigen::VectorXcd *, lanes> 
     return out;
 }
 
-/// The vectors, each times a number.
-[[nodiscard]] std::array<Eigen::VectorXcd, lanes> vectors_of(const Vector4 &four,
-                                                             const Complex4 &factors);
-
 // Inlined into each of the versions for one kind of machine.
 #define WHIRL_INLINED inline __attribute__((always_inline))
 

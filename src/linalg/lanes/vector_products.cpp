@@ -1,18 +1,23 @@
 #include "linalg/lanes/vector_products.h"
 
-#include "linalg/lanes/complex4.h"
-
-#include <array>
 #include <cstring>
 
 namespace whirl::linalg {
 
-std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+namespace {
+
+/// Sums of products of the numbers of two complex vectors: of those at one place, and of each with
+/// the other one of its pair; of first and of second ones of a pair in turn.
+struct Sums {
     Real4 along{};
-    Real4 across{}; // real times imaginary parts and the other way round, in turn
-    const auto *x = reinterpret_cast<const double *>(a.data());
-    const auto *y = reinterpret_cast<const double *>(b.data());
-    const Eigen::Index whole = 2 * a.size() / lanes * lanes;
+    Real4 across{};
+};
+
+Sums sums_of(const std::complex<double> *a, const std::complex<double> *b, Eigen::Index size) {
+    Sums out;
+    const auto *x = reinterpret_cast<const double *>(a);
+    const auto *y = reinterpret_cast<const double *>(b);
+    const Eigen::Index whole = 2 * size / lanes * lanes;
     in_lanes([&]() __attribute__((always_inline)) {
         Real4 one{};
         Real4 other{};
@@ -24,15 +29,30 @@ std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
             one += p * q;
             other += p * __builtin_shufflevector(q, q, 1, 0, 3, 2);
         }
-        along = one;
-        across = other;
+        out.along = one;
+        out.across = other;
     });
-    for (Eigen::Index k = whole; k < 2 * a.size(); k += 2) {
-        along[0] += x[k] * y[k] + x[k + 1] * y[k + 1];
-        across[0] += x[k] * y[k + 1] - x[k + 1] * y[k];
-    }
+    for (Eigen::Index k = whole; k < 2 * size; k += 2)
+        for (int part = 0; part < 2; ++part) {
+            out.along[part] += x[k + part] * y[k + part];
+            out.across[part] += x[k + part] * y[k + 1 - part];
+        }
+    return out;
+}
+
+} // namespace
+
+std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+    const auto [along, across] = sums_of(a.data(), b.data(), a.size());
     return {along[0] + along[1] + along[2] + along[3],
             across[0] - across[1] + across[2] - across[3]};
+}
+
+std::complex<double> product_of_columns(const Eigen::MatrixXcd &A, Eigen::Index i,
+                                        const Eigen::MatrixXcd &B, Eigen::Index j) {
+    const auto [along, across] = sums_of(A.col(i).data(), B.col(j).data(), A.rows());
+    return {along[0] - along[1] + along[2] - along[3],
+            across[0] + across[1] + across[2] + across[3]};
 }
 
 void add_multiple(std::complex<double> f, const Eigen::VectorXcd &x, Eigen::VectorXcd &y) {

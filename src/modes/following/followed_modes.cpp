@@ -8,17 +8,6 @@ namespace whirl::modes {
 
 namespace {
 
-/// A multiple of a vector in a column, from a row on.
-void set_multiple(const Eigen::VectorXcd &vector, std::complex<double> f, Eigen::MatrixXcd &out,
-                  Eigen::Index row, Eigen::Index column) {
-    std::complex<double> *to = &out(row, column);
-    for (Eigen::Index k = 0; k < vector.size(); ++k) {
-        const std::complex<double> z = vector.data()[k];
-        to[k] = {f.real() * z.real() - f.imag() * z.imag(),
-                 f.real() * z.imag() + f.imag() * z.real()};
-    }
-}
-
 WhirlMode mode_of(const SymmetricProblem &problem, const FollowedSpeed &followed, std::size_t i) {
     const SymmetricPair &pair = followed.pairs[i];
     WhirlMode mode;
@@ -76,11 +65,10 @@ ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followe
         const SymmetricPair &pair = followed.pairs[place];
         // x^T (K - l^2 M) x with x^T Q(l) x = 0.
         const std::complex<double> norm = -pair.value * pair.derivative;
-        set_multiple(problem.covector_to_form(pair.Kx), 1.0 / norm, out.complex_left, 0, i);
-        set_multiple(problem.covector_to_form(pair.Mx), -pair.value / norm, out.complex_left, n, i);
+        out.complex_left.col(i) << problem.covector_to_form(pair.Kx) / norm,
+            problem.covector_to_form(pair.Mx) * (-pair.value / norm);
         const Eigen::VectorXcd shape = problem.to_form(pair.vector);
-        out.complex_right.col(i).head(n) = shape;
-        set_multiple(shape, pair.value, out.complex_right, n, i);
+        out.complex_right.col(i) << shape, shape * pair.value;
         out.rate_below(i) = pair.value.imag() < 0 ? std::conj(pair.rate) : pair.rate;
         for (std::size_t j = 0; j < place; ++j)
             close = close ||

@@ -176,13 +176,14 @@ SymmetricProblem::energies(const linalg::Vector4 &b,
 // sweep.
 
 Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) const {
+    if (!conjugates())
+        return shape.cwiseProduct(_inverse_scales);
     Eigen::VectorXcd out(_size);
     const auto *in = reinterpret_cast<const double *>(shape.data());
     auto *to = reinterpret_cast<double *>(out.data());
     const double *scale = _inverse_scales.data();
-    const bool turned = conjugates();
     constexpr double half = 0.5 * std::numbers::sqrt2;
-    for (const double *end = in + 2 * _size; turned && in != end; in += 4, to += 4, scale += 2) {
+    for (const double *end = in + 2 * _size; in != end; in += 4, to += 4, scale += 2) {
         const double first = half * scale[0];
         const double second = half * scale[1];
         to[0] = first * (in[0] + in[3]);
@@ -190,20 +191,21 @@ Eigen::VectorXcd SymmetricProblem::from_form(const Eigen::VectorXcd &shape) cons
         to[2] = second * (in[0] - in[3]);
         to[3] = second * (in[1] + in[2]);
     }
-    return turned ? out : Eigen::VectorXcd(shape.cwiseProduct(_inverse_scales));
+    return out;
 }
 
 /// @param sign  of i in y = i y': -1 for covectors
 Eigen::VectorXcd SymmetricProblem::scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales,
                                                   double sign) const {
+    if (!conjugates())
+        return vector.cwiseProduct(scales);
     Eigen::VectorXcd out(_size);
     const auto *in = reinterpret_cast<const double *>(vector.data());
     auto *to = reinterpret_cast<double *>(out.data());
     const double *scale = scales.data();
-    const bool turned = conjugates();
     constexpr double half = 0.5 * std::numbers::sqrt2;
-    for (const double *end = in + 2 * _size; turned && in != end; in += 4, to += 4, scale += 2) {
+    for (const double *end = in + 2 * _size; in != end; in += 4, to += 4, scale += 2) {
         const double first = half * scale[0];
         const double second = half * scale[1];
         to[0] = first * in[0] + second * in[2];
@@ -211,7 +213,7 @@ Eigen::VectorXcd SymmetricProblem::scaled_to_form(const Eigen::VectorXcd &vector
         to[2] = -sign * (first * in[1] - second * in[3]);
         to[3] = sign * (first * in[0] - second * in[2]);
     }
-    return turned ? out : Eigen::VectorXcd(vector.cwiseProduct(scales));
+    return out;
 }
 
 Eigen::VectorXcd SymmetricProblem::to_form(const Eigen::VectorXcd &vector) const {
