@@ -200,7 +200,8 @@ results::CriticalResult of_resolved_order(const model::Case &scene,
 }
 
 results::CriticalResult critical_of(const model::Case &as_given, bool judged) {
-    const results::Formulation formulation = modes::choose_formulation(as_given, false);
+    const results::Formulation formulation =
+        modes::without_planar_damped(modes::choose_formulation(as_given), as_given.rotor);
     refuse_hill(formulation.form);
     const model::Case scene =
         formulation.form == results::Form::rotating ? undamped(as_given) : as_given;

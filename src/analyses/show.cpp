@@ -116,7 +116,7 @@ results::ShowResult show(const model::Case &scene) {
     note_bearings(rotor.supports(), "bearing", result.model.notes);
     note_bearings(rotor.seals(), "seal", result.model.notes);
     const results::Formulation eigen = modes::choose_formulation(scene);
-    const results::Formulation real = modes::choose_formulation(scene, false);
+    const results::Formulation real = modes::without_planar_damped(eigen, rotor);
     for (const std::string_view command :
          {"campbell", "critical", "modes", "accuracy", "stability"})
         if (eigen.form != results::Form::hill || command != "critical")

@@ -121,7 +121,8 @@ void find_shapes(stability::BandFinder &finder, const std::vector<double> &grid)
 
 constexpr int sampled = 16;
 
-/// @param first   unstable bands of the first arrangement, known already
+/// The bands of each arrangement, those of the first known already.
+/// @param first   unstable bands of the first arrangement
 /// @param finder_of_first  with which they were found
 results::ArrangementFamily family_of(const stability::StabilityModel &model,
                                      const std::vector<balancers::Arrangement> &arrangements,
@@ -134,20 +135,21 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
     std::vector<std::vector<double>> additional;
     std::vector<stability::SpeedInterval> some;
     for (std::size_t k = 0; k < arrangements.size(); ++k) {
-        stability::BandFinder finder(model, arrangements[k], finder_of_first);
-        const stability::MotionsAt at = [&finder](double speed) {
-            return finder.solver().at(speed);
-        };
+        std::optional<stability::BandFinder> other;
+        if (k > 0)
+            other.emplace(model, arrangements[k], finder_of_first);
+        const stability::MotionSolver &solver = (other ? *other : finder_of_first).solver();
+        const stability::MotionsAt at = [&solver](double speed) { return solver.at(speed); };
         const auto bands =
-            k == 0 ? first
-                   : bands_between_ends(finder, model, arrangements[k], at, grid).found.bands;
+            other ? bands_between_ends(*other, model, arrangements[k], at, grid).found.bands
+                  : first;
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
-            const auto &d = finder.solver().discretization();
+            const auto &d = solver.discretization();
             const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
-            const auto shapes = k > 0 ? finder.good_shapes(grid) : nullptr; // first: in full
+            const auto shapes = other ? other->good_shapes(grid) : nullptr; // first: in full
             const auto speeds = [&](const assembly::Discretization &of, bool frozen) {
                 return speeds_of(zero_root_or_none(of, arrangements[k], frozen, grid,
                                                    out.incomplete, shapes.get()));
@@ -206,7 +208,9 @@ void search_zero_roots(const stability::StabilityModel &model,
 void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
     std::vector<double> grid = described(speeds, model);
-    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(model.rotor);
+    const std::vector<balancers::Arrangement> arrangements =
+        balancers::sampled_arrangements(model.rotor, sampled);
+    const balancers::Arrangement &arrangement = arrangements.front(); // as the case gives it
     stability::BandFinder finder(model, arrangement);
     const stability::MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
@@ -249,8 +253,6 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);
     }
     stage.emplace("arrangements of the balls", 0.8, 1.0);
-    const std::vector<balancers::Arrangement> arrangements =
-        balancers::sampled_arrangements(model.rotor, sampled);
     if (arrangements.size() > 1 && grid.size() > 1)
         result.family = family_of(model, arrangements, result.unstable, finder, grid);
 }
@@ -270,12 +272,14 @@ void answer(const model::Case &scene, const std::vector<double> &grid,
     result.model.unknowns = 2 * d.planar_size();
 }
 
-void add_level1(const model::Case &scene, results::StabilityResult &result) {
+void add_level1(const model::Case &scene, const stability::StabilityModel &model,
+                results::StabilityResult &result) {
     if (!scene.level1)
         return;
     try {
         const process::Stage stage("added cross coupling", 0.95, 1.0);
-        result.level1 = operation::level1(scene, result.model.notes);
+        result.level1 =
+            operation::level1(scene, model.form_of_lines, model.order, result.model.notes);
     } catch (const model::AnalysisFailure &failure) {
         result.model.notes.emplace_back(failure.what());
     } catch (const model::BadInput &failure) { // all else is answered
@@ -370,8 +374,8 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     result.neutral_pairs = neutral_pairs(scene.rotor);
     const auto all_but_map = [&] {
         answer(scene, grid, model, result);
-        name_modes(result.ends, scene, result.model.order);
-        add_level1(scene, result);
+        name_modes(result.ends, scene, model.form_of_lines, model.order);
+        add_level1(scene, model, result);
     };
     if (scene.map) // which the other processes need not wait with
         result.map = stability_map(*scene.map, with, all_but_map);
@@ -380,7 +384,7 @@ results::StabilityResult stability(const model::Case &scene, const CaseWith &wit
     if (result.map && !result.map->why.empty())
         result.model.notes.push_back("some points of the map are empty: " + result.map->why);
     add_notes(scene, model, result);
-    note_drives(scene, result);
+    note_drives(model, result);
     return result;
 }
 

@@ -6,6 +6,8 @@
 
 namespace whirl::assembly {
 
+inline constexpr std::complex<double> i_unit(0, 1);
+
 /// A motion over unknowns in pairs (x, y), plane by plane.
 struct Planes {
     Eigen::VectorXcd x, y;
@@ -15,9 +17,9 @@ struct Planes {
           y(pairs(Eigen::seqN(1, pairs.size() / 2, 2))) {}
 
     /// x + i y: of a real motion Re[(x, y) exp(i w t)] twice the part that turns from x towards y.
-    [[nodiscard]] Eigen::VectorXcd towards() const { return x + std::complex<double>(0, 1) * y; }
+    [[nodiscard]] Eigen::VectorXcd towards() const { return x + i_unit * y; }
     /// x - i y: twice the conjugate of the part that turns the other way.
-    [[nodiscard]] Eigen::VectorXcd against() const { return x - std::complex<double>(0, 1) * y; }
+    [[nodiscard]] Eigen::VectorXcd against() const { return x - i_unit * y; }
 };
 
 /// The motion over pairs (x, y) with these planes.

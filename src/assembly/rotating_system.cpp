@@ -1,4 +1,5 @@
 #include "assembly/rotating_system.h"
+#include "assembly/planes.h"
 
 #include <complex>
 
@@ -7,7 +8,6 @@ namespace whirl::assembly {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr Complex i_unit(0, 1);
 
 /// Entries of a real matrix that stands for complex rows: row of u takes a u + b conj(u).
 class ComplexEntries {

@@ -83,7 +83,9 @@ PlanarEquivalent planar_equivalent(const PendulumShaft &shaft, std::size_t index
             continue;
         v /= here;
         PlanarEquivalent out;
-        out.mass = v.dot((M - G) * v);
+        const Eigen::MatrixXd difference = M - G;
+        const Eigen::VectorXd forces = difference * v;
+        out.mass = v.dot(forces);
         if (!(out.mass > 0) || out.mass > largest_mass)
             continue;
         out.omega_0 = mode.eigenvalue.imag();

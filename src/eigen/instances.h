@@ -20,6 +20,8 @@
 
 namespace whirl::eigen {
 using SparseReal = Eigen::SparseMatrix<double>;
+using SparseComplex = Eigen::SparseMatrix<std::complex<double>>;
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 } // namespace whirl::eigen
 
@@ -63,6 +65,30 @@ using LowerCholesky = Eigen::SimplicialLLT<SparseReal, Eigen::Lower, Eigen::Natu
     what class Eigen::SimplicialLLT<whirl::eigen::SparseReal, Eigen::Lower,                        \
                                     Eigen::NaturalOrdering<int>>
 
+// Copies of sparse matrices, and between their orders.
+#define WHIRL_EIGEN_SPARSE_COPY(what, To, ...)                                                     \
+    what void Eigen::internal::assign_sparse_to_sparse<To, __VA_ARGS__>(To &, const __VA_ARGS__ &)
+
+#define WHIRL_EIGEN_SPARSE_TURN(what, To, ...)                                                     \
+    what To &To::operator=<__VA_ARGS__>(const Eigen::SparseMatrixBase<__VA_ARGS__> &)
+
+#define WHIRL_EIGEN_SPARSE_COPIES(what)                                                            \
+    WHIRL_EIGEN_SPARSE_COPY(what, whirl::eigen::SparseReal, whirl::eigen::SparseReal);             \
+    WHIRL_EIGEN_SPARSE_COPY(what, whirl::eigen::SparseComplex, whirl::eigen::SparseComplex);       \
+    WHIRL_EIGEN_SPARSE_COPY(                                                                       \
+        what, whirl::eigen::SparseComplex,                                                         \
+        Eigen::CwiseUnaryOp<Eigen::internal::scalar_cast_op<double, std::complex<double>>,         \
+                            const whirl::eigen::SparseReal>);                                      \
+    WHIRL_EIGEN_SPARSE_COPY(                                                                       \
+        what, whirl::eigen::SparseReal,                                                            \
+        Eigen::CwiseBinaryOp<Eigen::internal::scalar_sum_op<double, double>,                       \
+                             const whirl::eigen::SparseReal, const whirl::eigen::SparseReal>);     \
+    WHIRL_EIGEN_SPARSE_TURN(what, whirl::eigen::SparseReal,                                        \
+                            Eigen::Map<const whirl::eigen::SparseRows, 0, Eigen::Stride<0, 0>>);   \
+    WHIRL_EIGEN_SPARSE_TURN(what, whirl::eigen::SparseReal,                                        \
+                            Eigen::Transpose<const whirl::eigen::SparseReal>);                     \
+    WHIRL_EIGEN_SPARSE_TURN(what, whirl::eigen::SparseReal, whirl::eigen::SparseRows)
+
 #ifndef WHIRL_EIGEN_INSTANCES
 WHIRL_EIGEN_KERNELS(extern template);
 WHIRL_EIGEN_SOLVES(extern template, Eigen::MatrixXd);
@@ -74,4 +100,5 @@ WHIRL_EIGEN_SYMMETRIC_PAIR(extern template, Eigen::MatrixXcd);
 WHIRL_EIGEN_GENERAL(extern template);
 WHIRL_EIGEN_SINGULAR(extern template);
 WHIRL_EIGEN_SPARSE_CHOLESKY(extern template);
+WHIRL_EIGEN_SPARSE_COPIES(extern template);
 #endif

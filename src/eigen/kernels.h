@@ -43,6 +43,26 @@ template <class Scalar> using Result = Eigen::internal::blas_data_mapper<Scalar,
                                                          Eigen::OnTheLeft, mode, false,            \
                                                          Eigen::ColMajor, Eigen::ColMajor, 1>
 
+// Panels of a matrix stored by `order`, laid out for the kernel.
+#define WHIRL_EIGEN_PACKED_LEFT(what, Scalar, order)                                               \
+    what struct Eigen::internal::gemm_pack_lhs<                                                    \
+        whirl::eigen::Scalar, Eigen::Index, whirl::eigen::Map<whirl::eigen::Scalar, Eigen::order>, \
+        whirl::eigen::Traits<whirl::eigen::Scalar, whirl::eigen::Scalar>::mr,                      \
+        whirl::eigen::Traits<whirl::eigen::Scalar, whirl::eigen::Scalar>::LhsProgress,             \
+        whirl::eigen::Traits<whirl::eigen::Scalar, whirl::eigen::Scalar>::LhsPacket4Packing,       \
+        Eigen::order>
+
+#define WHIRL_EIGEN_PACKED_RIGHT(what, Scalar, order)                                              \
+    what struct Eigen::internal::gemm_pack_rhs<                                                    \
+        whirl::eigen::Scalar, Eigen::Index, whirl::eigen::Map<whirl::eigen::Scalar, Eigen::order>, \
+        whirl::eigen::Traits<whirl::eigen::Scalar, whirl::eigen::Scalar>::nr, Eigen::order>
+
+// Sizes of the blocks of a product, of which `depth` parts of a panel are worked on at once.
+#define WHIRL_EIGEN_BLOCKS(what, Scalar, depth)                                                    \
+    what void Eigen::internal::evaluateProductBlockingSizesHeuristic<                              \
+        whirl::eigen::Scalar, whirl::eigen::Scalar, depth, Eigen::Index>(                          \
+        Eigen::Index &, Eigen::Index &, Eigen::Index &, Eigen::Index)
+
 #define WHIRL_EIGEN_KERNELS(what)                                                                  \
     WHIRL_EIGEN_VECTOR(what, Real, RowMajor, false, Real, ColMajor, false, 0);                     \
     WHIRL_EIGEN_VECTOR(what, Real, ColMajor, false, Real, RowMajor, false, 0);                     \
@@ -70,4 +90,15 @@ template <class Scalar> using Result = Eigen::internal::blas_data_mapper<Scalar,
     WHIRL_EIGEN_SOLVE(what, Real, Eigen::Upper);                                                   \
     WHIRL_EIGEN_SOLVE(what, Real, Eigen::UnitLower);                                               \
     WHIRL_EIGEN_SOLVE(what, Complex, Eigen::Upper);                                                \
-    WHIRL_EIGEN_SOLVE(what, Complex, Eigen::UnitLower)
+    WHIRL_EIGEN_SOLVE(what, Complex, Eigen::UnitLower);                                            \
+    WHIRL_EIGEN_PACKED_LEFT(what, Real, ColMajor);                                                 \
+    WHIRL_EIGEN_PACKED_LEFT(what, Real, RowMajor);                                                 \
+    WHIRL_EIGEN_PACKED_LEFT(what, Complex, ColMajor);                                              \
+    WHIRL_EIGEN_PACKED_LEFT(what, Complex, RowMajor);                                              \
+    WHIRL_EIGEN_PACKED_RIGHT(what, Real, ColMajor);                                                \
+    WHIRL_EIGEN_PACKED_RIGHT(what, Real, RowMajor);                                                \
+    WHIRL_EIGEN_PACKED_RIGHT(what, Complex, ColMajor);                                             \
+    WHIRL_EIGEN_BLOCKS(what, Real, 1);                                                             \
+    WHIRL_EIGEN_BLOCKS(what, Real, 4);                                                             \
+    WHIRL_EIGEN_BLOCKS(what, Complex, 1);                                                          \
+    WHIRL_EIGEN_BLOCKS(what, Complex, 4)

@@ -9,6 +9,28 @@ namespace {
 
 using Scalar = std::complex<double>;
 
+/// A^T x: x^H A, conjugated.
+Eigen::VectorXcd transposed_times(const Eigen::MatrixXd &A, const Eigen::VectorXcd &x) {
+    Eigen::VectorXcd out(A.cols());
+    out.real() = A.transpose() * Eigen::VectorXd(x.real());
+    out.imag() = A.transpose() * Eigen::VectorXd(x.imag());
+    return out;
+}
+
+/// (K + l D) x.
+Eigen::VectorXcd times(const Eigen::MatrixXd &K, const Eigen::VectorXcd &x, Scalar l,
+                       const Eigen::MatrixXd &D) {
+    const Eigen::VectorXd real = x.real();
+    const Eigen::VectorXd imag = x.imag();
+    Eigen::VectorXcd by_D(D.rows());
+    by_D.real() = D * real;
+    by_D.imag() = D * imag;
+    Eigen::VectorXcd out = l * by_D;
+    out.real() += K * real;
+    out.imag() += K * imag;
+    return out;
+}
+
 /// What one unit of speed makes of the motions of a spectrum: w_a^H A' v_b, with A the matrix of
 /// the equations of first order and w_a^H v_a = 1.
 class Couplings {
@@ -18,13 +40,13 @@ class Couplings {
 
     /// Of a change of the speed, to second order: more than its modulus.
     [[nodiscard]] double most(const Root &a, const Root &b, double change) const {
-        const Eigen::RowVectorXcd from_K = a.left.adjoint() * _K_rate;
-        const Eigen::RowVectorXcd from_D = a.left.adjoint() * _at.problem.D_rate;
-        const Eigen::VectorXcd to_b = _K_rate * b.right + b.value * (_at.problem.D_rate * b.right);
+        const Eigen::VectorXcd from_K = transposed_times(_K_rate, a.left);
+        const Eigen::VectorXcd from_D = transposed_times(_at.problem.D_rate, a.left);
+        const Eigen::VectorXcd to_b = times(_K_rate, b.right, b.value, _at.problem.D_rate);
         Scalar by_others = 0;
         for (const Root &c : _at.roots)
             if (&c != &a && &c != &b)
-                by_others += (from_K * c.right + c.value * (from_D * c.right)).value() / a.slope *
+                by_others += (from_K.dot(c.right) + c.value * from_D.dot(c.right)) / a.slope *
                              c.left.dot(to_b) / c.slope / (b.value - c.value);
         return std::abs(change) * std::abs(a.left.dot(to_b) / a.slope) +
                change * change * std::abs(by_others);

@@ -33,7 +33,8 @@ struct Companion {
 Companion decomposed(const DenseProblem &p, double shift) {
     const Eigen::Index n = p.M.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(shift * shift * p.M + shift * p.D + p.K);
-    const Eigen::MatrixXd A = lu.solve(2 * shift * p.M + p.D);
+    const Eigen::MatrixXd slope = 2 * shift * p.M + p.D;
+    const Eigen::MatrixXd A = lu.solve(slope);
     const Eigen::MatrixXd B = lu.solve(p.M);
     Companion out;
     out.s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
@@ -64,7 +65,12 @@ Eigen::MatrixXd moduli(const linalg::GeneralEigen &of, const Eigen::MatrixXd &pa
 /// |y|^T |A| |x| of each root, in the first of its columns.
 Eigen::VectorXd sizes(const Eigen::MatrixXd &y, const Eigen::MatrixXd &A,
                       const Eigen::MatrixXd &x) {
-    return y.cwiseProduct(A.cwiseAbs() * x).colwise().sum();
+    const Eigen::MatrixXd entries = A.cwiseAbs();
+    const Eigen::MatrixXd forces = entries * x;
+    Eigen::VectorXd out(x.cols());
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+        out(j) = y.col(j).dot(forces.col(j));
+    return out;
 }
 
 Root conjugate(Root root) {

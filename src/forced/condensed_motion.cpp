@@ -27,10 +27,13 @@ template <class Dense> Dense condensed(const Dense &A, Eigen::Index kept = at_no
     const Eigen::Index inner = A.rows() - kept;
     if (inner == 0)
         return A;
-    return A.topLeftCorner(kept, kept) -
-           A.topRightCorner(kept, inner) * A.bottomRightCorner(inner, inner)
-                                               .partialPivLu()
-                                               .solve(A.bottomLeftCorner(inner, kept));
+    const Dense inside = A.bottomRightCorner(inner, inner);
+    const Dense across = A.topRightCorner(kept, inner);
+    const Dense right = A.bottomLeftCorner(inner, kept);
+    const Dense moved = inside.partialPivLu().solve(right);
+    Dense out = A.topLeftCorner(kept, kept);
+    out.noalias() -= across * moved;
+    return out;
 }
 
 /// Equal but for their place and rounding.

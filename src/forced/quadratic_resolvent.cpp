@@ -31,13 +31,20 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(terms.at(_shift));
     const Eigen::Index m = b.size();
     Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
-    companion.topLeftCorner(m, m) = -_width * at_shift.solve(terms.P1 + 2.0 * _shift * terms.P2);
-    companion.topRightCorner(m, m) = -_width * _width * at_shift.solve(terms.P2);
+    const Eigen::MatrixXcd slope = terms.P1 + 2.0 * _shift * terms.P2;
+    const Eigen::MatrixXcd left = at_shift.solve(slope);
+    const Eigen::MatrixXcd right = at_shift.solve(terms.P2);
+    companion.topLeftCorner(m, m) = -_width * left;
+    companion.topRightCorner(m, m) = -_width * _width * right;
     companion.bottomLeftCorner(m, m).setIdentity();
     linalg::ComplexSchurForm schur = linalg::complex_schur(std::move(companion));
     _T = std::move(schur.T);
-    _lower = rows.cast<std::complex<double>>() * schur.Q.bottomRows(m);
-    _h = schur.Q.topRows(m).adjoint() * at_shift.solve(b);
+    const Eigen::MatrixXcd read = rows.cast<std::complex<double>>();
+    const Eigen::MatrixXcd lower = schur.Q.bottomRows(m);
+    const Eigen::MatrixXcd upper = schur.Q.topRows(m);
+    const Eigen::VectorXcd steady = at_shift.solve(b);
+    _lower = read * lower;
+    _h = upper.adjoint() * steady;
     find_residues();
 }
 

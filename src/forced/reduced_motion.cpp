@@ -11,7 +11,6 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -31,35 +30,41 @@ double slope_of_modulus(Complex value, Complex slope) {
 }
 
 using Wide = long double;
-template <class Number> using Dense = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// A V of the unknowns row, row + step, ... and column, column + step, ..., summed as `Number`.
+template <class Number>
+Eigen::MatrixXd forces(const Sparse &A, const Eigen::MatrixXd &V, int row, int column, int step) {
+    Eigen::MatrixXd out(V.rows(), V.cols());
+    std::vector<Number> sums(static_cast<std::size_t>(V.rows()));
+    for (Eigen::Index shape = 0; shape < V.cols(); ++shape) {
+        std::fill(sums.begin(), sums.end(), Number(0));
+        for (int j = 0; j < V.rows(); ++j)
+            for (Sparse::InnerIterator entry(A, step * j + column); entry; ++entry)
+                if (entry.row() % step == row)
+                    sums[static_cast<std::size_t>(entry.row() / step)] +=
+                        static_cast<Number>(entry.value()) * static_cast<Number>(V(j, shape));
+        for (Eigen::Index i = 0; i < V.rows(); ++i)
+            out(i, shape) = static_cast<double>(sums[static_cast<std::size_t>(i)]);
+    }
+    return out;
+}
 
 /// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
 /// cancels in A V, which is the forces on the nodes: in double precision what is left would be off
 /// by 1e-10 and peaks by that times their amplification.
+/// @param parts  1: over planar unknowns; 2: in pairs (x, y), the shapes for both directions
 template <class Number>
-Eigen::MatrixXcd planar_product(const Dense<Number> &V, const Eigen::SparseMatrix<Number> &A) {
-    const Eigen::MatrixXd forces = Dense<Number>(A * V).template cast<double>();
-    return (V.template cast<double>().transpose() * forces).template cast<Complex>();
-}
-
-/// The same over unknowns in pairs (x, y), the shapes for both directions: pairs again.
-template <class Number>
-Eigen::MatrixXcd paired_product(const Dense<Number> &V, const Eigen::SparseMatrix<Number> &A) {
-    std::array<std::vector<Eigen::Triplet<Number>>, 4> entries;
-    for (Eigen::Index column = 0; column < A.outerSize(); ++column)
-        for (typename Eigen::SparseMatrix<Number>::InnerIterator entry(A, column); entry; ++entry)
-            entries[static_cast<std::size_t>(2 * (entry.row() % 2) + column % 2)].emplace_back(
-                static_cast<int>(entry.row() / 2), static_cast<int>(column / 2), entry.value());
-    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(2 * V.cols(), 2 * V.cols());
-    for (Eigen::Index block = 0; block < 4; ++block) {
-        const auto &list = entries[static_cast<std::size_t>(block)];
-        if (list.empty())
-            continue;
-        Eigen::SparseMatrix<Number> part(V.rows(), V.rows());
-        part.setFromTriplets(list.begin(), list.end());
-        out(Eigen::seqN(block / 2, V.cols(), 2), Eigen::seqN(block % 2, V.cols(), 2)) =
-            planar_product(V, part);
-    }
+Eigen::MatrixXcd shape_product(const Eigen::MatrixXd &V, const linalg::Matrix &A, int parts) {
+    const Sparse entries = A.view();
+    Eigen::MatrixXcd out(parts * V.cols(), parts * V.cols());
+    for (int row = 0; row < parts; ++row)
+        for (int column = 0; column < parts; ++column) {
+            const Eigen::MatrixXd part =
+                V.transpose() * forces<Number>(entries, V, row, column, parts);
+            for (Eigen::Index k = 0; k < V.cols(); ++k)
+                for (Eigen::Index i = 0; i < V.cols(); ++i)
+                    out(parts * i + row, parts * k + column) = part(i, k);
+        }
     return out;
 }
 
@@ -77,8 +82,6 @@ Eigen::MatrixXd real_parts(const Eigen::MatrixXcd &motions, double part) {
     }
     return out.leftCols(count);
 }
-
-Eigen::SparseMatrix<Wide> wide(const linalg::Matrix &A) { return Sparse(A.view()).cast<Wide>(); }
 
 } // namespace
 
@@ -219,21 +222,17 @@ void ReducedMotion::add_bearings(double bearing_speed, double share, Terms &out)
 }
 
 ReducedMotion::Terms ReducedMotion::whole_terms(double bearing_speed) const {
-    const Eigen::MatrixXd &plain = _shapes->matrix();
-    const Dense<Wide> V = plain.cast<Wide>();
+    const Eigen::MatrixXd &V = _shapes->matrix();
+    const int parts = _form == results::Form::planar ? 1 : 2;
+    const auto product = [&](const linalg::Matrix &A) { return shape_product<Wide>(V, A, parts); };
+    const auto mass = [&](const linalg::Matrix &A) { return shape_product<double>(V, A, parts); };
     if (_form == results::Form::planar) {
         const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
         const linalg::Matrix C = linalg::Matrix::from_entries(
             _discretization.planar_size(),
             modes::planar_support_damping(_discretization, bearing_speed));
-        return {planar_product(V, wide(s.K)), imaginary_unit * planar_product(V, wide(C)),
-                planar_product<double>(plain, s.G.view()) -
-                    planar_product<double>(plain, s.M.view())};
+        return {product(s.K), imaginary_unit * product(C), mass(s.G) - mass(s.M)};
     }
-    const auto product = [&V](const linalg::Matrix &A) { return paired_product(V, wide(A)); };
-    const auto mass = [&plain](const linalg::Matrix &A) {
-        return paired_product<double>(plain, Sparse(A.view()));
-    };
     if (_form == results::Form::rotating) {
         const assembly::RotatingSystem s =
             assembly::assemble_rotating(_discretization, bearing_speed, {});
@@ -319,8 +318,9 @@ std::vector<Reading> ReducedMotion::at(double speed) const {
     if (missing) {
         const auto &P = factors(speed).P;
         const Eigen::VectorXcd u = P.solve(_b);
-        const Eigen::VectorXcd slope =
-            P.solve(-_piece->P.P1 * u - (2 * speed) * (_piece->P.P2 * u));
+        Eigen::VectorXcd change = _piece->P.P1 * u;
+        change += (2 * speed) * Eigen::VectorXcd(_piece->P.P2 * u);
+        const Eigen::VectorXcd slope = -Eigen::VectorXcd(P.solve(change));
         known->second = readings({_read * u, _read * slope}, speed);
     }
     return known->second;

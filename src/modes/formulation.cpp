@@ -91,9 +91,20 @@ results::Formulation forced(const model::Case &scene) {
     }
 }
 
+/// Of a rotor that is axisymmetric where it turns, x and y by themselves.
+results::Formulation in_four_unknowns(const model::Rotor &rotor) {
+    const std::string no_hyperbolic = against_hyperbolic(rotor);
+    if (no_hyperbolic.empty())
+        return {results::Form::hyperbolic,
+                "bearings differ between x and y without coupling them, no "
+                "damping: a symmetric problem with real frequencies"};
+    return {results::Form::general,
+            no_hyperbolic + ": a real quadratic problem with complex eigenvalues"};
+}
+
 } // namespace
 
-results::Formulation choose_formulation(const model::Case &scene, bool damped_planar) {
+results::Formulation choose_formulation(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
     if (scene.formulation != model::FormChoice::automatic)
         return forced(scene);
@@ -123,18 +134,17 @@ results::Formulation choose_formulation(const model::Case &scene, bool damped_pl
         return {results::Form::planar,
                 "isotropic bearings, axisymmetric rotor, no damping: w = x + i y "
                 "halves the unknowns and the matrices are symmetric"};
-    const std::string no_hyperbolic = against_hyperbolic(rotor);
-    if (damped_planar && turns_alike(rotor))
+    if (turns_alike(rotor))
         return {results::Form::planar_damped,
                 "bearings that are the same from every direction, axisymmetric rotor: w = x + i y "
                 "halves the unknowns with damping and cross coupling too, and the sign of Im of "
                 "the eigenvalue is the direction of whirl"};
-    if (no_hyperbolic.empty())
-        return {results::Form::hyperbolic,
-                "bearings differ between x and y without coupling them, no "
-                "damping: a symmetric problem with real frequencies"};
-    return {results::Form::general,
-            no_hyperbolic + ": a real quadratic problem with complex eigenvalues"};
+    return in_four_unknowns(rotor);
+}
+
+results::Formulation without_planar_damped(const results::Formulation &chosen,
+                                           const model::Rotor &rotor) {
+    return chosen.form == results::Form::planar_damped ? in_four_unknowns(rotor) : chosen;
 }
 
 } // namespace whirl::modes

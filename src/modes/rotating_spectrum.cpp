@@ -16,7 +16,7 @@ namespace whirl::modes {
 
 namespace {
 
-constexpr std::complex<double> i_unit(0, 1);
+using assembly::i_unit;
 
 /// @throws linalg::SolverError where those found are not all up to the radius
 const RotatingSpectrum::Eigenvalues &reaching(const RotatingSpectrum::Eigenvalues &found,

@@ -4,7 +4,6 @@
 #include "mesh_error/estimate.h"
 #include "mesh_error/safety.h"
 #include "model/errors.h"
-#include "modes/formulation.h"
 #include "modes/spectrum.h"
 #include "results/damping.h"
 
@@ -35,16 +34,17 @@ model::Rotor coupled(model::Rotor rotor, double z, double q) {
     return rotor;
 }
 
-/// The case with some coupling: what decides the form of the equations.
-model::Case coupled_case(model::Case scene) {
-    if (scene.rotor.rotating_anisotropy())
+void require_axisymmetric(const model::Rotor &rotor) {
+    if (rotor.rotating_anisotropy())
         throw model::BadInput(
             "level1: expected an axisymmetric rotor, got one with [[anisotropy]], "
             "[[balancer]] or an asymmetric segment");
-    scene.rotor = coupled(std::move(scene.rotor), scene.level1->z, 1);
-    if (scene.formulation != model::FormChoice::general)
-        scene.formulation = model::FormChoice::automatic;
-    return scene;
+}
+
+/// With the coupling, which is the same from every direction: a rotor that is so, too, is still
+/// described by w = x + i y.
+results::Form form_with_coupling(results::Form without) {
+    return results::is_planar(without) ? results::Form::planar_damped : results::Form::general;
 }
 
 double log_dec_of(Complex eigenvalue) { return *results::damping_of(eigenvalue).log_dec; }
@@ -325,16 +325,16 @@ void note_others(const CoupledRotor &rotor, const State &root, std::vector<std::
 
 } // namespace
 
-results::Level1 level1(const model::Case &asked, std::vector<std::string> &notes) {
-    const model::Case with_some = coupled_case(asked);
-    const results::Formulation formulation = modes::choose_formulation(with_some);
-    const int order = mesh_error::resolve_order(with_some, formulation);
+results::Level1 level1(const model::Case &asked, results::Form without, int order,
+                       std::vector<std::string> &notes) {
+    require_axisymmetric(asked.rotor);
+    const results::Form form = form_with_coupling(without);
     const model::Level1Settings &settings = *asked.level1;
     results::Level1 out;
     out.z = settings.z;
     out.speed = asked.operation->to;
     out.anticipated = settings.anticipated;
-    const CoupledRotor rotor(asked, formulation.form, order);
+    const CoupledRotor rotor(asked, form, order);
     const std::vector<modes::WhirlMode> first = first_modes(rotor.modes(0));
     State start;
     double at_none = std::numeric_limits<double>::infinity(); // no damping is exactly none
@@ -357,7 +357,7 @@ results::Level1 level1(const model::Case &asked, std::vector<std::string> &notes
     const std::size_t of = least_damped(root->set);
     out.critical_cross_coupling = root->q;
     out.critical_frequency = root->set[of]->imag();
-    out.error = root->q > 0 ? error_of(*root, asked, formulation.form, order) : unknown;
+    out.error = root->q > 0 ? error_of(*root, asked, form, order) : unknown;
     fill_answers(rotor, *root, of, settings,
                  settings.to.value_or(root->q > 0 ? 1.5 * root->q : 1e-3 * scale), out);
     note_others(rotor, *root, notes);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/formulation.h"
 #include "results/level1.h"
 
 #include <string>
@@ -16,9 +17,12 @@ namespace whirl::operation {
 /// their directions the pair of modes is followed together out of which the forward one comes.
 ///
 /// @param scene  with [operation] and [level1]
+/// @param form   in which lines of the rotor without the coupling are followed
+/// @param order  of the shaft elements
 /// @param notes  what a user must know beside the numbers is added
 /// @throws model::BadInput for rotors that are not axisymmetric; model::AnalysisFailure where
 ///         eigenvalues are not found.
-[[nodiscard]] results::Level1 level1(const model::Case &scene, std::vector<std::string> &notes);
+[[nodiscard]] results::Level1 level1(const model::Case &scene, results::Form form, int order,
+                                     std::vector<std::string> &notes);
 
 } // namespace whirl::operation

@@ -41,10 +41,16 @@ inline std::vector<std::string> sorted(std::vector<std::string> list, std::vecto
 }
 
 inline Eigen::MatrixXd solved(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B) {
-    return A.partialPivLu().solve(B) + A * B + A.transpose() * B;
+    Eigen::MatrixXd out = A.partialPivLu().solve(B);
+    out = A * B;
+    out += A.transpose() * B;
+    return out;
 }
 inline Eigen::MatrixXcd solved(const Eigen::MatrixXcd &A, const Eigen::MatrixXcd &B) {
-    return A.partialPivLu().solve(B) + A * B + A.adjoint() * B;
+    Eigen::MatrixXcd out = A.partialPivLu().solve(B);
+    out = A * B;
+    out += A.adjoint() * B;
+    return out;
 }
 
 } // namespace whirl::precompiled

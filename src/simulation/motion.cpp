@@ -18,7 +18,7 @@ using Planar = Eigen::Map<Eigen::Matrix<double, 2, Eigen::Dynamic>>;
 using ConstPlanar = Eigen::Map<const Eigen::Matrix<double, 2, Eigen::Dynamic>>;
 
 /// Im(a^H b) of two complex vectors.
-template <class A, class B> double turning(const A &a, const B &b) {
+double turning(const ConstPair &a, const ConstPair &b) {
     return a.col(0).dot(b.col(1)) - a.col(1).dot(b.col(0));
 }
 
@@ -45,72 +45,7 @@ void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBl
     y.leftCols(columns) = A.partialPivLu().solve(y.leftCols(columns)).eval();
 }
 
-/// A matrix over the gyroscopic one in both directions: both on the real form of r unknowns.
-Eigen::MatrixXd above_turned(const Eigen::MatrixXd &matrix, const Eigen::MatrixXd &gyroscopic) {
-    const Index r = gyroscopic.rows();
-    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(4 * r, 2 * r);
-    out.topRows(2 * r) = matrix;
-    out.block(2 * r, 0, r, r) = gyroscopic;
-    out.block(3 * r, r, r, r) = gyroscopic;
-    return out;
-}
-
 } // namespace
-
-RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
-    const reduction::ReducedRotor &rotor = _parts.rotor;
-    const Index r = rotor.size();
-    const auto planes = static_cast<Index>(_parts.planes.size());
-    _rows.resize(r, 2 * planes);
-    for (Index i = 0; i < planes; ++i) {
-        _rows.col(2 * i) = _parts.planes[static_cast<std::size_t>(i)].w;
-        _rows.col(2 * i + 1) = _parts.planes[static_cast<std::size_t>(i)].phi;
-    }
-    _products = _rows.transpose() * _rows;
-    _tables = rotor.supports.size() > 1;
-    _internal = !rotor.internal.isZero(0);
-    for (const reduction::ReducedRotor::Supports &at : rotor.supports) {
-        const double size = at.stiffness.cwiseAbs().maxCoeff();
-        const Eigen::MatrixXd skew = at.stiffness - at.stiffness.transpose();
-        _circulating = _circulating || skew.cwiseAbs().maxCoeff() > 1e-13 * size;
-    }
-    _stiffness = rotor.supports.front().stiffness;
-    _stiffness.topLeftCorner(r, r) += rotor.elastic;
-    _stiffness.bottomRightCorner(r, r) += rotor.elastic;
-    _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
-    _of_velocity =
-        linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
-    _motions.resize(_parts.planes.size());
-    _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
-    for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})
-        each->resize(_parts.free_angles());
-    _fixed_equations.resize(_parts.fixed.size());
-    _forces.setZero(2 * r, 2);
-    _planes.setZero(4 * planes, 2);
-    _loads.resize(4 * planes, 2);
-    _coupling.resize(4, 4 * planes);
-    _by_place.resize(linalg::whole_vectors(4 * r));
-    _by_velocity.resize(linalg::whole_vectors(4 * r));
-    _push.resize(2 * r);
-    _external.setZero(2 * r);
-    for (const FreeParts &free : _parts.free)
-        _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),
-                         free.plane);
-    set_dry({});
-}
-
-std::vector<double> RotorMotion::jumps() const {
-    std::vector<double> times = _parts.excitation.jumps();
-    if (!_parts.motor)
-        for (const double jump : _parts.spin.jumps())
-            times.push_back(jump);
-    for (const FixedMass &mass : _parts.fixed)
-        if (mass.from > 0)
-            times.push_back(mass.from);
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
-    return times;
-}
 
 int RotorMotion::coordinates() const { return first_angle() + _parts.free_angles(); }
 
@@ -163,8 +98,10 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     if (_tables) {
         const reduction::ReducedRotor::Supports at = rotor.supports_at(spin.speed);
         const reduction::ReducedRotor::Supports &first = rotor.supports.front();
-        _push.noalias() += (at.stiffness - first.stiffness) * ConstMap(p, 2 * r) +
-                           (at.damping - first.damping) * ConstMap(v, 2 * r);
+        const Eigen::MatrixXd stiffness = at.stiffness - first.stiffness;
+        const Eigen::MatrixXd damping = at.damping - first.damping;
+        _push.noalias() += stiffness * ConstMap(p, 2 * r);
+        _push.noalias() += damping * ConstMap(v, 2 * r);
     }
     f.col(0) = -_push.head(r) - spin.speed * _by_velocity.segment(3 * r, r);
     f.col(1) = spin.speed * _by_velocity.segment(2 * r, r) - _push.tail(r);
@@ -173,8 +110,10 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     if (_internal) {
         const ConstPair x(p, r, 2);
         const ConstPair u(v, r, 2);
-        f.col(0).noalias() -= rotor.internal * (u.col(0) + spin.speed * x.col(1));
-        f.col(1).noalias() -= rotor.internal * (u.col(1) - spin.speed * x.col(0));
+        Eigen::VectorXd slip = u.col(0) + spin.speed * x.col(1);
+        f.col(0).noalias() -= rotor.internal * slip;
+        slip = u.col(1) - spin.speed * x.col(0);
+        f.col(1).noalias() -= rotor.internal * slip;
     }
 }
 
@@ -304,10 +243,11 @@ Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, i
     for (Index column = 0; column < columns; ++column)
         torque(column) -= turning(turned, ConstPair(_forces.col(column).data(), r, 2)) / 2;
     if (_internal) {
-        Eigen::Matrix<double, Eigen::Dynamic, 2> slip = ConstPair(state + n, r, 2);
+        Eigen::MatrixXd slip = ConstPair(state + n, r, 2);
         slip.col(0) += spin.speed * x.col(1);
         slip.col(1) -= spin.speed * x.col(0);
-        torque(0) -= turning(x, rotor.internal * slip);
+        const Eigen::MatrixXd force = rotor.internal * slip;
+        torque(0) -= turning(x, ConstPair(force.data(), r, 2));
     }
     for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
         const FixedMass &mass = _parts.fixed[i];

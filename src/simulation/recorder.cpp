@@ -5,13 +5,6 @@
 
 namespace whirl::simulation {
 
-namespace {
-
-/// Share of the time at the end over which amplitudes count as final.
-constexpr double final_share = 0.025;
-
-} // namespace
-
 MotionRecorder::MotionRecorder(const RotorMotion &motion, std::vector<reduction::Row> rows,
                                double end, int points)
     : _motion(motion), _rows(std::move(rows)), _last_from(end * (1 - final_share)),

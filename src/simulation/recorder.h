@@ -7,6 +7,9 @@
 
 namespace whirl::simulation {
 
+/// Share of the time at the end over which amplitudes count as final.
+inline constexpr double final_share = 0.025;
+
 /// Collects what a result needs while a motion is integrated.
 class MotionRecorder {
   public:

@@ -247,7 +247,9 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
     StabilityModel out;
     out.rotor = scene.rotor;
     out.reduction = scene.reduction;
-    out.formulation = modes::choose_formulation(scene, false);
+    const results::Formulation chosen = modes::choose_formulation(scene);
+    out.form_of_lines = chosen.form;
+    out.formulation = modes::without_planar_damped(chosen, scene.rotor);
     out.order = mesh_error::resolve_order(scene, out.formulation);
     const results::Form form = out.formulation.form;
     // On few shapes its fast motions would grow where those of the whole rotor do not.
@@ -265,10 +267,12 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
         }
     } else if (form != results::Form::general) {
         out.conservative = modes::stiffness_positive(scene.rotor, out.order);
-        if (!out.conservative)
+        if (!out.conservative) {
             out.formulation = {results::Form::general,
                                "the stiffness is not positive definite: all eigenvalues are looked "
                                "at, whether or not they are frequencies"};
+            out.form_of_lines = results::Form::general;
+        }
     }
     return out;
 }

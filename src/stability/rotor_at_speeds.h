@@ -18,8 +18,10 @@ struct StabilityModel {
     model::Rotor rotor;
     results::Formulation formulation;
     results::Form form = results::Form::general; ///< general, rotating or hill
-    bool conservative = false;                   ///< undamped, fixed frame, K > 0: nothing can grow
-    bool reduction = true; ///< searches may look at a rotor of few shapes first
+    /// The form in which single lines are followed: planar, planar_damped and hyperbolic too.
+    results::Form form_of_lines = results::Form::general;
+    bool conservative = false; ///< undamped, fixed frame, K > 0: nothing can grow
+    bool reduction = true;     ///< searches may look at a rotor of few shapes first
     int order = 1;
     int harmonics = 0; ///< of the Hill series; 0: form hill by the monodromy matrix
     /// Of the steps in time that monodromy matrices need, shared with rotors that hardly differ;

@@ -20,7 +20,7 @@ namespace {
 using assembly::Discretization;
 using linalg::Matrix;
 
-constexpr std::complex<double> i_unit(0, 1);
+using assembly::i_unit;
 
 /// The doubled problem has the eigenvalues of the complex one and their conjugates. Of each
 /// vector (u1, u2), u1 + i u2 is the part that belongs to the complex problem.

@@ -154,7 +154,7 @@ TEST(PlanarDamped, IsChosenWhereItHolds) {
     EXPECT_EQ(choose_formulation(scene).form, Form::planar);
     scene.rotor.bearings[0].rows[0].c = 10 * Eigen::Matrix2d::Identity();
     EXPECT_EQ(choose_formulation(scene).form, Form::planar_damped);
-    EXPECT_EQ(choose_formulation(scene, false).form, Form::general);
+    EXPECT_EQ(without_planar_damped(choose_formulation(scene), scene.rotor).form, Form::general);
     EXPECT_EQ(results::unknowns_name(Form::planar_damped), "planar");
     EXPECT_EQ(results::frame_name(Form::planar_damped), "fixed");
     scene.formulation = model::FormChoice::general;

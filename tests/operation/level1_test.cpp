@@ -1,6 +1,7 @@
 #include "operation/level1.h"
 
 #include "model/errors.h"
+#include "modes/formulation.h"
 #include "support/rigid_jeffcott.h"
 #include "support/test_rotors.h"
 
@@ -22,9 +23,15 @@ model::Case coupled(const tests::RigidJeffcott &rotor) {
     return scene;
 }
 
+results::Level1 level1(const model::Case &scene, std::vector<std::string> &notes) {
+    const model::Shaft &shaft = scene.rotor.shaft;
+    return operation::level1(scene, modes::choose_formulation(scene).form,
+                             shaft.rigid ? 1 : shaft.order, notes);
+}
+
 results::Level1 level1(const model::Case &scene) {
     std::vector<std::string> notes;
-    const results::Level1 out = operation::level1(scene, notes);
+    const results::Level1 out = level1(scene, notes);
     EXPECT_TRUE(notes.empty()) << notes.front();
     return out;
 }
@@ -108,7 +115,7 @@ TEST(Level1, SaysThatARotorGrowsWithoutAddedCoupling) {
     seal.rows.emplace_back().k << 0, q, -q, 0;
     scene.rotor.bearings.push_back(seal);
     std::vector<std::string> notes;
-    const results::Level1 found = operation::level1(scene, notes);
+    const results::Level1 found = level1(scene, notes);
     EXPECT_FALSE(found.critical_cross_coupling.has_value());
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_NE(notes[0].find("without any added cross coupling"), std::string::npos);
@@ -138,7 +145,7 @@ TEST(Level1, IsForAxisymmetricRotors) {
     model::Case scene = coupled({});
     scene.rotor.anisotropies.push_back({"", 0.5, 0.001, 0});
     std::vector<std::string> notes;
-    EXPECT_THROW((void)operation::level1(scene, notes), model::BadInput);
+    EXPECT_THROW((void)level1(scene, notes), model::BadInput);
 }
 
 } // namespace

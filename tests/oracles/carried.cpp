@@ -202,7 +202,8 @@ Eigen::VectorXd CarriedRotor::acceleration(const Eigen::VectorXd &q,
     const Sums<double> s =
         summed<double>(*this, _body, static_cast<double>(_speed), static_cast<double>(_force),
                        static_cast<double>(_moment), q, r);
-    return -s.M.partialPivLu().solve(s.f);
+    const Eigen::VectorXd pull = s.M.partialPivLu().solve(s.f);
+    return -pull;
 }
 
 double CarriedRotor::amplitude(const Eigen::VectorXd &q) const {

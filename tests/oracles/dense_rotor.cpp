@@ -148,6 +148,13 @@ void add_attached(const CaseRotor &rotor, DenseRotor &out) {
     }
 }
 
+/// A += factor v^T v
+void add_square(Eigen::Matrix4d &A, double factor, const Eigen::RowVector4d &v) {
+    for (Eigen::Index i = 0; i < 4; ++i)
+        for (Eigen::Index j = 0; j < 4; ++j)
+            A(i, j) += factor * v(i) * v(j);
+}
+
 } // namespace
 
 BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
@@ -166,12 +173,12 @@ BeamMatrices beam_matrices(const Cylinder &cylinder, double axial_force) {
     for (const auto &[point, share] : rule) {
         const Shapes f = shapes_at((1 + point) / 2, h, a, strain);
         const double dz = share * h / 2;
-        out.stiffness += dz * (s.EI * f.curvature.transpose() * f.curvature +
-                               s.shear * f.strain.transpose() * f.strain +
-                               axial_force * f.slope.transpose() * f.slope);
-        out.mass +=
-            dz * cylinder.rho * (s.area * f.w.transpose() * f.w + s.I * f.phi.transpose() * f.phi);
-        out.gyroscopic += dz * 2 * cylinder.rho * s.I * f.phi.transpose() * f.phi;
+        add_square(out.stiffness, dz * s.EI, f.curvature);
+        add_square(out.stiffness, dz * s.shear, f.strain);
+        add_square(out.stiffness, dz * axial_force, f.slope);
+        add_square(out.mass, dz * cylinder.rho * s.area, f.w);
+        add_square(out.mass, dz * cylinder.rho * s.I, f.phi);
+        add_square(out.gyroscopic, 2 * dz * cylinder.rho * s.I, f.phi);
     }
     return out;
 }
@@ -207,7 +214,9 @@ std::vector<std::complex<double>> whirl_eigenvalues(const DenseRotor &rotor, dou
     const Eigen::MatrixXd flexibility = stiffness.solve(rotor.M);
     const double scale = 1 / std::sqrt(flexibility.norm());
     Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * n, 2 * n);
-    state.topLeftCorner(n, n) = -scale * stiffness.solve(rotor.C + speed * rotor.G);
+    const Eigen::MatrixXd damping = rotor.C + speed * rotor.G;
+    const Eigen::MatrixXd rates = stiffness.solve(damping);
+    state.topLeftCorner(n, n) = -scale * rates;
     state.topRightCorner(n, n) = -scale * scale * flexibility;
     state.bottomLeftCorner(n, n).setIdentity();
     const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(state, false).eigenvalues();

@@ -114,16 +114,18 @@ PeriodicSystem rigid_periodic(const CaseRotor &rotor, Real speed) {
     D(3, 1) = -speed * body.C;
     RealMatrix K = RealMatrix::Zero(4, 4);
     for (const Support &s : rotor.supports) {
-        Eigen::Matrix<Real, 2, 4> at; // deflections (x, y) at the support
+        RealMatrix at(2, 4); // deflections (x, y) at the support
         const Real z = s.z - body.centre;
         at << 1, z, 0, 0, 0, 0, 1, z;
-        Eigen::Matrix<Real, 2, 2> k, c;
+        RealMatrix k(2, 2);
+        RealMatrix c(2, 2);
         for (std::size_t i = 0; i < 4; ++i) {
             k(static_cast<int>(i / 2), static_cast<int>(i % 2)) = s.k[i / 2][i % 2];
             c(static_cast<int>(i / 2), static_cast<int>(i % 2)) = s.c[i / 2][i % 2];
         }
-        K += at.transpose() * k * at;
-        D += at.transpose() * c * at;
+        const RealMatrix turned = at.transpose();
+        K += product(turned, product(k, at));
+        D += product(turned, product(c, at));
     }
     PeriodicSystem out;
     out.period = std::numbers::pi_v<Real> / speed;

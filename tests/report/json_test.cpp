@@ -12,10 +12,10 @@
 
 namespace whirl::report {
 
-using Json = nlohmann::json;
+using AnyJson = nlohmann::json;
 
 TEST(Json, EnvelopeNamesProgramFormatAndFormulation) {
-    const Json json = Json::parse(to_json(sample_case(), sample_campbell()));
+    const AnyJson json = AnyJson::parse(to_json(sample_case(), sample_campbell()));
     EXPECT_EQ(json.at("program"), "whirl");
     EXPECT_EQ(json.at("version"), program_version());
     EXPECT_EQ(json.at("format"), 1);
@@ -29,7 +29,7 @@ TEST(Json, EnvelopeNamesProgramFormatAndFormulation) {
     EXPECT_EQ(json.at("order"), 4);
     EXPECT_EQ(json.at("elements"), 6);
     EXPECT_EQ(json.at("unknowns_count"), 50);
-    EXPECT_EQ(json.at("notes"), Json::array({"a note"}));
+    EXPECT_EQ(json.at("notes"), AnyJson::array({"a note"}));
 }
 
 TEST(Json, SaysWhatItWasComputedFrom) {
@@ -37,7 +37,7 @@ TEST(Json, SaysWhatItWasComputedFrom) {
     const results::CampbellResult result = sample_campbell();
     Report report = describe(scene, result);
     report.provenance = {"2026-03-01T12:00:00Z", "title = \"</pre><b>\"\n# second line\n"};
-    const Json told = Json::parse(to_json(report)).at("provenance");
+    const AnyJson told = AnyJson::parse(to_json(report)).at("provenance");
     EXPECT_EQ(told.at("version"), program_version());
     EXPECT_EQ(told.at("date"), "2026-03-01T12:00:00Z");
     EXPECT_EQ(told.at("case"), report.provenance.case_text);
@@ -49,13 +49,13 @@ TEST(Json, SaysWhatItWasComputedFrom) {
 
 TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
     const std::string text = to_json(sample_case(), sample_campbell());
-    const Json json = Json::parse(text);
-    const Json &modes = json.at("modes");
+    const AnyJson json = AnyJson::parse(text);
+    const AnyJson &modes = json.at("modes");
     EXPECT_EQ(modes.at(0).at("frequency").at(0).get<double>(), 85.389371234123);
     EXPECT_TRUE(modes.at(1).at("frequency").at(1).is_null());
     EXPECT_TRUE(modes.at(1).at("real").at(1).is_null()) << "NaN";
     EXPECT_TRUE(modes.at(1).at("error").at(2).is_null()) << "infinity";
-    EXPECT_EQ(modes.at(0).at("whirl"), Json::array({"mixed", "backward", "backward"}));
+    EXPECT_EQ(modes.at(0).at("whirl"), AnyJson::array({"mixed", "backward", "backward"}));
     EXPECT_EQ(json.at("crossings").at(0).at("speed"), 82.5);
     EXPECT_EQ(json.at("crossings").at(0).at("mode"), 0);
     EXPECT_EQ(json.at("crossings").at(0).at("multiple"), 1);
@@ -64,7 +64,7 @@ TEST(Json, CampbellKeepsAllDigitsAndWritesNullForWhatIsMissing) {
     EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("log_dec"), 2 * std::numbers::pi * 0.4);
     EXPECT_DOUBLE_EQ(json.at("crossings").at(0).at("amplification"), 1 / (2 * ratio));
     EXPECT_EQ(json.at("locked"),
-              Json::parse(R"([{"multiple": 1.0, "mode": 1, "from": 90.0, "to": 110.0}])"));
+              AnyJson::parse(R"([{"multiple": 1.0, "mode": 1, "from": 90.0, "to": 110.0}])"));
     for (const char *key :
          {"label", "frequency", "real", "damping_ratio", "log_dec", "whirl", "forward_fraction",
           "error", "error_mesh", "error_reduction", "error_rounding", "residual"})
@@ -77,7 +77,7 @@ TEST(Json, OtherResultsHaveTheirKeys) {
     critical.critical_speeds = {
         {86.5, results::Whirl::backward, 0, 1e-12, 1e-15, results::damping_of({0, 86.5}), "1B"},
         {90, results::Whirl::forward, -30, 1e-12, 1e-15, results::damping_of({-30, 90}), ""}};
-    const Json speeds = Json::parse(to_json(sample_case(), critical)).at("critical_speeds");
+    const AnyJson speeds = AnyJson::parse(to_json(sample_case(), critical)).at("critical_speeds");
     EXPECT_EQ(speeds.at(0).at("speed"), 86.5);
     EXPECT_EQ(speeds.at(0).at("mode"), "1B");
     EXPECT_TRUE(speeds.at(1).at("mode").is_null()) << "not known";
@@ -98,7 +98,7 @@ TEST(Json, OtherResultsHaveTheirKeys) {
     response.nodes[0].inclination = {std::nan("")};
     response.bearings = {{0, "", {12.5}, {1e-8}}};
     response.probes = {{0.5, 0.7, "left", {1e-5}, {0.2}, {1e-9}}};
-    const Json answered = Json::parse(to_json(sample_case(), response));
+    const AnyJson answered = AnyJson::parse(to_json(sample_case(), response));
     EXPECT_EQ(answered.at("nodes").at(0).at("minor").at(0), -1e-6);
     for (const char *key : {"z", "name", "amplitude", "phase", "major", "minor", "x", "x_phase",
                             "y", "y_phase", "inclination", "error"})
@@ -115,7 +115,7 @@ TEST(Json, OtherResultsHaveTheirKeys) {
         {0.5, "disc", {3e-5}, {1e-6}, {-3e-5}, {1e-6}, {0.3}, {1e-9}, {1e-11}});
     response.gravity->bearings.push_back({0, "left", {44}, {2.5}, {1e-8}, {1e-10}});
     response.gravity->peaks.emplace_back().value = std::numeric_limits<double>::infinity();
-    const Json weight = Json::parse(to_json(sample_case(), response)).at("gravity");
+    const AnyJson weight = AnyJson::parse(to_json(sample_case(), response)).at("gravity");
     EXPECT_EQ(weight.at("gravity"), 9.81);
     EXPECT_EQ(weight.at("stations").at(0).at("static").at(0), 3e-5);
     EXPECT_EQ(weight.at("stations").at(0).at("static_y").at(0), -3e-5);
@@ -126,14 +126,14 @@ TEST(Json, OtherResultsHaveTheirKeys) {
 
     results::ShowResult show;
     show.mass = 84;
-    const Json shown = Json::parse(to_json(sample_case(), show));
+    const AnyJson shown = AnyJson::parse(to_json(sample_case(), show));
     EXPECT_EQ(shown.at("mass"), 84);
     for (const char *key : {"center_of_mass", "Id", "Ip", "type", "balancers"})
         EXPECT_TRUE(shown.contains(key)) << key;
 
     results::AccuracyResult accuracy;
     accuracy.rows = {{"classical", 1, 6, "full", 14, 1e-3, std::nullopt, 2e-4}};
-    const Json row = Json::parse(to_json(sample_case(), accuracy)).at("rows").at(0);
+    const AnyJson row = AnyJson::parse(to_json(sample_case(), accuracy)).at("rows").at(0);
     EXPECT_TRUE(row.at("error_estimate").is_null());
     EXPECT_EQ(row.at("true_error"), 2e-4);
     EXPECT_EQ(row.at("family"), "classical");
@@ -142,7 +142,7 @@ TEST(Json, OtherResultsHaveTheirKeys) {
 TEST(Json, TextThatIsNotUtf8IsReplacedNotRefused) {
     model::Case scene = sample_case();
     scene.title = "bad \xff byte";
-    EXPECT_TRUE(Json::accept(to_json(scene, sample_campbell())));
+    EXPECT_TRUE(AnyJson::accept(to_json(scene, sample_campbell())));
 }
 
 } // namespace whirl::report

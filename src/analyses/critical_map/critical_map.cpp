@@ -85,7 +85,8 @@ MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &s
     map.symmetric = scene.formulation != model::FormChoice::general;
     model::Case at_middle = scene;
     at_middle.rotor = map.with_stiffness(stiffness[stiffness.size() / 2]);
-    map.form = modes::choose_formulation(at_middle, false).form;
+    map.form =
+        modes::without_planar_damped(modes::choose_formulation(at_middle), at_middle.rotor).form;
     if (map.form == results::Form::hill)
         throw model::BadInput("formulation: expected another than \"hill\" for a critical speed "
                               "map, whose supports are isotropic");

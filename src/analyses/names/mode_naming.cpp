@@ -47,9 +47,12 @@ std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
     return found == speeds.end() ? std::nullopt : std::optional(*found);
 }
 
-/// The form in which lines are followed to give names; none where that takes long.
+/// Lines are not followed to give names where that takes long.
+bool has_lines(const model::Case &scene) { return scene.speeds && scene.rotor.balancers.empty(); }
+
+/// The form in which lines are followed to give names; none where they are not.
 std::optional<results::Form> form_for_names(const model::Case &scene) {
-    if (!scene.speeds || !scene.rotor.balancers.empty())
+    if (!has_lines(scene))
         return std::nullopt;
     try {
         const results::Form form = modes::choose_formulation(scene).form;
@@ -196,18 +199,18 @@ std::optional<tracking::ModeNames> names_beside(const model::Case &scene, result
 
 } // namespace
 
-void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene, int order) {
+void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene,
+                results::Form form, int order) {
     std::vector<double> speeds;
     for (const results::StabilityEnd &end : ends)
         if (end.kind == results::EndKind::pair)
             speeds.push_back(end.speed);
-    const auto form = speeds.empty() ? std::nullopt : form_for_names(scene);
-    if (!form)
+    if (speeds.empty() || !has_lines(scene) || results::in_rotating_axes(form))
         return;
     const auto which = [&ends](const modes::Spectrum &spectrum, std::size_t place) {
         return at_an_end(spectrum.modes[place].eigenvalue, spectrum.speed, ends);
     };
-    const auto names = names_beside(scene, *form, order, {speeds, false, which, most_more});
+    const auto names = names_beside(scene, form, order, {speeds, false, which, most_more});
     if (!names)
         return;
     for (results::StabilityEnd &end : ends)

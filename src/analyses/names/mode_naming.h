@@ -2,6 +2,7 @@
 
 #include "model/case.h"
 #include "results/critical.h"
+#include "results/formulation.h"
 #include "results/response.h"
 #include "results/stability.h"
 
@@ -23,7 +24,9 @@ void name_modes(std::vector<results::ResponsePeak> &peaks, const model::Case &sc
 /// Names the mode that passes the imaginary axis at each end of kind pair; none at other ends,
 /// where a motion stands still or two meet, nor where critical speeds get none, nor where the lines
 /// of a large rotor can be followed neither on few shapes nor through few speeds.
+/// @param form   in which the lines are followed
 /// @param order  of the shaft elements
-void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene, int order);
+void name_modes(std::vector<results::StabilityEnd> &ends, const model::Case &scene,
+                results::Form form, int order);
 
 } // namespace whirl::analyses

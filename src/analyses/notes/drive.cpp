@@ -1,11 +1,15 @@
 #include "analyses/notes/drive.h"
 
-#include "analyses/stability.h"
+#include "balancers/arrangement.h"
+#include "ends/all_motions.h"
+#include "linalg/check.h"
 #include "model/errors.h"
+#include "stability/motions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::analyses {
 
@@ -27,19 +31,28 @@ void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &
             "number and order; campbell has the growth of the slow modes");
 }
 
-void note_torque(const model::Case &scene, results::StabilityResult &result) {
+/// Growth at a speed, 1/s.
+double growth_at(const stability::StabilityModel &model, double speed) {
+    const auto arrangement = balancers::arrangement_at_balance(model.rotor);
+    if (model.form == results::Form::hill)
+        return stability::growth_of(stability::MotionSolver(model, arrangement).at(speed));
+    const assembly::Discretization d(model.rotor, model.order);
+    return ends::AllMotions(d, model.form, arrangement, nullptr, speed, speed)
+        .fastest_growing(speed)
+        .real();
+}
+
+void note_torque(const stability::StabilityModel &model, results::StabilityResult &result) {
     const auto fastest = std::max_element(result.growth.begin(), result.growth.end());
-    if (scene.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
+    if (model.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
         !(*fastest > 0))
         return;
     const double speed = result.speeds[static_cast<std::size_t>(fastest - result.growth.begin())];
-    model::Case other = scene;
+    stability::StabilityModel other = model;
     other.rotor.shaft.torque_kind = model::TorqueKind::semitangential;
-    other.speeds = model::SpeedRange{speed, speed, 1};
-    other.map.reset();
-    other.level1.reset();
+    other.top = std::abs(speed);
     try {
-        const double left = std::max(0.0, stability(other, {}).growth.front());
+        const double left = std::max(0.0, growth_at(other, speed));
         if (left > 0.9 * *fastest)
             return;
         result.model.notes.push_back(fmt::format(
@@ -52,14 +65,15 @@ void note_torque(const model::Case &scene, results::StabilityResult &result) {
             *fastest, speed,
             left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
     } catch (const model::AnalysisFailure &) { // no more than a note
+    } catch (const linalg::SolverError &) {
     }
 }
 
 } // namespace
 
-void note_drives(const model::Case &scene, results::StabilityResult &result) {
-    note_negative_damping(scene.rotor, result);
-    note_torque(scene, result);
+void note_drives(const stability::StabilityModel &model, results::StabilityResult &result) {
+    note_negative_damping(model.rotor, result);
+    note_torque(model, result);
 }
 
 } // namespace whirl::analyses

@@ -15,8 +15,9 @@ struct Kind {
     const char *letter;
     CoefficientMatrix matrix;
 };
-constexpr std::array kinds{Kind{"k", &BearingCoefficients::k}, Kind{"c", &BearingCoefficients::c},
-                           Kind{"m", &BearingCoefficients::m}};
+constexpr std::array coefficients{Kind{"k", &BearingCoefficients::k},
+                                  Kind{"c", &BearingCoefficients::c},
+                                  Kind{"m", &BearingCoefficients::m}};
 
 } // namespace
 
@@ -59,7 +60,7 @@ BearingCoefficients read_coefficients(const NumberOf &number, bool seal) {
 }
 
 std::optional<WrongKey> mixed_keys(const std::function<bool(const char *)> &has, bool seal) {
-    for (const Kind &kind : kinds)
+    for (const Kind &kind : coefficients)
         for (const Coefficient &entry : bearing_coefficients()) {
             const bool coupling = seal && entry.row < entry.column;
             if (entry.matrix != kind.matrix || entry.on_diagonal() || coupling)

@@ -13,7 +13,7 @@ namespace {
 
 using assembly::Term;
 using Complex = std::complex<double>;
-constexpr Complex i_unit(0, 1);
+using assembly::i_unit;
 
 /// Power of blocks of one part. Of the product of a complex amplitude with a real matrix the real
 /// part is that of its symmetric, the imaginary one that of its skew part.

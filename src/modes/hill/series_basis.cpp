@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Series = Eigen::MatrixXcd; ///< as of hill_terms
 
-constexpr Complex i_unit(0, 1);
+using assembly::i_unit;
 
 /// At rest every term is the same motion. Just beside it the part of the shaft that turns with the
 /// spin is the constant one in rotating axes, and the one that turns against it the next.

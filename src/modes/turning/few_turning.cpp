@@ -28,7 +28,7 @@ constexpr double least_part = 1e-4;
 constexpr double agreeing = 1e-7;
 
 /// Of planar unknowns: with more shapes nothing is gained.
-constexpr double hardly_fewer = 0.6;
+constexpr double large_share = 0.6;
 
 /// What bends the shaft, K + top^2 M in a plane, as L L^T; by its diagonal where it is not
 /// positive.
@@ -155,7 +155,7 @@ std::unique_ptr<FewTurning> FewTurning::of(const assembly::Discretization &d,
             return out;
         Eigen::MatrixXd shapes = samples.principal(least);
         least /= 10;
-        if (static_cast<double>(shapes.cols()) > hardly_fewer * d.planar_size())
+        if (static_cast<double>(shapes.cols()) > large_share * d.planar_size())
             return nullptr;
         out.reset(new FewTurning(d, balancers, whole, std::move(shapes), range));
     }

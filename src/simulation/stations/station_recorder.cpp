@@ -1,5 +1,7 @@
 #include "simulation/stations/station_recorder.h"
 
+#include "simulation/recorder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,8 +10,7 @@ namespace whirl::simulation {
 
 namespace {
 
-constexpr double final_share = 0.025; ///< of the time whose largest amplitude is the final one
-constexpr int pieces = 8;             ///< of a step, which is at most some two radians of a motion
+constexpr int step_parts = 8; ///< of a step, which is at most some two radians of a motion
 /// What the polynomials may be wrong by decides which maxima are looked at again.
 constexpr double doubt = 1e-3;
 constexpr std::size_t most_candidates = 6;
@@ -93,9 +94,9 @@ void StationRecorder::look_for_peaks(std::size_t station, const Polynomial &w, d
     const double length = to - _time;
     const auto growth = [&](double s) { return value_at(w, s).dot(slope_at(w, s)); };
     double before = growth(0);
-    for (int i = 1; i <= pieces; ++i) {
-        double high = static_cast<double>(i) / pieces;
-        double low = static_cast<double>(i - 1) / pieces;
+    for (int i = 1; i <= step_parts; ++i) {
+        double high = static_cast<double>(i) / step_parts;
+        double low = static_cast<double>(i - 1) / step_parts;
         const double here = growth(high);
         if (before > 0 && here <= 0) {
             const double from = _time + low * length;
