@@ -113,12 +113,11 @@ std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const L
     return out;
 }
 
-/// Of the modes on lines; infinite for others, or of these as well.
-/// @param singly  of each mode the finer one can be found from it
-std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
-                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
-    if (!singly)
-        return finer.errors(spectrum);
+/// Of the modes on lines, the finer ones found from them; infinite for others. None where they are
+/// not found.
+std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
+                                   const std::vector<Line> &lines, const modes::Spectrum &spectrum,
+                                   std::size_t k) {
     std::vector<std::size_t> places;
     modes::Spectrum on_lines = spectrum;
     on_lines.modes.clear();
@@ -129,11 +128,32 @@ std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::ve
         }
     const std::vector<double> some = finer.errors_by_refinement(on_lines);
     if (some.empty())
-        return finer.errors(spectrum);
+        return {};
     std::vector<double> all(spectrum.modes.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < places.size(); ++i)
         all[places[i]] = some[i];
     return all;
+}
+
+/// Of the modes on lines; infinite for others, or of these as well.
+/// @param singly  of each mode the finer one can be found from it
+std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
+                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
+    std::vector<double> out;
+    if (singly)
+        out = refined_errors(finer, lines, spectrum, k);
+    return out.empty() ? finer.errors(spectrum) : out;
+}
+
+/// The slowest of some speeds, but not at rest, at which the finer modes are found from those of a
+/// Hill series: nearer to rest copies of other motions may be nearer than the finer one.
+std::optional<std::size_t> slow_probe(const mesh_error::FinerModel &finer,
+                                      const std::vector<Line> &lines,
+                                      const std::vector<modes::Spectrum> &spectra) {
+    for (std::size_t k = 1; 2 * k < spectra.size(); k *= 2)
+        if (!refined_errors(finer, lines, spectra[k], k).empty())
+            return k;
+    return std::nullopt;
 }
 
 } // namespace
@@ -153,8 +173,9 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     const mesh_error::FinerModel finer(rotor, solver);
     const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
-    if (series && spectra.size() > 1)
-        probes.insert(1); // slow, but not at rest: needs most harmonics
+    if (series) // slow, but not at rest: needs most harmonics
+        if (const auto slow = slow_probe(finer, lines, spectra))
+            probes.insert(*slow);
     for (const std::size_t k : probes) {
         const std::vector<double> all = errors_at(finer, lines, spectra[k], k, singly);
         for (std::size_t i = 0; i < lines.size(); ++i)
