@@ -145,15 +145,14 @@ std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::ve
     return out.empty() ? finer.errors(spectrum) : out;
 }
 
-/// The slowest of some speeds, but not at rest, at which the finer modes are found from those of a
-/// Hill series: nearer to rest copies of other motions may be nearer than the finer one.
-std::optional<std::size_t> slow_probe(const mesh_error::FinerModel &finer,
-                                      const std::vector<Line> &lines,
-                                      const std::vector<modes::Spectrum> &spectra) {
-    for (std::size_t k = 1; 2 * k < spectra.size(); k *= 2)
-        if (!refined_errors(finer, lines, spectra[k], k).empty())
-            return k;
-    return std::nullopt;
+/// Motions of Hill's series so slow that those of a finer mesh are far away beside the copies of
+/// others, and take long to find.
+bool many_terms(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
+    constexpr Eigen::Index many = 25;
+    return solver.form() == results::Form::hill && spectrum.speed != 0 &&
+           std::ranges::any_of(spectrum.modes, [&](const modes::WhirlMode &mode) {
+               return mode.rotating_vector.size() > many * solver.unknowns();
+           });
 }
 
 } // namespace
@@ -173,10 +172,14 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     const mesh_error::FinerModel finer(rotor, solver);
     const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
-    if (series) // slow, but not at rest: needs most harmonics
-        if (const auto slow = slow_probe(finer, lines, spectra))
-            probes.insert(*slow);
+    std::size_t slow = 1;
+    while (slow < spectra.size() && many_terms(solver, spectra[slow]))
+        ++slow;
+    if (series && slow < spectra.size()) // not at rest: needs most harmonics
+        probes.insert(slow);
     for (const std::size_t k : probes) {
+        if (many_terms(solver, spectra[k]))
+            continue;
         const std::vector<double> all = errors_at(finer, lines, spectra[k], k, singly);
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
