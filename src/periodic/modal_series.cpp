@@ -24,6 +24,7 @@ using Eigen::VectorXcd;
 
 /// Modes of which rounding leaves less than this of left times right vector are defective.
 constexpr double defective = 1e-9;
+constexpr Index fewest = 2 * 3 + 1; // terms
 
 /// The middle column of as many more or fewer as make `columns`, zeros beyond.
 MatrixXcd of_terms(const MatrixXcd &terms, Index columns) {
@@ -61,6 +62,30 @@ struct ModalSeries::Chain {
         VectorXcd constant;
         MatrixXcd factor;
     };
+    /// What the places see of forces of a term.
+    [[nodiscard]] MatrixXcd back(Index k) const {
+        return seen * inverse.col(k).asDiagonal() * acts;
+    }
+    /// Forces of the motion without forces.
+    [[nodiscard]] MatrixXcd alone(const MatrixXcd &right) const {
+        const MatrixXcd at_places = seen * inverse.cwiseProduct(right);
+        const Index others = right.cols() - 1;
+        MatrixXcd out = MatrixXcd::Zero(acts.cols(), right.cols());
+        out.rightCols(others) += up * at_places.leftCols(others);
+        out.leftCols(others) += down * at_places.rightCols(others);
+        return out;
+    }
+    /// A term with the end behind it.
+    /// @param behind  back() of the end's term through up or down; empty at the first term
+    /// @param ahead   of the next one
+    [[nodiscard]] static End longer(const VectorXcd &constant, const End &end,
+                                    const MatrixXcd &behind, const MatrixXcd &ahead) {
+        const Index m = ahead.rows();
+        if (behind.size() == 0)
+            return {constant, ahead};
+        const Eigen::PartialPivLU<MatrixXcd> lu(MatrixXcd::Identity(m, m) - behind * end.factor);
+        return {lu.solve(constant + behind * end.constant), lu.solve(ahead)};
+    }
 };
 
 /// Elimination from both ends: what is singular at a root is the equation of the middle term.
@@ -68,56 +93,27 @@ MatrixXcd ModalSeries::Chain::solve(const MatrixXcd &right) const {
     const Index terms = right.cols();
     const Index middle = terms / 2;
     const Index m = acts.cols();
-    const MatrixXcd own = inverse.cwiseProduct(right);
-    const MatrixXcd alone = seen * own;
-    std::vector<MatrixXcd> back; // what the places see of forces of a term
-    for (Index k = 0; k < terms; ++k)
-        back.emplace_back(seen * inverse.col(k).asDiagonal() * acts);
-    VectorXcd none = VectorXcd::Zero(m);
-    const auto from = [&](Index k) { // of the motion without forces
-        VectorXcd out = none;
-        if (k > 0)
-            out += up * alone.col(k - 1);
-        if (k + 1 < terms)
-            out += down * alone.col(k + 1);
-        return out;
-    };
+    MatrixXcd forces = alone(right);
     std::vector<End> ends(static_cast<std::size_t>(terms));
     const auto end = [&](Index k) -> End & { return ends[static_cast<std::size_t>(k)]; };
-    const auto block = [&](Index k) -> const MatrixXcd & {
-        return back[static_cast<std::size_t>(k)];
-    };
-    const auto eliminate = [&](Index k, Index before, Index next, const MatrixXcd &to,
-                               const MatrixXcd &away) {
-        MatrixXcd own_system = MatrixXcd::Identity(m, m);
-        VectorXcd constant = from(k);
-        if (before >= 0 && before < terms) {
-            const MatrixXcd step = to * block(before);
-            own_system -= step * end(before).factor;
-            constant += step * end(before).constant;
-        }
-        const Eigen::PartialPivLU<MatrixXcd> lu(own_system);
-        end(k) = {lu.solve(constant), lu.solve(away * block(next))};
-    };
-    for (Index k = 0; k < middle; ++k)
-        eliminate(k, k - 1, k + 1, up, down);
-    for (Index k = terms - 1; k > middle; --k)
-        eliminate(k, k + 1, k - 1, down, up);
-    MatrixXcd forces(m, terms);
-    MatrixXcd last = MatrixXcd::Identity(m, m);
-    VectorXcd constant = from(middle);
-    if (middle > 0) {
-        const MatrixXcd below = up * block(middle - 1);
-        const MatrixXcd above = down * block(middle + 1);
-        last -= below * end(middle - 1).factor + above * end(middle + 1).factor;
-        constant += below * end(middle - 1).constant + above * end(middle + 1).constant;
+    MatrixXcd below, above; // back() of the last term on either side, as the next one meets it
+    for (Index k = 0; k < middle; ++k) {
+        end(k) = longer(forces.col(k), k > 0 ? end(k - 1) : End{}, below, down * back(k + 1));
+        below = up * back(k);
     }
-    forces.col(middle) = last.partialPivLu().solve(constant);
+    for (Index k = terms - 1; k > middle; --k) {
+        end(k) = longer(forces.col(k), k + 1 < terms ? end(k + 1) : End{}, above, up * back(k - 1));
+        above = down * back(k);
+    }
+    const MatrixXcd last =
+        MatrixXcd::Identity(m, m) - below * end(middle - 1).factor - above * end(middle + 1).factor;
+    forces.col(middle) += below * end(middle - 1).constant + above * end(middle + 1).constant;
+    forces.col(middle) = last.partialPivLu().solve(forces.col(middle)).eval();
     for (Index k = middle - 1; k >= 0; --k)
         forces.col(k) = end(k).constant + end(k).factor * forces.col(k + 1);
     for (Index k = middle + 1; k < terms; ++k)
         forces.col(k) = end(k).constant + end(k).factor * forces.col(k - 1);
-    return own + inverse.cwiseProduct(acts * forces);
+    return inverse.cwiseProduct(right + acts * forces);
 }
 
 ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
@@ -134,12 +130,29 @@ ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
     A.topRightCorner(n, n).setIdentity();
     A.bottomLeftCorner(n, n) = -mass.solve(steady.K);
     A.bottomRightCorner(n, n) = -mass.solve(steady.D);
-    const auto found = linalg::general_eigen(
-        _weights.asDiagonal() * A * _weights.cwiseInverse().asDiagonal(), linalg::Vectors::both);
+    take_modes(linalg::general_eigen(
+        _weights.asDiagonal() * A * _weights.cwiseInverse().asDiagonal(), linalg::Vectors::both));
+    MatrixXd B = MatrixXd::Zero(2 * n, m);
+    B.bottomRows(n) = _weights.tail(n).asDiagonal() * mass.solve(P);
+    const MatrixXd at_start = system.turning(speed, 0);
+    const MatrixXd quarter = system.turning(speed, std::numbers::pi / 2);
+    MatrixXd Y = MatrixXd::Zero(at_start.cols(), 2 * n);
+    Y.topLeftCorner(m, n) = P.transpose() * _weights.head(n).cwiseInverse().asDiagonal();
+    if (at_start.cols() > m)
+        Y.bottomRightCorner(m, n) = P.transpose() * _weights.tail(n).cwiseInverse().asDiagonal();
+    _acts = _L * B;
+    _seen = Y * _R;
+    const Complex i(0, 1);
+    _up = (at_start.cast<Complex>() - i * quarter) / 2;
+    _down = (at_start.cast<Complex>() + i * quarter) / 2;
+}
+
+void ModalSeries::take_modes(const linalg::GeneralEigen &found) {
+    const Index states = found.values.size();
     _steady = found.values;
-    _R.resize(2 * n, 2 * n);
-    _L.resize(2 * n, 2 * n);
-    for (Index i = 0; i < 2 * n; ++i) {
+    _R.resize(states, states);
+    _L.resize(states, states);
+    for (Index i = 0; i < states; ++i) {
         const bool second = found.values(i).imag() < 0;
         const Index first = second ? i - 1 : i;
         const bool pair = found.is_pair(first);
@@ -156,19 +169,6 @@ ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
         _R.col(i) = right;
         _L.row(i) = left.adjoint() / dual;
     }
-    MatrixXd B = MatrixXd::Zero(2 * n, m);
-    B.bottomRows(n) = _weights.tail(n).asDiagonal() * mass.solve(P);
-    const MatrixXd at_start = system.turning(speed, 0);
-    const MatrixXd quarter = system.turning(speed, std::numbers::pi / 2);
-    MatrixXd Y = MatrixXd::Zero(at_start.cols(), 2 * n);
-    Y.topLeftCorner(m, n) = P.transpose() * _weights.head(n).cwiseInverse().asDiagonal();
-    if (at_start.cols() > m)
-        Y.bottomRightCorner(m, n) = P.transpose() * _weights.tail(n).cwiseInverse().asDiagonal();
-    _acts = _L * B;
-    _seen = Y * _R;
-    const Complex i(0, 1);
-    _up = (at_start.cast<Complex>() - i * quarter) / 2;
-    _down = (at_start.cast<Complex>() + i * quarter) / 2;
 }
 
 namespace {
@@ -242,11 +242,33 @@ std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd 
     return std::nullopt;
 }
 
-std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) const {
-    constexpr Index most = 2 * 80 + 1;
-    constexpr Index fewest = 2 * 3 + 1;
+/// With as few terms as it needs, the largest in the middle; nothing where there are too few.
+std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     constexpr double nothing = 1e-9; // its square is what the value is off by
     constexpr double far_too_many = 1e-12;
+    const MatrixXcd z = _R * found.a;
+    const Index terms = z.cols();
+    const auto ends = [&](Index from_end) {
+        return std::max(z.col(from_end).norm(), z.col(terms - 1 - from_end).norm()) / z.norm();
+    };
+    if (ends(0) > nothing)
+        return std::nullopt;
+    Index places = 0;
+    z.colwise().norm().maxCoeff(&places);
+    places -= terms / 2;
+    Index fewer = 0;
+    while (places == 0 && terms - 2 * fewer > fewest && ends(fewer + 1) < far_too_many)
+        ++fewer;
+    const auto shown = [&](const MatrixXcd &states) {
+        return of_terms(moved(states, places), terms - 2 * fewer);
+    };
+    return SeriesMotion{found.value + Complex(0, 2 * _speed * static_cast<double>(places)),
+                        shown(_weights.cwiseInverse().asDiagonal() * z),
+                        shown(_weights.asDiagonal() * (_L.adjoint() * found.b))};
+}
+
+std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) const {
+    constexpr Index most = 2 * 80 + 1;
     constexpr double mostly = 0.5;
     const auto weights = _weights.asDiagonal();
     const auto back = _weights.cwiseInverse().asDiagonal();
@@ -265,25 +287,8 @@ std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) cons
                                  : std::norm(product(found->a, a)) / a.squaredNorm();
         if (!(kept > mostly && kept < 1 / mostly))
             return std::nullopt;
-        MatrixXcd z = _R * found->a;
-        const auto ends = [&z](Index from_end) {
-            return std::max(z.col(from_end).norm(), z.col(z.cols() - 1 - from_end).norm()) /
-                   z.norm();
-        };
-        if (ends(0) > nothing)
-            continue;
-        Index places = 0;
-        z.colwise().norm().maxCoeff(&places);
-        places -= terms / 2;
-        Index fewer = 0;
-        while (places == 0 && terms - 2 * fewer > fewest && ends(fewer + 1) < far_too_many)
-            ++fewer;
-        SeriesMotion out{found->value + Complex(0, 2 * _speed * static_cast<double>(places)),
-                         moved(back * z, places),
-                         moved(weights * (_L.adjoint() * found->b), places)};
-        out.right = of_terms(out.right, terms - 2 * fewer);
-        out.left = of_terms(out.left, terms - 2 * fewer);
-        return out;
+        if (std::optional<SeriesMotion> out = whole(*found))
+            return out;
     }
     return std::nullopt;
 }

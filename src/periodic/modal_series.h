@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linalg/dense/general_eigen.h"
 #include "periodic/system.h"
 
 #include <Eigen/Core>
@@ -50,9 +51,12 @@ class ModalSeries {
 
     struct Chain;
     struct Settled;
+    /// @throws linalg::SolverError where one of them is defective
+    void take_modes(const linalg::GeneralEigen &found);
     [[nodiscard]] Eigen::MatrixXcd solve(Complex l, const Eigen::MatrixXcd &right) const;
     [[nodiscard]] Eigen::MatrixXcd solve_adjoint(Complex l, const Eigen::MatrixXcd &right) const;
     [[nodiscard]] Complex quotient(const Eigen::MatrixXcd &left, const Eigen::MatrixXcd &a) const;
+    [[nodiscard]] std::optional<SeriesMotion> whole(const Settled &found) const;
     [[nodiscard]] std::optional<Settled> settled(Eigen::MatrixXcd a, Eigen::MatrixXcd b) const;
 };
 

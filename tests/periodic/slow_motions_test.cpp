@@ -70,9 +70,9 @@ TEST_P(SlowMotions, AreThoseOfTheMonodromyMatrixEachOnce) {
 
 INSTANTIATE_TEST_SUITE_P(Dampings, SlowMotions, testing::Values(0.0, 6.0));
 
-/// The matrix has lost the motions there: they lose 40 digits within half a turn. Near rest they
-/// lose what they lose on average over the angles at which the rotor may stand.
-TEST(SlowMotionsOfADampedRotor, LoseOnAverageWhatTheyLoseAtRest) {
+/// Where the matrix has lost them in rounding: the sum of all exponents is the mean of the trace of
+/// the first-order equations over a period (Liouville), here -trace(M^-1 D).
+TEST(SlowMotionsOfADampedRotor, DieOutTogetherAsLiouvilleSays) {
     const model::Rotor scene = rotor(120);
     const assembly::Discretization d(scene, 1);
     const periodic::System system(d, 0, {}, nullptr);
@@ -83,7 +83,6 @@ TEST(SlowMotionsOfADampedRotor, LoseOnAverageWhatTheyLoseAtRest) {
     const auto found = slow.at(speed);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), 4U);
-    // Of all motions together the sum of rates is the mean of -trace(M^-1 D) over the angles.
     const periodic::System::Steady steady = system.steady(speed);
     const double trace = (steady.M.inverse() * steady.D).trace();
     double sum = 0;
