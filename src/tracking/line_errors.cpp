@@ -180,7 +180,13 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     for (const std::size_t k : probes) {
         if (many_terms(solver, spectra[k]))
             continue;
-        const std::vector<double> all = errors_at(finer, lines, spectra[k], k, singly);
+        // Without those found singly Hill's series of the finer mesh is large; at rest there is
+        // none.
+        const bool others = series && singly && k > 0 && spectra.front().speed == 0;
+        const std::vector<double> all = others ? refined_errors(finer, lines, spectra[k], k)
+                                               : errors_at(finer, lines, spectra[k], k, singly);
+        if (all.empty())
+            continue;
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
                 errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];

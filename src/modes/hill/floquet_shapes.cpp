@@ -1,7 +1,9 @@
 #include "modes/hill/floquet_shapes.h"
 
+#include "assembly/hill_system.h"
 #include "linalg/symmetric_eigen.h"
 #include "modes/hill/floquet_spectrum.h"
+#include "modes/hill/series_modes_near.h"
 #include "modes/rotating_spectrum.h"
 #include "reduction/planar_shapes.h"
 
@@ -126,7 +128,13 @@ class Search {
         const Eigen::Index N = _d.planar_size();
         std::vector<Wanted> met;
         for (const WhirlMode &mode : modes(speed)) {
-            const auto root = _whole.next_to(speed, mode.rotating_value, 0);
+            const Eigen::MatrixXd few = _planar.matrix();
+            const auto attached = 2 * balancers::unknowns_of(_balancers);
+            const WhirlMode start =
+                over_all_unknowns(mode, &few, static_cast<int>(2 * few.cols()) + attached);
+            const auto root =
+                _whole.next_to(speed, mode.rotating_value, 0,
+                               assembly::hill_terms(start.rotating_vector, 2 * N + attached));
             if (!root)
                 continue;
             met.push_back({speed, root->value, root->noise,
