@@ -1,6 +1,7 @@
 #include "analyses/campbell.h"
 
 #include "analyses/notes/growing_lines.h"
+#include "analyses/notes/unconfirmed.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -371,13 +372,12 @@ results::CampbellResult campbell(const model::Case &scene) {
         return result;
     const Drawn drawn =
         keep_lowest(found, *scene.speeds, scene.campbell.modes, periodic.has_value());
-    const tracking::Tracking &tracking = found.tracking;
     const std::vector<modes::Spectrum> &spectra = found.spectra;
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);
     const tracking::LineErrors errors =
-        tracking::line_errors(scene.rotor, solver, tracking.lines, spectra);
-    for (std::size_t i = 0; i < tracking.lines.size(); ++i) {
-        result.modes.push_back(mode_along(tracking.lines[i], spectra, errors[i],
+        tracking::line_errors(scene.rotor, solver, found.tracking.lines, spectra);
+    for (std::size_t i = 0; i < found.tracking.lines.size(); ++i) {
+        result.modes.push_back(mode_along(found.tracking.lines[i], spectra, errors[i],
                                           results::in_rotating_axes(solver.form()),
                                           solver.follows()));
         result.modes.back().label = drawn.labels[i];
@@ -385,7 +385,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     stage.emplace("crossings", 0.75, 1.0);
     tracking::Crossings crossed =
         periodic ? std::move(periodic->crossed)
-                 : tracking::crossings(solver, tracking, spectra, scene.campbell.multiples);
+                 : tracking::crossings(solver, found.tracking, spectra, scene.campbell.multiples);
     if (periodic) {
         keep_drawn(crossed.found, drawn);
         keep_drawn(crossed.locked, drawn);
@@ -393,6 +393,7 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     add_notes(result, scene.campbell, found, crossed, !periodic);
+    note_unconfirmed(result.model, periodic ? periodic->unconfirmed : 0);
     return result;
 }
 

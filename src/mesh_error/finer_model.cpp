@@ -100,6 +100,8 @@ std::vector<double> FinerModel::errors_by_refinement(const modes::Spectrum &some
         mode.shape = embedded(mode.shape);
         if (_coarse.form() == results::Form::rotating)
             mode.rotating_vector = embedded(mode.rotating_vector);
+        else if (_coarse.form() == results::Form::hill)
+            mode.rotating_vector = embedded_terms(mode.rotating_vector);
     }
     const std::vector<modes::WhirlMode> fine = _fine->near(some.speed, guesses);
     std::vector<double> errors;
@@ -146,6 +148,17 @@ std::vector<double> FinerModel::errors_by_shape(const modes::Spectrum &coarse) c
         errors.push_back(candidates.empty() ? unknown : error_among(mode.eigenvalue, candidates));
     }
     return errors;
+}
+
+/// Of Hill's series each term.
+Eigen::VectorXcd FinerModel::embedded_terms(const Eigen::VectorXcd &vector) const {
+    const Eigen::Index n = _coarse.unknowns();
+    const Eigen::Index blocks = vector.size() / n;
+    const Eigen::Index fine = n + 2 * (_mass.rows() - std::ssize(_places));
+    Eigen::VectorXcd out(fine * blocks);
+    for (Eigen::Index block = 0; block < blocks; ++block)
+        out.segment(block * fine, fine) = embedded(vector.segment(block * n, n));
+    return out;
 }
 
 Eigen::VectorXcd FinerModel::embedded(const Eigen::VectorXcd &shape) const {

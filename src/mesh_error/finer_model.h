@@ -37,6 +37,7 @@ class FinerModel {
     [[nodiscard]] std::vector<double> errors_by_place(const modes::Spectrum &coarse) const;
     [[nodiscard]] std::vector<double> errors_by_shape(const modes::Spectrum &coarse) const;
     [[nodiscard]] Eigen::VectorXcd embedded(const Eigen::VectorXcd &shape) const;
+    [[nodiscard]] Eigen::VectorXcd embedded_terms(const Eigen::VectorXcd &vector) const;
 };
 
 } // namespace whirl::mesh_error

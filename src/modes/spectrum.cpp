@@ -250,6 +250,8 @@ bool SpectrumSolver::by_matrix(double speed, int wanted) const {
     return by_matrix() && _data->floquet->tells(speed, wanted);
 }
 
+double SpectrumSolver::slow() const { return by_matrix() ? _data->floquet->slow() : 0; }
+
 bool SpectrumSolver::follows() const { return _data->following != nullptr; }
 
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
@@ -383,8 +385,9 @@ Eigen::VectorXcd SpectrumSolver::rates(const Spectrum &spectrum) const {
 
 ModeBasis SpectrumSolver::hill_basis(const Spectrum &spectrum) const {
     const auto &shapes = _data->shapes;
-    ModeBasis out = series_basis(_data->matrices().mass(),
-                                 2 * (shapes ? shapes->cols() : _data->d.planar_size()), spectrum);
+    ModeBasis out = series_basis(
+        _data->matrices().mass(), 2 * (shapes ? shapes->cols() : _data->d.planar_size()),
+        _data->rotating->harmonics(), std::abs(spectrum.speed) <= slow(), spectrum);
     if (!_data->floquet || spectrum.speed == 0)
         return out;
     out.rate_below = rates(spectrum);

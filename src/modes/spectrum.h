@@ -84,6 +84,9 @@ class SpectrumSolver {
     /// Of such a rotor: it does so, for it is not next to rest, where its matrix cannot tell as
     /// many modes (FloquetSpectrum::tells).
     [[nodiscard]] bool by_matrix(double speed, int wanted) const;
+    /// At speeds up to this one all its motions are at least five times as fast, rad/s; 0: not
+    /// known (FloquetSpectrum::slow).
+    [[nodiscard]] double slow() const;
     /// Of such a rotor: changes of the eigenvalues of modes with speed, from a spectrum just
     /// beside; not a number where it is not clear which one a mode becomes.
     [[nodiscard]] Eigen::VectorXcd rates(const Spectrum &spectrum) const;

@@ -34,9 +34,9 @@ struct WhirlMode {
     /// Form rotating: of the two frequencies in the fixed frame the other one, rad/s, where the
     /// deflections of that whirl are at least a tenth as large.
     std::optional<double> other_frequency;
-    /// What can be followed: forms rotating and hill, the eigenpair in rotating axes (over all
-    /// terms of Hill's series); form planar_damped, the eigenvalue with the direction of whirl as
-    /// the sign of its Im. In no other form.
+    /// What can be followed: forms rotating and hill, the eigenpair in rotating axes (over
+    /// terms of Hill's series, of as many harmonics as are known); form planar_damped, the
+    /// eigenvalue with the direction of whirl as the sign of its Im. In no other form.
     std::complex<double> rotating_value;
     Eigen::VectorXcd rotating_vector;
     Eigen::VectorXcd rotating_left; ///< form rotating: left vector of that pair; empty: not known

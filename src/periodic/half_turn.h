@@ -25,4 +25,7 @@ namespace whirl::periodic {
 [[nodiscard]] std::vector<FloquetMotion> motions_of(const System &system, double speed,
                                                     const Eigen::MatrixXd &monodromy);
 
+/// Entries of (q, q') become of one size by them.
+[[nodiscard]] Eigen::VectorXd weights_of(const System::Steady &steady, double speed);
+
 } // namespace whirl::periodic

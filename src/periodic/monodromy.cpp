@@ -186,19 +186,6 @@ void set_product(const std::vector<Rows> &S, const Rows &A, linalg::RowsOut out)
                             out.middleRows(i * m, m));
 }
 
-/// Entries of (q, q') become of one size by them.
-Eigen::VectorXd weights_of(const System::Steady &steady, double speed) {
-    const Eigen::Index n = steady.M.rows();
-    const Eigen::ArrayXd M = steady.M.diagonal().array().abs().sqrt();
-    Eigen::ArrayXd q = steady.K.diagonal().array().abs().sqrt().max(std::abs(speed) * M);
-    q = (q > 0).select(q, 1.0);
-    // What has no mass has a rate of no weight of its own.
-    const Eigen::ArrayXd v = (M > 0).select(M, q / std::max(std::abs(speed), 1e-300));
-    Eigen::VectorXd out(2 * n);
-    out << q.matrix(), v.matrix();
-    return out;
-}
-
 double frequency_of(const MatrixXd &M, const Eigen::VectorXcd &state) {
     const Eigen::Index n = M.rows();
     const auto square = [&M](const auto &x) { return std::abs(x.dot(M * x)); };
@@ -222,6 +209,18 @@ double action_of(const System::Steady &steady, const Eigen::VectorXcd &shape) {
 }
 
 } // namespace
+
+Eigen::VectorXd weights_of(const System::Steady &steady, double speed) {
+    const Eigen::Index n = steady.M.rows();
+    const Eigen::ArrayXd M = steady.M.diagonal().array().abs().sqrt();
+    Eigen::ArrayXd q = steady.K.diagonal().array().abs().sqrt().max(std::abs(speed) * M);
+    q = (q > 0).select(q, 1.0);
+    // What has no mass has a rate of no weight of its own.
+    const Eigen::ArrayXd v = (M > 0).select(M, q / std::max(std::abs(speed), 1e-300));
+    Eigen::VectorXd out(2 * n);
+    out << q.matrix(), v.matrix();
+    return out;
+}
 
 MatrixXd half_turn(const System &system, double speed, int steps, std::vector<Rows> *along) {
     const double length = period(speed) / steps;

@@ -38,6 +38,30 @@ Eigen::VectorXcd start_vector(Eigen::Index size) {
 
 } // namespace
 
+namespace {
+
+/// Terms of a motion as those from -N to N, over unknowns divided by d; without any, numbers
+/// without a pattern.
+Eigen::VectorXcd start_vector(const Eigen::MatrixXcd &terms, const Eigen::VectorXd &d, int N) {
+    const Eigen::Index n = d.size();
+    const Eigen::Index columns = 2 * N + 1;
+    if (terms.size() == 0)
+        return start_vector(n * columns);
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(n, columns);
+    const Eigen::Index few = std::min(columns, terms.cols());
+    out.middleCols((columns - few) / 2, few) =
+        d.cwiseInverse().asDiagonal() * terms.middleCols((terms.cols() - few) / 2, few);
+    return out.reshaped().normalized();
+}
+
+/// |x|^2 of so many terms in the middle.
+double with_terms(const Eigen::VectorXcd &x, Eigen::Index n, Eigen::Index terms) {
+    const Eigen::Index kept = std::min(x.size(), n * terms);
+    return x.segment((x.size() - kept) / 2, kept).squaredNorm();
+}
+
+} // namespace
+
 /// The rotor at one speed.
 struct WholeRotor::AtSpeed {
     double speed = 0;
@@ -163,18 +187,22 @@ class WholeRotor::Series {
 /// One root of a series and its vectors, improved.
 class WholeRotor::Iteration {
   public:
+    /// @param near    of the guess: a root so near is no other one
     /// @param factor  knows the pattern, or nothing yet
-    Iteration(const Series &series, Complex guess, double scale, Factor &factor)
-        : _series(series), _factor(factor), _value(guess), _scale(scale),
-          _right(start_vector(series.size())), _left(_right) {}
+    Iteration(const Series &series, Complex guess, double scale, double near,
+              const Eigen::VectorXcd &start, Factor &factor)
+        : _series(series), _factor(factor), _value(guess), _scale(scale), _near(near),
+          _right(start), _left(_right) {}
 
     /// @returns whether it settled
     bool settle() {
         constexpr int factorisations = 5;
         for (int k = 0; k < factorisations; ++k) {
+            _jumped = false;
             if (settle_with_one())
                 return true;
-            _factor.forget_pivots();
+            if (!_jumped)
+                _factor.forget_pivots();
         }
         return false;
     }
@@ -187,7 +215,8 @@ class WholeRotor::Iteration {
     const Series &_series;
     Factor &_factor;
     Complex _value;
-    double _scale;
+    double _scale, _near;
+    bool _jumped = false; ///< farther than that: to go on from there
     Eigen::VectorXcd _right, _left;
     double _noise = 0;
 
@@ -206,6 +235,9 @@ class WholeRotor::Iteration {
             _left = _left.conjugate().normalized();
             const Complex before = _value;
             if (!_right.allFinite() || !_left.allFinite() || !improve())
+                return false;
+            _jumped = std::abs(_value - before) > _near;
+            if (_jumped)
                 return false;
             // Where two roots meet, rounding leaves no more than its noise.
             if (std::abs(_value - before) <= std::max(1e-13 * _scale, _noise))
@@ -292,8 +324,8 @@ Complex WholeRotor::slope(const Root &root, double speed) const {
            (2 * step);
 }
 
-std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
-                                                    double frequency) const {
+std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess, double frequency,
+                                                    const Eigen::MatrixXcd &terms) const {
     AtSpeed problem = at(speed);
     const double scale = std::abs(speed) + std::abs(guess);
     const Eigen::VectorXd d =
@@ -305,22 +337,32 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     constexpr int more = 2;
     constexpr double nothing = 1e-8; // its square is what the value is off by
     constexpr double far_too_many = 1e-11;
+    constexpr double mostly = 0.3;
+    const double near =
+        terms.size() > 0 ? 1e-2 * std::abs(speed) : std::numeric_limits<double>::infinity();
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
-    for (int N = static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond; N <= most;
-         N += more) {
+    const auto known = static_cast<int>(terms.cols() / 2);
+    for (int N =
+             std::max(known, static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond);
+         N <= most; N += more) {
         const Series series(problem, N);
-        Iteration iteration(series, guess, scale,
+        const Eigen::VectorXcd start = start_vector(terms, d, N);
+        Iteration iteration(series, guess, scale, near, start,
                             _factors->with_harmonics.try_emplace(N, true).first->second);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();
         const double end = std::max(x.head(n).norm(), x.tail(n).norm());
         if (end > nothing) {
-            _beyond += more;
+            if (N > known)
+                _beyond += more;
             continue;
         }
         if (end < far_too_many)
             _beyond = std::max(margin, _beyond - 1);
+        if (terms.size() > 0 &&
+            !(std::norm(start.dot(x)) > mostly * with_terms(x, n, terms.cols())))
+            return std::nullopt;
         Root root{iteration.value(), x, iteration.left(), iteration.noise()};
         for (int k = 0; k <= 2 * N; ++k)
             for (Eigen::VectorXcd *terms : {&root.terms, &root.left})

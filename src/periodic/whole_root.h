@@ -36,11 +36,15 @@ class WholeRotor {
         double noise = 0;           ///< how far rounding can move l, 1/s
     };
     /// The root next to a guess: inverse iteration with both vectors, and the quotient of them.
+    /// At slow speeds copies of all motions are next to it: terms of the motion tell which is
+    /// meant.
     /// @param speed      not zero, rad/s
     /// @param frequency  that the motion is fastest at, rad/s: for the first N
-    /// @returns nothing where it does not converge
+    /// @param terms      q_-K, ..., q_K of the guess, a column each, any number of them, or none
+    /// @returns nothing where it does not converge, or not to a motion with these terms
     [[nodiscard]] std::optional<Root> next_to(double speed, std::complex<double> guess,
-                                              double frequency) const;
+                                              double frequency,
+                                              const Eigen::MatrixXcd &terms = {}) const;
 
     /// First-order change of a root of this rotor at one speed where it becomes another one of the
     /// same mesh, or turns at another speed, 1/s.

@@ -113,12 +113,11 @@ std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const L
     return out;
 }
 
-/// Of the modes on lines; infinite for others, or of these as well.
-/// @param singly  of each mode the finer one can be found from it
-std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
-                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
-    if (!singly)
-        return finer.errors(spectrum);
+/// Of the modes on lines, the finer ones found from them; infinite for others. None where they are
+/// not found.
+std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
+                                   const std::vector<Line> &lines, const modes::Spectrum &spectrum,
+                                   std::size_t k) {
     std::vector<std::size_t> places;
     modes::Spectrum on_lines = spectrum;
     on_lines.modes.clear();
@@ -129,11 +128,31 @@ std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::ve
         }
     const std::vector<double> some = finer.errors_by_refinement(on_lines);
     if (some.empty())
-        return finer.errors(spectrum);
+        return {};
     std::vector<double> all(spectrum.modes.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < places.size(); ++i)
         all[places[i]] = some[i];
     return all;
+}
+
+/// Of the modes on lines; infinite for others, or of these as well.
+/// @param singly  of each mode the finer one can be found from it
+std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
+                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
+    std::vector<double> out;
+    if (singly)
+        out = refined_errors(finer, lines, spectrum, k);
+    return out.empty() ? finer.errors(spectrum) : out;
+}
+
+/// Motions of Hill's series so slow that those of a finer mesh are far away beside the copies of
+/// others, and take long to find.
+bool many_terms(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
+    constexpr Eigen::Index many = 25;
+    return solver.form() == results::Form::hill && spectrum.speed != 0 &&
+           std::ranges::any_of(spectrum.modes, [&](const modes::WhirlMode &mode) {
+               return mode.rotating_vector.size() > many * solver.unknowns();
+           });
 }
 
 } // namespace
@@ -153,10 +172,21 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     const mesh_error::FinerModel finer(rotor, solver);
     const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
-    if (series && spectra.size() > 1)
-        probes.insert(1); // slow, but not at rest: needs most harmonics
+    std::size_t slow = 1;
+    while (slow < spectra.size() && many_terms(solver, spectra[slow]))
+        ++slow;
+    if (series && slow < spectra.size()) // not at rest: needs most harmonics
+        probes.insert(slow);
     for (const std::size_t k : probes) {
-        const std::vector<double> all = errors_at(finer, lines, spectra[k], k, singly);
+        if (many_terms(solver, spectra[k]))
+            continue;
+        // Without those found singly Hill's series of the finer mesh is large; at rest there is
+        // none.
+        const bool others = series && singly && k > 0 && spectra.front().speed == 0;
+        const std::vector<double> all = others ? refined_errors(finer, lines, spectra[k], k)
+                                               : errors_at(finer, lines, spectra[k], k, singly);
+        if (all.empty())
+            continue;
         for (std::size_t i = 0; i < lines.size(); ++i)
             if (lines[i].place[k] != Line::absent)
                 errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];

@@ -1,7 +1,9 @@
 #include "modes/hill/floquet_shapes.h"
 
+#include "assembly/hill_system.h"
 #include "linalg/symmetric_eigen.h"
 #include "modes/hill/floquet_spectrum.h"
+#include "modes/hill/series_modes_near.h"
 #include "modes/rotating_spectrum.h"
 #include "reduction/planar_shapes.h"
 
@@ -49,8 +51,9 @@ class Search {
 
     std::shared_ptr<const Eigen::MatrixXd> run() {
         constexpr int tries = 8;
-        for (const double share : shares)
-            for (int attempt = 0; attempt < tries && !meets_at(share * _top); ++attempt)
+        choose_speeds();
+        for (const double speed : _speeds)
+            for (int attempt = 0; attempt < tries && !meets_at(speed); ++attempt)
                 if (static_cast<double>(_planar.matrix().cols()) >
                     static_cast<double>(_d.planar_size() - 1))
                     return nullptr;
@@ -68,7 +71,23 @@ class Search {
     double _top;
     int _wanted;
     reduction::PlanarShapes _planar;
+    std::vector<double> _speeds;
     std::vector<Wanted> _met;
+
+    /// Of slow speeds those that are not far slower than all motions: nearer to rest these ride on
+    /// the same shapes, and it takes long to follow them there.
+    void choose_speeds() {
+        constexpr double slowest = 0.25;
+        const auto shapes = std::make_shared<const Eigen::MatrixXd>(_planar.matrix());
+        const RotatingSpectrum rotor(_d, 0, _balancers, few_harmonics, shapes.get());
+        const double slow = std::min(
+            slowest * FloquetSpectrum(_d, rotor, _balancers, shapes).slow(), std::abs(_top));
+        for (const double share : shares) {
+            const double speed = std::copysign(std::max(share * std::abs(_top), slow), _top);
+            if (std::find(_speeds.begin(), _speeds.end(), speed) == _speeds.end())
+                _speeds.push_back(speed);
+        }
+    }
 
     [[nodiscard]] std::vector<WhirlMode> modes(double speed) const {
         const auto shapes = std::make_shared<const Eigen::MatrixXd>(_planar.matrix());
@@ -109,7 +128,13 @@ class Search {
         const Eigen::Index N = _d.planar_size();
         std::vector<Wanted> met;
         for (const WhirlMode &mode : modes(speed)) {
-            const auto root = _whole.next_to(speed, mode.rotating_value, 0);
+            const Eigen::MatrixXd few = _planar.matrix();
+            const auto attached = 2 * balancers::unknowns_of(_balancers);
+            const WhirlMode start =
+                over_all_unknowns(mode, &few, static_cast<int>(2 * few.cols()) + attached);
+            const auto root =
+                _whole.next_to(speed, mode.rotating_value, 0,
+                               assembly::hill_terms(start.rotating_vector, 2 * N + attached));
             if (!root)
                 continue;
             met.push_back({speed, root->value, root->noise,
@@ -125,10 +150,10 @@ class Search {
     }
 
     [[nodiscard]] bool has_all() const {
-        for (const double share : shares) {
-            const std::vector<WhirlMode> found = modes(share * _top);
+        for (const double speed : _speeds) {
+            const std::vector<WhirlMode> found = modes(speed);
             for (const Wanted &one : _met)
-                if (one.speed == share * _top &&
+                if (one.speed == speed &&
                     std::none_of(found.begin(), found.end(), [&](const WhirlMode &mode) {
                         return one.is(mode.rotating_value);
                     }))

@@ -78,16 +78,12 @@ std::optional<int> FloquetSpectrum::steps_for(double speed, double reach) const 
     return static_cast<int>(steps);
 }
 
-/// @param all  there are none beyond
-std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
-                                                              bool all) const {
-    const std::optional<int> steps = steps_for(speed, reach);
-    if (!steps)
-        return std::nullopt;
+RotatingSpectrum::Modes FloquetSpectrum::shown(double speed,
+                                               const std::vector<periodic::FloquetSeries> &motions,
+                                               double complete_radius) const {
     RotatingSpectrum::Eigenvalues found;
-    found.complete_radius = all ? std::numeric_limits<double>::infinity() : reach;
-    for (const periodic::FloquetSeries &motion :
-         periodic::floquet_series(system(speed), speed, *steps, of_average * reach))
+    found.complete_radius = complete_radius;
+    for (const periodic::FloquetSeries &motion : motions)
         for (const Eigen::Index place : shown_places(_rotor, motion.value, motion.terms, speed)) {
             found.pairs.push_back(series_pair(_rotor, speed, motion.value, motion.terms, place));
             linalg::ComplexPair &pair = found.pairs.back();
@@ -96,6 +92,16 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, doub
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     return _rotor.modes_of(found, speed);
+}
+
+/// @param all  there are none beyond
+std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
+                                                              bool all) const {
+    const std::optional<int> steps = steps_for(speed, reach);
+    if (!steps)
+        return std::nullopt;
+    return shown(speed, periodic::floquet_series(system(speed), speed, *steps, of_average * reach),
+                 all ? std::numeric_limits<double>::infinity() : reach);
 }
 
 std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_monodromy(double speed,
@@ -125,6 +131,59 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_monodromy(double spee
                                   ? std::max(more * reach, margin * (moduli[last] + size))
                                   : more * reach);
     }
+}
+
+/// A power of one ratio, so that motions are followed from the same speed whatever is asked for.
+double FloquetSpectrum::slow() const {
+    constexpr double part = 0.2; // of the slowest motion at rest
+    constexpr double ratio = 1.2;
+    if (_slow)
+        return *_slow;
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const periodic::FloquetMotion &motion : periodic::steady_motions(system(0), 0))
+        slowest = std::min(slowest, std::abs(motion.value));
+    _slow = slowest > 0 && std::isfinite(slowest)
+                ? std::pow(ratio, std::floor(std::log(part * slowest) / std::log(ratio)))
+                : 0;
+    return *_slow;
+}
+
+FloquetSpectrum::Followed &FloquetSpectrum::followed(double speed, int wanted) const {
+    const auto [known, is_new] = _followed.try_emplace(speed < 0 ? -wanted : wanted);
+    Followed &out = known->second;
+    if (!is_new)
+        return out;
+    const double from = speed < 0 ? -slow() : slow();
+    if (!by_monodromy(from, wanted))
+        return out;
+    const double usual = _usual[wanted];
+    const double reach =
+        usual > 0 ? usual : of_average * steady(from).fastest + turning * std::abs(from);
+    // A few more, as they may come nearer at other speeds; all of them must be resolved.
+    constexpr double more = 1.2;
+    const std::optional<int> steps = steps_for(from, of_average * reach);
+    if (!steps)
+        return out;
+    out.from = from;
+    out.reach = reach;
+    out.motions.emplace([this](double at) -> const periodic::System & { return system(at); }, from,
+                        periodic::floquet_series(system(from), from, *steps, more * reach));
+    return out;
+}
+
+std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_following(double speed,
+                                                                     int wanted) const {
+    if (std::abs(speed) > slow())
+        return std::nullopt;
+    Followed &all = followed(speed, wanted);
+    if (!all.motions)
+        return std::nullopt;
+    const auto motions = all.motions->at(speed);
+    if (!motions)
+        return std::nullopt;
+    RotatingSpectrum::Modes out = shown(speed, *motions, all.reach);
+    return static_cast<int>(out.modes.size()) >= wanted ? std::optional(std::move(out))
+                                                        : std::nullopt;
 }
 
 const RotatingSpectrum &FloquetSpectrum::series(double speed, int harmonics) const {
@@ -177,10 +236,11 @@ bool FloquetSpectrum::tells(double speed, int wanted) const {
 RotatingSpectrum::Modes FloquetSpectrum::modes(double speed, int wanted) const {
     std::optional<RotatingSpectrum::Modes> found;
     if (speed != 0)
+        found = by_following(speed, wanted);
+    if (!found && speed != 0)
         found = by_monodromy(speed, wanted);
-    if (!found) {
+    if (!found)
         found = by_series(speed, wanted);
-    }
     return lifted(*std::move(found), _shapes.get());
 }
 

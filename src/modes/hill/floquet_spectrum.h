@@ -3,6 +3,7 @@
 #include "assembly/discretization.h"
 #include "balancers/linear_element.h"
 #include "modes/rotating_spectrum.h"
+#include "periodic/slow_motions.h"
 #include "periodic/system.h"
 #include "periodic/whole_root.h"
 
@@ -17,8 +18,10 @@ namespace whirl::modes {
 
 /// Whirl modes of a rotor whose equations stay periodic in time (form hill) by its monodromy matrix
 /// (periodic/): all motions of a speed at once, each shown by the copy that Hill's series would
-/// show (series_pair.h). Of motions that die out within half a turn the matrix knows nothing;
-/// there, as at rest, modes are those of Hill's series.
+/// show (series_pair.h). At speeds far below all frequencies, where half a turn takes long, they
+/// are followed down from where the matrix tells them (periodic/slow_motions.h). Of motions that
+/// die out within half a turn the matrix knows nothing; where they cannot be followed, as at rest,
+/// modes are those of Hill's series.
 class FloquetSpectrum {
   public:
     /// @param rotor      of form hill, on the same shapes; kept by reference
@@ -38,6 +41,9 @@ class FloquetSpectrum {
     /// motion there that it is slow, or does not find all.
     [[nodiscard]] bool tells(double speed, int wanted) const;
 
+    /// At speeds up to this one all motions are at least five times as fast, rad/s; 0: nowhere.
+    [[nodiscard]] double slow() const;
+
   private:
     const assembly::Discretization &_discretization;
     const RotatingSpectrum &_rotor;
@@ -56,14 +62,29 @@ class FloquetSpectrum {
     };
     mutable std::map<int, Steady> _steady; ///< by powers of a speed's size
 
+    /// Motions followed from a speed down.
+    struct Followed {
+        double from = 0;  ///< rad/s, of the sign of the speeds
+        double reach = 0; ///< those up to this modulus as seen from the rotor are all there, rad/s
+        std::optional<periodic::SlowMotions> motions;
+    };
+    mutable std::map<int, Followed> _followed; ///< by modes, negative for negative speeds
+    mutable std::optional<double> _slow;       ///< speeds below are slow ones, rad/s
+
     [[nodiscard]] const periodic::System &system(double speed) const;
     [[nodiscard]] const Steady &steady(double speed) const;
     /// Steps in time for motions up to a modulus as seen from the rotor; nothing where the matrix
     /// cannot tell.
     [[nodiscard]] std::optional<int> steps_for(double speed, double reach) const;
+    [[nodiscard]] RotatingSpectrum::Modes shown(double speed,
+                                                const std::vector<periodic::FloquetSeries> &motions,
+                                                double complete_radius) const;
     [[nodiscard]] std::optional<RotatingSpectrum::Modes> up_to(double speed, double reach,
                                                                bool all) const;
     [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_monodromy(double speed,
+                                                                      int wanted) const;
+    [[nodiscard]] Followed &followed(double speed, int wanted) const;
+    [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_following(double speed,
                                                                       int wanted) const;
     [[nodiscard]] const RotatingSpectrum &series(double speed, int harmonics) const;
     [[nodiscard]] RotatingSpectrum::Modes by_series(double speed, int wanted) const;

@@ -2,6 +2,7 @@
 
 #include "assembly/hill_system.h"
 #include "assembly/planes.h"
+#include "modes/hill/modulation.h"
 
 #include <Eigen/Dense>
 
@@ -30,6 +31,14 @@ Series at_rest(Series terms, Eigen::Index parts) {
     if (middle > 0)
         terms.col(middle + 1).head(parts) = assembly::in_pairs(against, i_unit * against);
     return terms;
+}
+
+Series with_harmonics(int harmonics, const Series &terms) {
+    const Eigen::Index columns = 2 * harmonics + 1;
+    Series out = Series::Zero(terms.rows(), columns);
+    const Eigen::Index few = std::min(columns, terms.cols());
+    out.middleCols((columns - few) / 2, few) = terms.middleCols((terms.cols() - few) / 2, few);
+    return out;
 }
 
 /// The same motion with its term k + places as term k.
@@ -94,12 +103,12 @@ Eigen::MatrixXcd dual(const Eigen::MatrixXcd &right, const Eigen::MatrixXcd &wei
 
 } // namespace
 
-ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts,
-                       const Spectrum &spectrum) {
+ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts, int harmonics,
+                       bool slow, const Spectrum &spectrum) {
     const Eigen::SparseMatrix<double> M =
         (mass + Eigen::SparseMatrix<double>(mass.transpose())) / 2;
     const auto count = std::ssize(spectrum.modes);
-    const Eigen::Index size = count > 0 ? 2 * spectrum.modes.front().rotating_vector.size() : 0;
+    const Eigen::Index size = 2 * mass.rows() * (2 * harmonics + 1);
     double scale = 0;
     for (const WhirlMode &mode : spectrum.modes)
         scale += std::abs(mode.eigenvalue) / static_cast<double>(count);
@@ -110,7 +119,11 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
     Eigen::MatrixXcd weighted(size, copies * count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(i)];
-        Series terms = assembly::hill_terms(mode.rotating_vector, mass.rows());
+        SeriesTerms motion{mode.rotating_value,
+                           assembly::hill_terms(mode.rotating_vector, mass.rows())};
+        if (slow && spectrum.speed != 0)
+            motion = without_modulation(M, spectrum.speed, motion);
+        Series terms = with_harmonics(harmonics, motion.terms);
         if (spectrum.speed == 0)
             terms = at_rest(std::move(terms), parts);
         Eigen::Index column = i;
@@ -121,9 +134,9 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
         };
         const Series turned = terms.rowwise().reverse().conjugate();
         for (const int places : {0, 1, -1})
-            put(terms, mode.rotating_value, places);
+            put(terms, motion.value, places);
         for (const int places : {0, 1, -1})
-            put(turned, std::conj(mode.rotating_value), places);
+            put(turned, std::conj(motion.value), places);
     }
     ModeBasis out;
     out.complex_left = dual(right, weighted, count);

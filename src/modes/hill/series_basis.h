@@ -15,9 +15,11 @@ namespace whirl::modes {
 /// (rates_between).
 ///
 /// @param mass   of the rotor in rotating axes
+/// @param harmonics  of the states
+/// @param slow   the speed is far below the frequencies: motions are those without_modulation
 /// @param parts  first unknown of balancers' parts, which are measured in rotating axes at rest too
 [[nodiscard]] ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index parts,
-                                     const Spectrum &spectrum);
+                                     int harmonics, bool slow, const Spectrum &spectrum);
 
 /// Over the speed, of a spectrum beside another one.
 inline constexpr double rate_step = 1e-5;

@@ -1,6 +1,8 @@
 #include "modes/hill/series_modes_near.h"
 
+#include "assembly/hill_system.h"
 #include "modes/hill/series_pair.h"
+#include "reduction/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +22,14 @@ bool on_multiple(double frequency, double speed) {
 
 std::optional<linalg::ComplexPair> pair_near(const RotatingSpectrum &rotor,
                                              const periodic::WholeRotor &whole, double speed,
-                                             Complex guess) {
+                                             const WhirlMode &mode) {
     constexpr double farthest = 0.03; // of a mode that the guesses' mesh hardly resolves
-    const auto root = whole.next_to(speed, guess, 0);
+    const Complex guess = mode.rotating_value;
+    const Eigen::Index n = rotor.system().M.size();
+    const auto root = whole.next_to(speed, guess, 0,
+                                    mode.rotating_vector.size() > 0
+                                        ? assembly::hill_terms(mode.rotating_vector, n)
+                                        : Eigen::MatrixXcd());
     if (!root)
         return std::nullopt;
     const double size = std::max(std::abs(root->value), 1e-300);
@@ -34,7 +41,6 @@ std::optional<linalg::ComplexPair> pair_near(const RotatingSpectrum &rotor,
             return std::nullopt;
         value.imag(guess.imag());
     }
-    const Eigen::Index n = rotor.system().M.size();
     const Eigen::Map<const Eigen::MatrixXcd> terms(root->terms.data(), n, root->terms.size() / n);
     linalg::ComplexPair pair = series_pair(rotor, speed, value, terms, terms.cols() / 2);
     pair.rounding = root->noise / size;
@@ -55,6 +61,21 @@ bool one_met_twice(const std::vector<WhirlMode> &before, const std::vector<Whirl
 
 } // namespace
 
+WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes, int unknowns) {
+    if (shapes == nullptr)
+        return mode;
+    const reduction::Projection projection(*shapes);
+    const Eigen::Index few = unknowns;
+    const Eigen::Index blocks = mode.rotating_vector.size() / few;
+    const Eigen::Index n = few + 2 * (shapes->rows() - shapes->cols());
+    Eigen::VectorXcd all(n * blocks);
+    for (Eigen::Index block = 0; block < blocks; ++block)
+        all.segment(block * n, n) =
+            projection.lifted(mode.rotating_vector.segment(block * few, few));
+    mode.rotating_vector = all;
+    return mode;
+}
+
 std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
                                          const periodic::WholeRotor &whole, double speed,
                                          const std::vector<WhirlMode> &guesses) {
@@ -62,7 +83,7 @@ std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
         return {};
     std::vector<WhirlMode> out;
     for (const WhirlMode &guess : guesses) {
-        const auto pair = pair_near(rotor, whole, speed, guess.rotating_value);
+        const auto pair = pair_near(rotor, whole, speed, guess);
         if (!pair)
             return {};
         out.push_back(rotor.in_fixed_frame(*pair, speed));

@@ -13,12 +13,19 @@ namespace whirl::modes {
 /// stays on a whole multiple of the spin speed, stays there.
 /// @param rotor    the same, for what a motion looks like from the fixed frame
 /// @param speed    rad/s
-/// @param guesses  of which the eigenvalue in rotating axes and the sense of whirl count
+/// @param guesses  of which the eigenvalue in rotating axes and its vector (over the unknowns of
+///                 this rotor, of any number of harmonics; or none) and the sense of whirl count
 /// @returns none at rest, or where one does not converge, goes far away, two come to the same, or
 ///          one whirls the other way
 [[nodiscard]] std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
                                                        const periodic::WholeRotor &whole,
                                                        double speed,
                                                        const std::vector<WhirlMode> &guesses);
+
+/// A mode of a rotor of form hill on few shapes: its vector in rotating axes over all unknowns.
+/// @param shapes    N x r planar shapes; none: it is
+/// @param unknowns  of the rotor on few shapes
+[[nodiscard]] WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes,
+                                          int unknowns);
 
 } // namespace whirl::modes

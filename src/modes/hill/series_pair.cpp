@@ -33,11 +33,17 @@ linalg::ComplexPair series_pair(const RotatingSpectrum &rotor, double speed,
         return conjugate ? Eigen::VectorXcd(terms.col(at).conjugate())
                          : Eigen::VectorXcd(terms.col(at));
     };
+    constexpr double hardly = 1e-9;
+    const Eigen::VectorXd sizes = terms.colwise().norm();
+    Eigen::Index harmonics = rotor.harmonics();
+    for (Eigen::Index k = 0; k < terms.cols(); ++k)
+        if (sizes(k) > hardly * sizes.maxCoeff())
+            harmonics = std::max(harmonics, std::abs(k - place));
     linalg::ComplexPair pair;
     pair.value = conjugate ? std::conj(value) : value;
-    pair.vector.resize(n * (2 * rotor.harmonics() + 1));
+    pair.vector.resize(n * (2 * harmonics + 1));
     pair.vector.head(n) = term(0);
-    for (Eigen::Index k = 1; k <= rotor.harmonics(); ++k) {
+    for (Eigen::Index k = 1; k <= harmonics; ++k) {
         pair.vector.segment((2 * k - 1) * n, n) = term(k) + term(-k);
         pair.vector.segment(2 * k * n, n) = std::complex<double>(0, 1) * (term(k) - term(-k));
     }

@@ -11,8 +11,9 @@
 namespace whirl::modes {
 
 /// A motion exp(l t) sum_k q_k exp(2 i k speed t), |k| <= K, as the eigenpair of Hill's series
-/// whose constant term is q_place: over the real unknowns of as many terms as the rotor's series
-/// has, with Im >= 0. Of a motion that is its own conjugate the vector is real.
+/// whose constant term is q_place: over the real unknowns of as many harmonics as it has, and no
+/// fewer than the rotor's series, with Im >= 0. Of a motion that is its own conjugate the vector is
+/// real.
 /// @param terms  q_-K, ..., q_K, a column each
 [[nodiscard]] linalg::ComplexPair series_pair(const RotatingSpectrum &rotor, double speed,
                                               std::complex<double> value,

@@ -1,5 +1,6 @@
 #include "tracking/hill/of_whole_rotor.h"
 
+#include "modes/hill/series_modes_near.h"
 #include "results/damping.h"
 #include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_step.h"
@@ -22,12 +23,19 @@ bool near(std::complex<double> a, std::complex<double> b, double speed) {
 
 } // namespace
 
+modes::WhirlMode OfWholeRotor::of_all_unknowns(const modes::WhirlMode &mode) const {
+    return modes::over_all_unknowns(mode, _few.shapes(), _few.unknowns());
+}
+
 bool OfWholeRotor::improve(modes::Spectrum &spectrum, const std::vector<int> &places) const {
     std::vector<modes::WhirlMode> guesses;
     for (const int place : places)
         guesses.push_back(spectrum.modes[static_cast<std::size_t>(place)]);
+    std::vector<modes::WhirlMode> starts;
+    for (const modes::WhirlMode &guess : guesses)
+        starts.push_back(of_all_unknowns(guess));
     const std::vector<modes::WhirlMode> found =
-        spectrum.speed == 0 ? at_rest(guesses) : _whole.near(spectrum.speed, guesses);
+        spectrum.speed == 0 ? at_rest(guesses) : _whole.near(spectrum.speed, starts);
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (!near(found[i].eigenvalue, guesses[i].eigenvalue, spectrum.speed)) {
             return false;
@@ -100,7 +108,7 @@ OfWholeRotor::leaving(double multiple, double speed, double near, double far) co
 }
 
 std::optional<OfWholeRotor::Next> OfWholeRotor::of_whole(double multiple, const Next &few) const {
-    const std::vector<modes::WhirlMode> whole = _whole.near(few.speed, {few.mode});
+    const std::vector<modes::WhirlMode> whole = _whole.near(few.speed, {of_all_unknowns(few.mode)});
     if (whole.empty() || !near(whole[0].eigenvalue, few.mode.eigenvalue, few.speed))
         return std::nullopt;
     return Next{few.speed, whole[0].eigenvalue.imag() - multiple * std::abs(few.speed), whole[0]};

@@ -30,6 +30,9 @@ class OfWholeRotor {
     const modes::SpectrumSolver &_few;
     int _wanted;
 
+    /// The motion of the rotor on few shapes over the unknowns of the whole one.
+    [[nodiscard]] modes::WhirlMode of_all_unknowns(const modes::WhirlMode &mode) const;
+
     /// A speed at which a line crosses or a band ends, and the real part there.
     struct Place {
         double speed = 0; ///< rad/s

@@ -6,6 +6,7 @@
 #include "tracking/hill/of_whole_rotor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 
@@ -22,8 +23,14 @@ Speeds with(const Speeds &some, const Speeds &others) {
 }
 
 /// With others, evenly spread over the range, so closely that few bands open and close between two
-/// of them. Next to rest, where the matrix does not tell the modes, there are none.
-Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, int wanted) {
+/// of them. There are none where no motion comes near a multiple on which bands are so wide, or
+/// near one of those asked for, nor where the matrix does not tell the modes.
+Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, int wanted,
+                          const Speeds &multiples) {
+    constexpr double slow_multiple = 4; // at slow speeds all motions are above that
+    const double largest =
+        multiples.empty() ? 0 : *std::max_element(multiples.begin(), multiples.end());
+    const double slow = largest <= slow_multiple ? few.slow() : 0;
     constexpr int parts = 200;
     constexpr double same = 1e-6; // of a part
     const double width = (own.back() - own.front()) / parts;
@@ -31,7 +38,8 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
     for (int i = 0; width > 0 && i <= parts; ++i) {
         const double speed = own.front() + width * i;
         const auto above = std::lower_bound(own.begin(), own.end(), speed - same * width);
-        if ((above == own.end() || *above > speed + same * width) && few.by_matrix(speed, wanted))
+        if ((above == own.end() || *above > speed + same * width) && std::abs(speed) > slow &&
+            few.by_matrix(speed, wanted))
             out.push_back(speed);
     }
     return with(own, out);
@@ -40,7 +48,8 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
 /// On process 0. @returns nothing where a mode of the whole rotor is not found
 std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
                                    const modes::SpectrumSolver &few, const Speeds &speeds,
-                                   int modes, const Speeds &multiples, FollowedLines &found) try {
+                                   int modes, const Speeds &multiples, FollowedLines &found,
+                                   double &unconfirmed) try {
     const OfWholeRotor whole(solver, few, modes_to_follow(solver.discretization().rotor(), modes));
     const double low = found.spectra.front().speed;
     const double high = found.spectra.back().speed;
@@ -53,8 +62,12 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
         for (const Line &line : found.tracking.lines)
             if (line.place[k] != Line::absent && among_lowest(line, modes))
                 drawn.push_back(line.place[k]);
-        if (!whole.improve(found.spectra[k], drawn))
+        if (whole.improve(found.spectra[k], drawn))
+            continue;
+        // Near rest copies of all motions lie so close that the one meant may not be found.
+        if (std::abs(found.spectra[k].speed) > few.slow())
             return std::nullopt;
+        unconfirmed = std::max(unconfirmed, std::abs(found.spectra[k].speed));
     }
     return crossed;
 } catch (const model::AnalysisFailure &) {
@@ -70,12 +83,12 @@ std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &sol
     const int wanted = modes_to_follow(solver.discretization().rotor(), modes);
     const std::unique_ptr<modes::SpectrumSolver> few =
         solver.by_monodromy(own.front(), own.back(), wanted);
-    const Speeds all = with_search_speeds(own, *few, wanted);
-    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}};
+    const Speeds all = with_search_speeds(own, *few, wanted, multiples);
+    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}, 0};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
         std::optional<Crossings> crossed =
-            completed(solver, *few, speeds, modes, multiples, out.found);
+            completed(solver, *few, speeds, modes, multiples, out.found, out.unconfirmed);
         good[0] = crossed ? 1 : 0;
         if (crossed)
             out.crossed = *std::move(crossed);

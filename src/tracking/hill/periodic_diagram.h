@@ -15,6 +15,10 @@ struct PeriodicDiagram {
     /// followed and named, those of the rotor on few shapes.
     FollowedLines found;
     Crossings crossed;
+    /// Up to this speed some motions of the whole rotor were not found from those of few shapes,
+    /// which stand for them, rad/s; 0: all were. Only far below all frequencies
+    /// (modes::FloquetSpectrum::slow).
+    double unconfirmed = 0;
 };
 
 /// By the rotor on few shapes (modes/hill/floquet_spectrum.h), at the speeds of the diagram and at

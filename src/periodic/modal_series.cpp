@@ -1,0 +1,296 @@
+#include "periodic/modal_series.h"
+
+#include "linalg/check.h"
+#include "linalg/dense/general_eigen.h"
+#include "periodic/half_turn.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace whirl::periodic {
+
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+/// Modes of which rounding leaves less than this of left times right vector are defective.
+constexpr double defective = 1e-9;
+constexpr Index fewest = 2 * 3 + 1; // terms
+
+/// The middle column of as many more or fewer as make `columns`, zeros beyond.
+MatrixXcd of_terms(const MatrixXcd &terms, Index columns) {
+    MatrixXcd out = MatrixXcd::Zero(terms.rows(), columns);
+    const Index few = std::min(columns, terms.cols());
+    out.middleCols((columns - few) / 2, few) = terms.middleCols((terms.cols() - few) / 2, few);
+    return out;
+}
+
+Complex product(const MatrixXcd &a, const MatrixXcd &b) {
+    return a.conjugate().cwiseProduct(b).sum();
+}
+
+/// The same motion with its term k + places as term k.
+MatrixXcd moved(const MatrixXcd &terms, Index places) {
+    MatrixXcd out = MatrixXcd::Zero(terms.rows(), terms.cols());
+    const Index kept = terms.cols() - std::abs(places);
+    out.middleCols(std::max<Index>(0, -places), kept) =
+        terms.middleCols(std::max<Index>(0, places), kept);
+    return out;
+}
+
+} // namespace
+
+/// (d_k x_k - acts f_k) = r_k with f_k = up seen x_k-1 + down seen x_k+1 for all terms.
+struct ModalSeries::Chain {
+    const MatrixXcd &acts, &seen, &up, &down;
+    MatrixXcd inverse; ///< 1/d, a column each
+
+    [[nodiscard]] MatrixXcd solve(const MatrixXcd &right) const;
+
+  private:
+    /// An end of the chain up to a term, as the next one meets it: f = constant + factor f_next.
+    struct End {
+        VectorXcd constant;
+        MatrixXcd factor;
+    };
+    /// What the places see of forces of a term.
+    [[nodiscard]] MatrixXcd back(Index k) const {
+        return seen * inverse.col(k).asDiagonal() * acts;
+    }
+    /// Forces of the motion without forces.
+    [[nodiscard]] MatrixXcd alone(const MatrixXcd &right) const {
+        const MatrixXcd at_places = seen * inverse.cwiseProduct(right);
+        const Index others = right.cols() - 1;
+        MatrixXcd out = MatrixXcd::Zero(acts.cols(), right.cols());
+        out.rightCols(others) += up * at_places.leftCols(others);
+        out.leftCols(others) += down * at_places.rightCols(others);
+        return out;
+    }
+    /// A term with the end behind it.
+    /// @param behind  back() of the end's term through up or down; empty at the first term
+    /// @param ahead   of the next one
+    [[nodiscard]] static End longer(const VectorXcd &constant, const End &end,
+                                    const MatrixXcd &behind, const MatrixXcd &ahead) {
+        const Index m = ahead.rows();
+        if (behind.size() == 0)
+            return {constant, ahead};
+        const Eigen::PartialPivLU<MatrixXcd> lu(MatrixXcd::Identity(m, m) - behind * end.factor);
+        return {lu.solve(constant + behind * end.constant), lu.solve(ahead)};
+    }
+};
+
+/// Elimination from both ends: what is singular at a root is the equation of the middle term.
+MatrixXcd ModalSeries::Chain::solve(const MatrixXcd &right) const {
+    const Index terms = right.cols();
+    const Index middle = terms / 2;
+    const Index m = acts.cols();
+    MatrixXcd forces = alone(right);
+    std::vector<End> ends(static_cast<std::size_t>(terms));
+    const auto end = [&](Index k) -> End & { return ends[static_cast<std::size_t>(k)]; };
+    MatrixXcd below, above; // back() of the last term on either side, as the next one meets it
+    for (Index k = 0; k < middle; ++k) {
+        end(k) = longer(forces.col(k), k > 0 ? end(k - 1) : End{}, below, down * back(k + 1));
+        below = up * back(k);
+    }
+    for (Index k = terms - 1; k > middle; --k) {
+        end(k) = longer(forces.col(k), k + 1 < terms ? end(k + 1) : End{}, above, up * back(k - 1));
+        above = down * back(k);
+    }
+    const MatrixXcd last =
+        MatrixXcd::Identity(m, m) - below * end(middle - 1).factor - above * end(middle + 1).factor;
+    forces.col(middle) += below * end(middle - 1).constant + above * end(middle + 1).constant;
+    forces.col(middle) = last.partialPivLu().solve(forces.col(middle)).eval();
+    for (Index k = middle - 1; k >= 0; --k)
+        forces.col(k) = end(k).constant + end(k).factor * forces.col(k + 1);
+    for (Index k = middle + 1; k < terms; ++k)
+        forces.col(k) = end(k).constant + end(k).factor * forces.col(k - 1);
+    return inverse.cwiseProduct(right + acts * forces);
+}
+
+ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
+    const System::Steady steady = system.steady(speed);
+    const Index n = system.size();
+    const MatrixXd &P = system.places();
+    const Index m = P.cols();
+    _weights = weights_of(steady, speed);
+    const Eigen::PartialPivLU<MatrixXd> mass(steady.M);
+    constexpr double massless = 1e-14;
+    if (!(mass.rcond() > massless))
+        throw linalg::SolverError("a rotor with massless unknowns has fewer modes");
+    MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
+    A.topRightCorner(n, n).setIdentity();
+    A.bottomLeftCorner(n, n) = -mass.solve(steady.K);
+    A.bottomRightCorner(n, n) = -mass.solve(steady.D);
+    take_modes(linalg::general_eigen(
+        _weights.asDiagonal() * A * _weights.cwiseInverse().asDiagonal(), linalg::Vectors::both));
+    MatrixXd B = MatrixXd::Zero(2 * n, m);
+    B.bottomRows(n) = _weights.tail(n).asDiagonal() * mass.solve(P);
+    const MatrixXd at_start = system.turning(speed, 0);
+    const MatrixXd quarter = system.turning(speed, std::numbers::pi / 2);
+    MatrixXd Y = MatrixXd::Zero(at_start.cols(), 2 * n);
+    Y.topLeftCorner(m, n) = P.transpose() * _weights.head(n).cwiseInverse().asDiagonal();
+    if (at_start.cols() > m)
+        Y.bottomRightCorner(m, n) = P.transpose() * _weights.tail(n).cwiseInverse().asDiagonal();
+    _acts = _L * B;
+    _seen = Y * _R;
+    const Complex i(0, 1);
+    _up = (at_start.cast<Complex>() - i * quarter) / 2;
+    _down = (at_start.cast<Complex>() + i * quarter) / 2;
+}
+
+void ModalSeries::take_modes(const linalg::GeneralEigen &found) {
+    const Index states = found.values.size();
+    _steady = found.values;
+    _R.resize(states, states);
+    _L.resize(states, states);
+    for (Index i = 0; i < states; ++i) {
+        const bool second = found.values(i).imag() < 0;
+        const Index first = second ? i - 1 : i;
+        const bool pair = found.is_pair(first);
+        VectorXcd right = linalg::unpacked(found.right, first, pair);
+        VectorXcd left = linalg::unpacked(found.left, first, pair);
+        if (second) {
+            right = right.conjugate().eval();
+            left = left.conjugate().eval();
+        }
+        right.normalize();
+        const Complex dual = left.dot(right);
+        if (!(std::abs(dual) > defective * left.norm()))
+            throw linalg::SolverError("a mode is defective");
+        _R.col(i) = right;
+        _L.row(i) = left.adjoint() / dual;
+    }
+}
+
+namespace {
+
+/// s - 2 i k speed - l of all modes, a column for each term.
+MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
+    MatrixXcd out(steady.size(), terms);
+    for (Index k = 0; k < terms; ++k)
+        out.col(k) =
+            steady.array() - (l + Complex(0, 2 * speed * static_cast<double>(k - terms / 2)));
+    // At a mode that the supports do not touch.
+    const double least = 1e-14 * (std::abs(l) + std::abs(speed));
+    return (out.array().abs() > least).select(out, least);
+}
+
+} // namespace
+
+MatrixXcd ModalSeries::solve(Complex l, const MatrixXcd &right) const {
+    return Chain{_acts, _seen, _up, _down, off(_steady, _speed, l, right.cols()).cwiseInverse()}
+        .solve(right);
+}
+
+MatrixXcd ModalSeries::solve_adjoint(Complex l, const MatrixXcd &right) const {
+    const MatrixXcd acts = _seen.adjoint();
+    const MatrixXcd seen = _acts.adjoint();
+    const MatrixXcd up = _down.adjoint();
+    const MatrixXcd down = _up.adjoint();
+    return Chain{acts, seen, up, down,
+                 off(_steady, _speed, l, right.cols()).conjugate().cwiseInverse()}
+        .solve(right);
+}
+
+Complex ModalSeries::quotient(const MatrixXcd &left, const MatrixXcd &a) const {
+    const Index terms = a.cols();
+    MatrixXcd image = off(_steady, _speed, 0, terms).cwiseProduct(a);
+    const MatrixXcd at_places = _seen * a;
+    const MatrixXcd upwards = _acts * (_up * at_places);
+    const MatrixXcd downwards = _acts * (_down * at_places);
+    image.rightCols(terms - 1) -= upwards.leftCols(terms - 1);
+    image.leftCols(terms - 1) -= downwards.rightCols(terms - 1);
+    return product(left, image) / product(left, a);
+}
+
+struct ModalSeries::Settled {
+    Complex value;
+    MatrixXcd a, b; ///< b^H a = 1
+};
+
+std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd b) const {
+    constexpr int steps = 8;
+    constexpr double same = 1e-12;
+    Complex value = quotient(b, a);
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < steps; ++step) {
+        a = solve(value, a);
+        a /= a.norm();
+        b = solve_adjoint(value, b);
+        b /= b.norm();
+        const Complex next = quotient(b, a);
+        const double change = std::abs(next - value) / (std::abs(next) + std::abs(_speed));
+        value = next;
+        if (!a.allFinite() || !b.allFinite() || !std::isfinite(change))
+            return std::nullopt;
+        // What rounding leaves of modes much faster than these shrinks no further.
+        if (change <= same || (change <= 1e-10 && change >= before)) {
+            b /= std::conj(product(b, a));
+            return Settled{value, std::move(a), std::move(b)};
+        }
+        before = change;
+    }
+    return std::nullopt;
+}
+
+/// With as few terms as it needs, the largest in the middle; nothing where there are too few.
+std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
+    constexpr double nothing = 1e-9; // its square is what the value is off by
+    constexpr double far_too_many = 1e-12;
+    const MatrixXcd z = _R * found.a;
+    const Index terms = z.cols();
+    const auto ends = [&](Index from_end) {
+        return std::max(z.col(from_end).norm(), z.col(terms - 1 - from_end).norm()) / z.norm();
+    };
+    if (ends(0) > nothing)
+        return std::nullopt;
+    Index places = 0;
+    z.colwise().norm().maxCoeff(&places);
+    places -= terms / 2;
+    Index fewer = 0;
+    while (places == 0 && terms - 2 * fewer > fewest && ends(fewer + 1) < far_too_many)
+        ++fewer;
+    const auto shown = [&](const MatrixXcd &states) {
+        return of_terms(moved(states, places), terms - 2 * fewer);
+    };
+    return SeriesMotion{found.value + Complex(0, 2 * _speed * static_cast<double>(places)),
+                        shown(_weights.cwiseInverse().asDiagonal() * z),
+                        shown(_weights.asDiagonal() * (_L.adjoint() * found.b))};
+}
+
+std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) const {
+    constexpr Index most = 2 * 80 + 1;
+    constexpr double mostly = 0.5;
+    const auto weights = _weights.asDiagonal();
+    const auto back = _weights.cwiseInverse().asDiagonal();
+    const bool both = guess.left.size() > 0;
+    const MatrixXcd first = _L * (weights * guess.right);
+    const MatrixXcd first_left =
+        both ? MatrixXcd(_R.adjoint() * (back * guess.left)) : solve_adjoint(guess.value, first);
+    for (Index terms = std::max(fewest, first.cols()); terms <= most; terms += 4) {
+        MatrixXcd a = of_terms(first, terms);
+        MatrixXcd b = of_terms(first_left, terms);
+        b /= std::conj(product(b, a));
+        const std::optional<Settled> found = settled(a, b);
+        if (!found)
+            return std::nullopt;
+        const double kept = both ? std::abs(product(b, found->a) * product(found->b, a))
+                                 : std::norm(product(found->a, a)) / a.squaredNorm();
+        if (!(kept > mostly && kept < 1 / mostly))
+            return std::nullopt;
+        if (std::optional<SeriesMotion> out = whole(*found))
+            return out;
+    }
+    return std::nullopt;
+}
+
+} // namespace whirl::periodic
