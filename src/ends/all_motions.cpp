@@ -14,13 +14,13 @@ namespace whirl::ends {
 
 namespace {
 
-/// The range and the rows of bearing tables inside of it, ascending. At rest, where frequencies of
+/// The range and the bends of bearing tables inside of it, ascending. At rest, where frequencies of
 /// both directions are equal and balls do not stand anywhere by themselves, the range is cut.
 std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
     std::vector<double> out{from, to};
-    for (const double row : synchronous::table_speeds(rotor))
-        if (row > from && row < to)
-            out.push_back(row);
+    for (const double bend : rotor.table_bends())
+        if (bend > from && bend < to)
+            out.push_back(bend);
     if (from < 0 && to > 0)
         out.push_back(0);
     std::sort(out.begin(), out.end());
@@ -55,7 +55,8 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
                  ? balancers::balancer_elements(discretization.rotor(), arrangement)
                  : std::vector<balancers::BalancerElement>{}),
       _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
-                                           borders(discretization.rotor(), from, to))),
+                                           borders(discretization.rotor(), from, to),
+                                           synchronous::table_speeds(discretization.rotor()))),
       _slow(assembly::support_scale(discretization)), _from(from), _to(to) {
     if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;

@@ -25,6 +25,11 @@ class AllMotions {
     AllMotions(const assembly::Discretization &discretization, results::Form form,
                const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
+    ~AllMotions() = default;
+    AllMotions(const AllMotions &) = delete;
+    AllMotions &operator=(const AllMotions &) = delete;
+    AllMotions(AllMotions &&) = delete;
+    AllMotions &operator=(AllMotions &&) = delete;
 
     [[nodiscard]] int pieces() const { return _rotor->pieces(); }
     [[nodiscard]] const RotorPieces &rotor() const { return *_rotor; }
