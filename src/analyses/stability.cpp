@@ -2,6 +2,7 @@
 
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/drive.h"
+#include "analyses/resolved_ends.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
@@ -228,6 +229,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     } else {
         all.emplace(solver.discretization(), model.form, arrangement, finder.good_shapes(grid),
                     grid.front(), grid.back());
+        if (drives_every_frequency(model.rotor))
+            all->count_resolved();
         add_growth(*all, result);
     }
     stage.emplace("unstable bands", 0.3, 0.6);
@@ -244,6 +247,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         stage.emplace("errors of the bands", 0.6, 0.65);
         result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
                                             {grid.front(), grid.back()}, roots);
+        if (all)
+            tell_resolved_apart(*all, model, roots, result);
         stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible =
             stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);

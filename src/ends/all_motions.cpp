@@ -2,6 +2,7 @@
 
 #include "assembly/frequency_scales.h"
 #include "balancers/linear_element.h"
+#include "ends/resolved_reach.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
 #include "synchronous/parts.h"
@@ -105,8 +106,13 @@ WholeMotion AllMotions::lifted(const Root &root, double speed) const {
     return {speed, root.value, _rotor->lifted(root.right), _rotor->lifted(root.left), root.rate};
 }
 
-std::complex<double> AllMotions::fastest_growing(double speed) const {
+void AllMotions::count_resolved() {
+    _resolved = ends::resolved_up_to(_discretization, _shapes.get(), (_from + _to) / 2);
+}
+
+std::complex<double> AllMotions::fastest_growing(double speed, double up_to) const {
     std::vector<Root> roots = at(speed).roots;
+    std::erase_if(roots, [up_to](const Root &root) { return std::abs(root.value) > up_to; });
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     bool neutral = false;
