@@ -2,7 +2,7 @@
 
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/drive.h"
-#include "analyses/resolved_ends.h"
+#include "analyses/notes/resolved_ends.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"

@@ -80,6 +80,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
     _of_velocity =
         linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
+    if (rotor.mass_beside.size() > 0) // no planes (motion_scene)
+        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside).inverse();
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})
@@ -265,6 +267,8 @@ void RotorMotion::gather(Index column) const {
 /// in _planes.
 void RotorMotion::solve_accelerations(int columns) const {
     const Index entries = _rows.cols();
+    if (_inverse_mass.size() > 0)
+        _forces.leftCols(columns) = (_inverse_mass * _forces.leftCols(columns)).eval();
     if (entries == 0)
         return;
     const auto planes = entries / 2;

@@ -1,4 +1,4 @@
-#include "analyses/resolved_ends.h"
+#include "analyses/notes/resolved_ends.h"
 
 #include "balancers/arrangement.h"
 #include "ends/finer_ends.h"
