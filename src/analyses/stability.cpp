@@ -203,6 +203,22 @@ void search_zero_roots(const stability::StabilityModel &model,
                                         "beside the other roots: they are not listed");
 }
 
+/// Growth at the speeds, and all motions over the range: none in form hill.
+void find_growth(stability::BandFinder &finder, const stability::StabilityModel &model,
+                 const balancers::Arrangement &arrangement, const stability::MotionsAt &at,
+                 const std::vector<double> &grid, std::optional<ends::AllMotions> &all,
+                 results::StabilityResult &result) {
+    if (model.form == results::Form::hill) {
+        add_hill_growth(at, model, result);
+        return;
+    }
+    all.emplace(finder.solver().discretization(), model.form, arrangement, finder.good_shapes(grid),
+                grid.front(), grid.back());
+    if (drives_every_frequency(model.rotor))
+        all->count_resolved();
+    add_growth(*all, result);
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
@@ -224,15 +240,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     give_up_unsettled(at, grid, model);
     std::optional<ends::AllMotions> all;
     std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
-    if (model.form == results::Form::hill) {
-        add_hill_growth(at, model, result);
-    } else {
-        all.emplace(solver.discretization(), model.form, arrangement, finder.good_shapes(grid),
-                    grid.front(), grid.back());
-        if (drives_every_frequency(model.rotor))
-            all->count_resolved();
-        add_growth(*all, result);
-    }
+    find_growth(finder, model, arrangement, at, grid, all, result);
     stage.emplace("unstable bands", 0.3, 0.6);
     std::vector<ends::WholeMotion> roots;
     if (grid.size() > 1) {
