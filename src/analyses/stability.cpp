@@ -2,6 +2,7 @@
 
 #include "analyses/names/mode_naming.h"
 #include "analyses/notes/drive.h"
+#include "analyses/notes/resolved_ends.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"
@@ -204,6 +205,22 @@ void search_zero_roots(const stability::StabilityModel &model,
                                         "beside the other roots: they are not listed");
 }
 
+/// Growth at the speeds, and all motions over the range: none in form hill.
+void find_growth(stability::BandFinder &finder, const stability::StabilityModel &model,
+                 const balancers::Arrangement &arrangement, const stability::MotionsAt &at,
+                 const std::vector<double> &grid, std::optional<ends::AllMotions> &all,
+                 results::StabilityResult &result) {
+    if (model.form == results::Form::hill) {
+        add_hill_growth(at, model, result);
+        return;
+    }
+    all.emplace(finder.solver().discretization(), model.form, arrangement, finder.good_shapes(grid),
+                grid.front(), grid.back());
+    if (drives_every_frequency(model.rotor))
+        all->count_resolved();
+    add_growth(*all, result);
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
@@ -227,13 +244,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     give_up_unsettled(at, grid, model);
     std::optional<ends::AllMotions> all;
     std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
-    if (model.form == results::Form::hill) {
-        add_hill_growth(at, model, result);
-    } else {
-        all.emplace(solver.discretization(), model.form, arrangement, finder.good_shapes(grid),
-                    grid.front(), grid.back());
-        add_growth(*all, result);
-    }
+    find_growth(finder, model, arrangement, at, grid, all, result);
     stage.emplace("unstable bands", 0.3, 0.6);
     std::vector<ends::WholeMotion> roots;
     if (grid.size() > 1) {
@@ -248,6 +259,8 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         stage.emplace("errors of the bands", 0.6, 0.65);
         result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
                                             {grid.front(), grid.back()}, roots);
+        if (all)
+            tell_resolved_apart(*all, model, roots, result);
         stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible =
             stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);

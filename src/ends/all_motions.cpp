@@ -2,6 +2,7 @@
 
 #include "assembly/frequency_scales.h"
 #include "balancers/linear_element.h"
+#include "ends/resolved_reach.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
 #include "synchronous/parts.h"
@@ -14,13 +15,13 @@ namespace whirl::ends {
 
 namespace {
 
-/// The range and the rows of bearing tables inside of it, ascending. At rest, where frequencies of
+/// The range and the bends of bearing tables inside of it, ascending. At rest, where frequencies of
 /// both directions are equal and balls do not stand anywhere by themselves, the range is cut.
 std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
     std::vector<double> out{from, to};
-    for (const double row : synchronous::table_speeds(rotor))
-        if (row > from && row < to)
-            out.push_back(row);
+    for (const double bend : rotor.table_bends())
+        if (bend > from && bend < to)
+            out.push_back(bend);
     if (from < 0 && to > 0)
         out.push_back(0);
     std::sort(out.begin(), out.end());
@@ -55,7 +56,8 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
                  ? balancers::balancer_elements(discretization.rotor(), arrangement)
                  : std::vector<balancers::BalancerElement>{}),
       _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
-                                           borders(discretization.rotor(), from, to))),
+                                           borders(discretization.rotor(), from, to),
+                                           synchronous::table_speeds(discretization.rotor()))),
       _slow(assembly::support_scale(discretization)), _from(from), _to(to) {
     if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;
@@ -104,8 +106,13 @@ WholeMotion AllMotions::lifted(const Root &root, double speed) const {
     return {speed, root.value, _rotor->lifted(root.right), _rotor->lifted(root.left), root.rate};
 }
 
-std::complex<double> AllMotions::fastest_growing(double speed) const {
+void AllMotions::count_resolved() {
+    _resolved = ends::resolved_up_to(_discretization, _shapes.get(), (_from + _to) / 2);
+}
+
+std::complex<double> AllMotions::fastest_growing(double speed, double up_to) const {
     std::vector<Root> roots = at(speed).roots;
+    std::erase_if(roots, [up_to](const Root &root) { return std::abs(root.value) > up_to; });
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     bool neutral = false;

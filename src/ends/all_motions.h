@@ -7,6 +7,7 @@
 #include "modes/form_matrices.h"
 #include "results/formulation.h"
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,6 +26,11 @@ class AllMotions {
     AllMotions(const assembly::Discretization &discretization, results::Form form,
                const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
+    ~AllMotions() = default;
+    AllMotions(const AllMotions &) = delete;
+    AllMotions &operator=(const AllMotions &) = delete;
+    AllMotions(AllMotions &&) = delete;
+    AllMotions &operator=(AllMotions &&) = delete;
 
     [[nodiscard]] int pieces() const { return _rotor->pieces(); }
     [[nodiscard]] const RotorPieces &rotor() const { return *_rotor; }
@@ -47,11 +53,17 @@ class AllMotions {
     }
     [[nodiscard]] const modes::FormMatrices &whole() const { return _whole; }
 
+    /// |l| up to which the motions that grow are counted as resolved, 1/s: infinite unless set.
+    [[nodiscard]] double resolved_up_to() const { return _resolved; }
+    /// Sets it from the mesh (resolved_reach.h) and the shapes.
+    void count_resolved();
+
     /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s, of
     /// the motions with |l| up to reach() and of those that grow, however fast they are; 0 where
     /// rounding hides the real part. The fastest motions of a mesh are no motions of the rotor:
     /// how little they are damped says nothing.
-    [[nodiscard]] std::complex<double> fastest_growing(double speed) const;
+    [[nodiscard]] std::complex<double>
+    fastest_growing(double speed, double up_to = std::numeric_limits<double>::infinity()) const;
 
     [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
     [[nodiscard]] results::Form form() const { return _form; }
@@ -62,6 +74,7 @@ class AllMotions {
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
     modes::FormMatrices _whole;
     std::unique_ptr<RotorPieces> _rotor;
+    double _resolved = std::numeric_limits<double>::infinity();
     double _slow = 0; ///< of the order of the motions on the supports, 1/s
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for

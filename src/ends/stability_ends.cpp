@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace whirl::ends {
 
@@ -61,7 +62,9 @@ class EndSearch {
             const auto speeds = base_speeds(low, high, looks, top, (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(at, speeds, [&](double size) { return motions.within_reach(size); });
+            const Sweep sweep(
+                at, speeds, [&](double size) { return motions.within_reach(size); },
+                motions.resolved_up_to());
             for (const Change &change : sweep.changes())
                 if (std::abs(change.speed) > 1.01 * at_rest * top)
                     take(change, piece);
@@ -75,7 +78,14 @@ class EndSearch {
         std::sort(_found.begin(), _found.end(),
                   [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
         doubt_doubles();
-        const std::vector<int> growing = growing_between();
+        const std::vector<int> growing = growing_between(_found, &Count::growing);
+        std::vector<Found> counted;
+        std::copy_if(_found.begin(), _found.end(), std::back_inserter(counted),
+                     [this](const Found &found) { return resolved(found); });
+        const std::vector<int> resolved_growing = std::isfinite(_motions.resolved_up_to())
+                                                      ? growing_between(counted, &Count::resolved)
+                                                      : growing;
+        std::size_t passed = 0; // of those
         _out.growing_from = growing.front();
         const double top = _counts.empty() ? 0
                                            : std::max(std::abs(_counts.begin()->first),
@@ -94,6 +104,10 @@ class EndSearch {
             if (end.growing_below + found.gain != end.growing_above)
                 _out.doubtful.emplace_back(end.speed, end.speed);
             fill_frequency(end, found.motion);
+            end.resolved.motion = resolved(found);
+            end.resolved.below = resolved_growing[passed];
+            passed += end.resolved.motion ? 1 : 0;
+            end.resolved.above = resolved_growing[passed];
             if (end.growing_below != end.growing_above)
                 _out.ends.push_back(end);
             if (found.kind != EndKind::collision)
@@ -107,6 +121,10 @@ class EndSearch {
     std::vector<Found> _found;
     std::map<double, Count> _counts;
     EndsFound _out;
+
+    [[nodiscard]] bool resolved(const Found &found) const {
+        return std::abs(found.motion.value) <= _motions.resolved_up_to();
+    }
 
     [[nodiscard]] bool at_an_end(double speed) const {
         return std::any_of(_found.begin(), _found.end(), [speed](const Found &found) {
@@ -195,29 +213,32 @@ class EndSearch {
 
     /// How many grow between neighbouring ends, before the first one and after the last one: at
     /// every speed looked at as many, but for those that rounding hides there.
-    [[nodiscard]] std::vector<int> growing_between() {
+    /// @param found    changes of those that are counted
+    /// @param counted  as many of them grow
+    [[nodiscard]] std::vector<int> growing_between(const std::vector<Found> &found,
+                                                   int Count::*counted) {
         constexpr int none = -1;
-        std::vector<int> out(_found.size() + 1, none);
+        std::vector<int> out(found.size() + 1, none);
         std::size_t passed = 0;
         const auto apart = [&](std::size_t k, double speed) {
-            return k >= _found.size() ||
-                   std::abs(_found[k].motion.speed - speed) > 1e-9 * std::abs(speed);
+            return k >= found.size() ||
+                   std::abs(found[k].motion.speed - speed) > 1e-9 * std::abs(speed);
         };
         std::vector<std::pair<std::size_t, std::pair<double, Count>>> seen;
         for (const auto &[speed, count] : _counts) {
-            while (passed < _found.size() && _found[passed].motion.speed <= speed)
+            while (passed < found.size() && found[passed].motion.speed <= speed)
                 ++passed;
             if (!apart(passed, speed) || (passed > 0 && !apart(passed - 1, speed)))
                 continue;
-            out[passed] = std::max(out[passed], count.growing);
+            out[passed] = std::max(out[passed], count.*counted);
             seen.push_back({passed, {speed, count}});
         }
         for (const auto &[interval, look] : seen)
-            if (look.second.growing + look.second.unknown < out[interval])
+            if (look.second.*counted + look.second.unknown < out[interval])
                 _out.doubtful.emplace_back(look.first, look.first);
         for (std::size_t k = 0; k < out.size(); ++k)
             if (out[k] == none)
-                out[k] = k > 0 ? out[k - 1] + _found[k - 1].gain : 0;
+                out[k] = k > 0 ? out[k - 1] + found[k - 1].gain : 0;
         return out;
     }
 };

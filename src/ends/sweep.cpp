@@ -30,9 +30,10 @@ double zero_of(const Strand &strand) {
 
 } // namespace
 
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow)
+Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow,
+             double resolved)
     : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
-      _slow(std::move(slow)), _looks_left(most_looks) {
+      _slow(std::move(slow)), _resolved(resolved), _looks_left(most_looks) {
     Spectrum before = look(speeds.front());
     for (std::size_t k = 1; k < speeds.size(); ++k) {
         Spectrum now = look(speeds[k]);
@@ -48,7 +49,11 @@ Spectrum Sweep::look(double speed) {
         std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
             return root.sign() == 0 && _slow(std::abs(root.value));
         });
-    _counts[speed] = {out.growing(), static_cast<int>(unknown)};
+    const auto resolved =
+        std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
+            return root.sign() > 0 && std::abs(root.value) <= _resolved;
+        });
+    _counts[speed] = {out.growing(), static_cast<int>(unknown), static_cast<int>(resolved)};
     return out;
 }
 

@@ -29,6 +29,7 @@ struct Change {
 struct Count {
     int growing = 0;
     int unknown = 0;
+    int resolved = 0; ///< growing ones that the mesh resolves
 };
 
 /// Follows all eigenvalues of a rotor through a range of speeds, with steps that are halved until
@@ -38,7 +39,9 @@ struct Count {
 class Sweep {
   public:
     /// @param speeds  ascending, to begin with
-    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow);
+    /// @param resolved  |l| up to which motions are counted as resolved, 1/s
+    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow,
+          double resolved);
 
     [[nodiscard]] const std::vector<Change> &changes() const { return _changes; }
     /// At all speeds looked at.
@@ -55,6 +58,7 @@ class Sweep {
     std::vector<std::pair<double, double>> _doubtful;
     double _scale = 0; ///< largest speed, rad/s
     SlowEnough _slow;
+    double _resolved;
     int _looks_left;
 
     [[nodiscard]] Spectrum look(double speed);

@@ -15,21 +15,21 @@ namespace {
 
 /// (m - T)^-1 v of an upper triangular T, column by column.
 void solve_shifted_triangle(const Eigen::MatrixXcd &T, std::complex<double> m,
-                            Eigen::VectorXcd &v) {
+                            Eigen::MatrixXcd &v) {
     for (Eigen::Index k = T.rows() - 1; k >= 0; --k) {
-        v(k) /= m - T(k, k);
-        v.head(k) += v(k) * T.col(k).head(k);
+        v.row(k) /= m - T(k, k);
+        v.topRows(k) += T.col(k).head(k) * v.row(k);
     }
 }
 
 } // namespace
 
-QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen::VectorXcd &b,
+QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen::MatrixXcd &b,
                                        const Eigen::MatrixXd &rows, double from, double to)
     : _width(std::max(to - from, 0.1 * std::max(std::abs(from), std::abs(to)))),
       _shift((from + to) / 2, 0.3 * _width) {
     const Eigen::PartialPivLU<Eigen::MatrixXcd> at_shift(terms.at(_shift));
-    const Eigen::Index m = b.size();
+    const Eigen::Index m = b.rows();
     Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
     const Eigen::MatrixXcd slope = terms.P1 + 2.0 * _shift * terms.P2;
     const Eigen::MatrixXcd left = at_shift.solve(slope);
@@ -62,9 +62,13 @@ void QuadraticResolvent::find_residues() {
             x.head(i) += x(i) * _T.col(i).head(i);
         }
     }
-    const Eigen::VectorXcd parts = X.triangularView<Eigen::UnitUpper>().solve(_h);
-    _residues = (_lower * X) * parts.asDiagonal();
-    _sizes = _residues.cwiseAbs();
+    const Eigen::MatrixXcd parts = X.triangularView<Eigen::UnitUpper>().solve(_h);
+    const Eigen::MatrixXcd numbers = _lower * X;
+    for (const auto &part : parts.colwise()) {
+        Eigen::MatrixXcd of = numbers * part.asDiagonal();
+        Eigen::MatrixXd sizes = of.cwiseAbs();
+        _residues.push_back({std::move(of), std::move(sizes)});
+    }
 }
 
 std::vector<std::complex<double>> QuadraticResolvent::poles() const {
@@ -81,26 +85,33 @@ QuadraticResolvent::Solution QuadraticResolvent::at(double s, Eigen::Index first
     const std::complex<double> m = _width / (s - _shift);
     const Eigen::ArrayXcd away = m - _T.diagonal().array();
     const Eigen::VectorXcd once = away.conjugate() / away.abs2();
-    const Eigen::VectorXcd v = _residues.middleRows(first, count) * once;
-    const Eigen::VectorXd sizes = _sizes.middleRows(first, count) * once.cwiseAbs();
-    if (!(sizes.array() <= cancels * v.cwiseAbs().array()).all())
-        return by_triangle(m, first, count);
-    return solution(m, v, _residues.middleRows(first, count) * once.cwiseProduct(once));
+    const Eigen::VectorXcd twice = once.cwiseProduct(once);
+    Eigen::MatrixXcd v(count, _h.cols());
+    Eigen::MatrixXcd w(count, _h.cols());
+    for (Eigen::Index j = 0; j < _h.cols(); ++j) {
+        const Residues &residues = _residues[static_cast<std::size_t>(j)];
+        v.col(j) = residues.of.middleRows(first, count) * once;
+        const Eigen::VectorXd sizes = residues.sizes.middleRows(first, count) * once.cwiseAbs();
+        if (!(sizes.array() <= cancels * v.col(j).cwiseAbs().array()).all())
+            return by_triangle(m, first, count);
+        w.col(j) = residues.of.middleRows(first, count) * twice;
+    }
+    return solution(m, v, w);
 }
 
 QuadraticResolvent::Solution QuadraticResolvent::by_triangle(std::complex<double> m,
                                                              Eigen::Index first,
                                                              Eigen::Index count) const {
-    Eigen::VectorXcd v = _h;
+    Eigen::MatrixXcd v = _h;
     solve_shifted_triangle(_T, m, v);
-    Eigen::VectorXcd w = v;
+    Eigen::MatrixXcd w = v;
     solve_shifted_triangle(_T, m, w);
     return solution(m, _lower.middleRows(first, count) * v, _lower.middleRows(first, count) * w);
 }
 
 QuadraticResolvent::Solution QuadraticResolvent::solution(std::complex<double> m,
-                                                          const Eigen::VectorXcd &v,
-                                                          const Eigen::VectorXcd &w) const {
+                                                          const Eigen::MatrixXcd &v,
+                                                          const Eigen::MatrixXcd &w) const {
     // u = m^2 v; d(m^2 v)/dm = 2 m v - m^2 w, dm/ds = -m^2 / width.
     const std::complex<double> square = m * m;
     return {square * v, (-square / _width) * (2.0 * m * v - square * w)};

@@ -1,11 +1,8 @@
 #include "forced/reduced_motion.h"
 
 #include "assembly/planes.h"
-#include "assembly/rotating_system.h"
-#include "assembly/system.h"
 #include "linalg/check.h"
 #include "modes/orbits.h"
-#include "modes/support_damping.h"
 #include "synchronous/parts.h"
 
 #include <Eigen/LU>
@@ -18,7 +15,6 @@ namespace whirl::forced {
 
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
 using Complex = std::complex<double>;
 
 /// Rotors with no more planar unknowns are kept whole.
@@ -27,45 +23,6 @@ constexpr int few_unknowns = 24;
 double slope_of_modulus(Complex value, Complex slope) {
     const double size = std::abs(value);
     return size > 0 ? (std::conj(value) * slope).real() / size : std::abs(slope);
-}
-
-using Wide = long double;
-
-/// A V of the unknowns row, row + step, ... and column, column + step, ..., summed as `Number`.
-template <class Number>
-Eigen::MatrixXd forces(const Sparse &A, const Eigen::MatrixXd &V, int row, int column, int step) {
-    Eigen::MatrixXd out(V.rows(), V.cols());
-    std::vector<Number> sums(static_cast<std::size_t>(V.rows()));
-    for (Eigen::Index shape = 0; shape < V.cols(); ++shape) {
-        std::fill(sums.begin(), sums.end(), Number(0));
-        for (int j = 0; j < V.rows(); ++j)
-            for (Sparse::InnerIterator entry(A, step * j + column); entry; ++entry)
-                if (entry.row() % step == row)
-                    sums[static_cast<std::size_t>(entry.row() / step)] +=
-                        static_cast<Number>(entry.value()) * static_cast<Number>(V(j, shape));
-        for (Eigen::Index i = 0; i < V.rows(); ++i)
-            out(i, shape) = static_cast<double>(sums[static_cast<std::size_t>(i)]);
-    }
-    return out;
-}
-
-/// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
-/// cancels in A V, which is the forces on the nodes: in double precision what is left would be off
-/// by 1e-10 and peaks by that times their amplification.
-/// @param parts  1: over planar unknowns; 2: in pairs (x, y), the shapes for both directions
-template <class Number>
-Eigen::MatrixXcd shape_product(const Eigen::MatrixXd &V, const linalg::Matrix &A, int parts) {
-    const Sparse entries = A.view();
-    Eigen::MatrixXcd out(parts * V.cols(), parts * V.cols());
-    for (int row = 0; row < parts; ++row)
-        for (int column = 0; column < parts; ++column) {
-            const Eigen::MatrixXd part =
-                V.transpose() * forces<Number>(entries, V, row, column, parts);
-            for (Eigen::Index k = 0; k < V.cols(); ++k)
-                for (Eigen::Index i = 0; i < V.cols(); ++i)
-                    out(parts * i + row, parts * k + column) = part(i, k);
-        }
-    return out;
 }
 
 /// Real and imaginary parts of motions, turned so that the real part is as large as it gets; the
@@ -97,7 +54,7 @@ ReducedMotion::ReducedMotion(const assembly::Discretization &discretization, res
                              double top, std::vector<Quantity> quantities, Drive drive,
                              bool reduction)
     : _discretization(discretization), _form(form), _drive(drive),
-      _quantities(std::move(quantities)), _rows(synchronous::table_speeds(discretization.rotor())) {
+      _quantities(std::move(quantities)), _rows(rows_of_straight_pieces(discretization.rotor())) {
     make_shapes(drive.weight() ? 2 * top : top, reduction);
     take_in(Eigen::MatrixXcd(discretization.planar_size(), 0), 1);
 }
@@ -139,6 +96,8 @@ void ReducedMotion::take_in(const Eigen::MatrixXcd &motions, double newness) {
     _pieces.clear();
     _piece = nullptr;
     _at_first_row.reset();
+    _terms =
+        std::make_unique<ShapeTerms>(_discretization, _form, _drive.weight(), _shapes->matrix());
     _b = _drive.weight() ? weight() : imbalances();
     const Eigen::MatrixXd &V = _shapes->matrix();
     _stretches.setZero(static_cast<Eigen::Index>(_quantities.size()), V.cols());
@@ -177,73 +136,17 @@ std::vector<double> ReducedMotion::cuts(double from, double to) const {
     return out;
 }
 
-ReducedMotion::Terms ReducedMotion::terms(double bearing_speed) const {
+QuadraticTerms ReducedMotion::terms(double bearing_speed) const {
     if (_rows.empty())
-        return whole_terms(bearing_speed);
+        return _terms->at(bearing_speed);
     if (!_at_first_row) // nothing but the bearings changes from row to row
-        _at_first_row = whole_terms(_rows.front());
-    Terms out = *_at_first_row;
+        _at_first_row = _terms->at(_rows.front());
+    QuadraticTerms out = *_at_first_row;
     if (bearing_speed != _rows.front()) {
-        add_bearings(_rows.front(), -1, out);
-        add_bearings(bearing_speed, 1, out);
+        _terms->add_bearings(_rows.front(), -1, out);
+        _terms->add_bearings(bearing_speed, 1, out);
     }
     return out;
-}
-
-void ReducedMotion::add_bearings(double bearing_speed, double share, Terms &out) const {
-    const Eigen::MatrixXd &V = _shapes->matrix();
-    const auto add = [&](Eigen::MatrixXcd &target, Complex factor, int i, int j,
-                         const Eigen::Matrix2d &block) {
-        const Eigen::MatrixXcd product = share * factor * (V.row(i).transpose() * V.row(j));
-        const Eigen::Index planes = _form == results::Form::planar ? 1 : 2;
-        for (Eigen::Index p = 0; p < planes; ++p)
-            for (Eigen::Index q = 0; q < planes; ++q)
-                target(Eigen::seqN(p, V.cols(), planes), Eigen::seqN(q, V.cols(), planes)) +=
-                    block(p, q) * product;
-    };
-    assembly::assemble_bearings(
-        _discretization, bearing_speed,
-        [&](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
-            if (_form == results::Form::rotating) { // the part that is the same from all sides
-                const double along = block.trace() / 2;
-                const double across = (block(1, 0) - block(0, 1)) / 2;
-                block << along, -across, across, along;
-            }
-            if (term == assembly::Term::stiffness)
-                add(out.constant, 1, i, j, block);
-            if (term != assembly::Term::damping)
-                return;
-            if (_form != results::Form::rotating || _drive.weight())
-                add(out.linear, imaginary_unit, i, j, block);
-            if (_form == results::Form::rotating) // of the axes that turn: i times the block
-                add(out.linear, 1, i, j,
-                    Eigen::Matrix2d{{-block(1, 0), -block(0, 0)}, {block(0, 0), -block(1, 0)}});
-        });
-}
-
-ReducedMotion::Terms ReducedMotion::whole_terms(double bearing_speed) const {
-    const Eigen::MatrixXd &V = _shapes->matrix();
-    const int parts = _form == results::Form::planar ? 1 : 2;
-    const auto product = [&](const linalg::Matrix &A) { return shape_product<Wide>(V, A, parts); };
-    const auto mass = [&](const linalg::Matrix &A) { return shape_product<double>(V, A, parts); };
-    if (_form == results::Form::planar) {
-        const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
-        const linalg::Matrix C = linalg::Matrix::from_entries(
-            _discretization.planar_size(),
-            modes::planar_support_damping(_discretization, bearing_speed));
-        return {product(s.K), imaginary_unit * product(C), mass(s.G) - mass(s.M)};
-    }
-    if (_form == results::Form::rotating) {
-        const assembly::RotatingSystem s =
-            assembly::assemble_rotating(_discretization, bearing_speed, {});
-        if (_drive.weight()) // lambda = i s in rotating axes
-            return {product(s.K), product(s.Ks) + imaginary_unit * product(s.C),
-                    product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
-        return {product(s.K), product(s.Ks), product(s.Kss)};
-    }
-    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
-    return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
-            imaginary_unit * mass(s.G) - mass(s.M)};
 }
 
 Eigen::VectorXcd ReducedMotion::imbalances() const {
@@ -262,19 +165,22 @@ Eigen::VectorXcd ReducedMotion::weight() const { // as ForcedMotion::weight_forc
 }
 
 ReducedMotion::Piece ReducedMotion::piece_between(double from, double to) const {
-    const Terms a = terms(from);
     Piece piece;
     piece.from = from;
     piece.to = to;
-    piece.P = {a.constant, a.linear, a.quadratic};
-    if (to > from) { // the bearings enter the constant and the linear term, both linear in s
-        const Terms b = terms(to);
-        const Eigen::MatrixXcd change0 = (b.constant - a.constant) / (to - from);
-        const Eigen::MatrixXcd change1 = (b.linear - a.linear) / (to - from);
-        piece.P.P0 -= from * change0;
-        piece.P.P1 += change0 - from * change1;
-        piece.P.P2 += change1;
-    }
+    piece.P = terms(from);
+    if (!(to > from))
+        return piece;
+    // the bearings enter the constant and the linear term, both linear in s
+    const QuadraticTerms b = terms(to);
+    const Eigen::MatrixXcd change0 = (b.P0 - piece.P.P0) / (to - from);
+    const Eigen::MatrixXcd change1 = (b.P1 - piece.P.P1) / (to - from);
+    piece.P.P0 -= from * change0;
+    piece.P.P1 += change0 - from * change1;
+    piece.P.P2 += change1;
+    auto bent = std::make_unique<BentSupports>(_discretization, *_terms, from, to);
+    if (!bent->none())
+        piece.bent = std::move(bent);
     return piece;
 }
 
@@ -287,15 +193,39 @@ void ReducedMotion::enter_piece(double inside) {
 }
 
 const QuadraticResolvent &ReducedMotion::resolvent(double from, double to) {
-    if (!_piece->resolvent || _piece->resolved != std::pair(from, to)) {
-        _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, _b, _read, from, to);
-        _piece->resolved = {from, to};
+    if (_piece->resolvent && _piece->resolved == std::pair(from, to))
+        return *_piece->resolvent;
+    _piece->resolved = {from, to};
+    Eigen::MatrixXcd sides = _b;
+    Eigen::MatrixXd rows = _read;
+    if (_piece->bent) {
+        const Eigen::MatrixXd &B = _piece->bent->columns();
+        sides.conservativeResize(Eigen::NoChange, 1 + B.cols());
+        sides.rightCols(B.cols()) = B.cast<Complex>();
+        rows.conservativeResize(rows.rows() + B.cols(), Eigen::NoChange);
+        rows.bottomRows(B.cols()) = B.transpose();
     }
+    _piece->resolvent = std::make_unique<QuadraticResolvent>(_piece->P, sides, rows, from, to);
+    _piece->poles = _piece->resolvent->poles();
+    if (_piece->bent)
+        _piece->poles = _piece->bent->poles(_piece->P, _piece->poles);
     return *_piece->resolvent;
 }
 
 std::vector<std::complex<double>> ReducedMotion::poles(double from, double to) {
-    return resolvent(from, to).poles();
+    (void)resolvent(from, to);
+    return _piece->poles;
+}
+
+QuadraticResolvent::Solution ReducedMotion::quick(double speed, Eigen::Index first,
+                                                  Eigen::Index count) const {
+    if (!_piece->bent)
+        return _piece->resolvent->at(speed, first, count);
+    if (!_piece->stretch || _piece->stretch->first != speed)
+        _piece->stretch = {
+            speed, _piece->resolvent->at(speed, _read.rows(), _piece->bent->columns().cols())};
+    return _piece->bent->solution(speed, _piece->resolvent->at(speed, first, count),
+                                  _piece->stretch->second);
 }
 
 double ReducedMotion::rounding(double speed) const {
@@ -308,34 +238,43 @@ double ReducedMotion::rounding(double speed) const {
 
 const ReducedMotion::Factors &ReducedMotion::factors(double speed) const {
     if (!_piece->factors || _piece->factors->speed != speed)
-        _piece->factors =
-            std::make_unique<Factors>(Factors{speed, _piece->P.at(speed).partialPivLu()});
+        _piece->factors = std::make_unique<Factors>(factors_at(speed));
     return *_piece->factors;
+}
+
+ReducedMotion::Factors ReducedMotion::factors_at(double speed) const {
+    Eigen::MatrixXcd P = _piece->P.at(speed);
+    Eigen::MatrixXcd slope = _piece->P.slope(speed);
+    if (_piece->bent) {
+        const Eigen::MatrixXd &B = _piece->bent->columns();
+        const BentSupports::Change change = _piece->bent->at(speed);
+        P += B * change.Z * B.transpose();
+        slope += B * change.slope * B.transpose();
+    }
+    return {speed, Eigen::PartialPivLU<Eigen::MatrixXcd>(P), std::move(slope)};
 }
 
 std::vector<Reading> ReducedMotion::at(double speed) const {
     const auto [known, missing] = _piece->readings.try_emplace(speed);
     if (missing) {
-        const auto &P = factors(speed).P;
-        const Eigen::VectorXcd u = P.solve(_b);
-        Eigen::VectorXcd change = _piece->P.P1 * u;
-        change += (2 * speed) * Eigen::VectorXcd(_piece->P.P2 * u);
-        const Eigen::VectorXcd slope = -Eigen::VectorXcd(P.solve(change));
+        const Factors &of = factors(speed);
+        const Eigen::VectorXcd u = of.P.solve(_b);
+        const Eigen::VectorXcd change = of.slope * u;
+        const Eigen::VectorXcd slope = -Eigen::VectorXcd(of.P.solve(change));
         known->second = readings({_read * u, _read * slope}, speed);
     }
     return known->second;
 }
 
 std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
-    return _piece->resolvent ? readings(_piece->resolvent->at(speed, 0, _read.rows()), speed)
-                             : at(speed);
+    return _piece->resolvent ? readings(quick(speed, 0, _read.rows()), speed) : at(speed);
 }
 
 Reading ReducedMotion::quickly_at(double speed, int quantity) const {
     if (!_piece->resolvent)
         return at(speed)[static_cast<std::size_t>(quantity)];
     const auto [first, count] = read_of(quantity);
-    return reading(quantity, _piece->resolvent->at(speed, first, count), speed);
+    return reading(quantity, quick(speed, first, count), speed);
 }
 
 std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution &unit,
@@ -343,8 +282,8 @@ std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution 
     std::vector<Reading> out;
     for (int i = 0; i < static_cast<int>(_quantities.size()); ++i) {
         const auto [first, count] = read_of(i);
-        out.push_back(
-            reading(i, {unit.y.segment(first, count), unit.slope.segment(first, count)}, speed));
+        out.push_back(reading(
+            i, {unit.y.middleRows(first, count), unit.slope.middleRows(first, count)}, speed));
     }
     return out;
 }
@@ -381,16 +320,15 @@ Reading ReducedMotion::reading(int quantity, const QuadraticResolvent::Solution 
         return {of.seen(value), of.seen(change), cancelled};
     const model::Bearing &b = _discretization.rotor().bearings[static_cast<std::size_t>(bearing)];
     const model::BearingCoefficients now = b.at(speed);
-    const model::BearingCoefficients low = b.at(_piece->from);
-    const model::BearingCoefficients high = b.at(_piece->to);
-    const double width = _piece->to > _piece->from ? _piece->to - _piece->from : 1;
-    const Eigen::Matrix2d k_slope = (high.k - low.k) / width;
-    const Eigen::Matrix2d c_slope = (high.c - low.c) / width;
+    // At the end of the piece those of its last rows.
+    const double inside = std::clamp(speed, _piece->from, std::nextafter(_piece->to, _piece->from));
+    const model::BearingCoefficients slope =
+        _piece->to > _piece->from ? slope_of(b, inside) : model::BearingCoefficients{};
     const Complex turns = (_drive.weight() ? 2.0 : 1.0) * imaginary_unit; // over the spin speed
     const Complex square = turns * turns;
     const Eigen::Matrix2cd z = now.k + turns * speed * now.c + square * speed * speed * now.m;
     const Eigen::Matrix2cd z_slope =
-        k_slope + turns * (now.c + speed * c_slope) + 2.0 * square * speed * now.m;
+        slope.k + turns * (now.c + speed * slope.c) + 2.0 * square * speed * now.m;
     const Eigen::Vector2cd xy(value.x, value.y);
     const Eigen::Vector2cd force = z * xy;
     const Eigen::Vector2cd force_slope = z_slope * xy + z * Eigen::Vector2cd(change.x, change.y);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "forced/bent_supports.h"
 #include "forced/forced_motion.h"
 #include "forced/quadratic_resolvent.h"
 #include "reduction/planar_shapes.h"
@@ -52,8 +53,8 @@ struct Reading {
 ///
 /// Between two rows of bearing tables (a piece) the equations are P(s) u = s^2 b with
 /// P = P0 + s P1 + s^2 P2: the poles of the response are the roots of a small quadratic
-/// eigenproblem. Under the weight P(s) u = b, and the quantities are the parts at twice the spin
-/// speed (rotating form).
+/// eigenproblem. Of many rows along a curve a piece has several (BentSupports). Under the weight
+/// P(s) u = b, and the quantities are the parts at twice the spin speed (rotating form).
 class ReducedMotion {
   public:
     /// @param discretization  must outlive this
@@ -90,19 +91,20 @@ class ReducedMotion {
     [[nodiscard]] Reading quickly_at(double speed, int quantity) const;
 
   private:
-    struct Terms { ///< of P at one bearing speed
-        Eigen::MatrixXcd constant, linear, quadratic;
-    };
     struct Factors {
         double speed;
         Eigen::PartialPivLU<Eigen::MatrixXcd> P;
+        Eigen::MatrixXcd slope; ///< dP/ds
     };
     struct Piece {
-        double from = 0, to = 0; ///< rad/s; equal: the bearings are constant
-        QuadraticTerms P;
-        std::unique_ptr<Factors> factors;                ///< of the last speed
-        std::unique_ptr<QuadraticResolvent> resolvent;   ///< none before poles()
-        std::pair<double, double> resolved;              ///< where it is for
+        double from = 0, to = 0;            ///< rad/s; equal: the bearings are constant
+        QuadraticTerms P;                   ///< with straight lines between its ends
+        std::unique_ptr<BentSupports> bent; ///< what the bearings are beside these; none: nothing
+        std::unique_ptr<Factors> factors;   ///< of the last speed
+        std::unique_ptr<QuadraticResolvent> resolvent; ///< of P; none before poles()
+        std::vector<std::complex<double>> poles;
+        std::optional<std::pair<double, QuadraticResolvent::Solution>> stretch; ///< last, by speed
+        std::pair<double, double> resolved;                                     ///< where it is for
         std::map<double, std::vector<Reading>> readings; ///< at() by speed, so far
         std::map<double, double> roundings;
     };
@@ -112,9 +114,10 @@ class ReducedMotion {
     std::vector<Quantity> _quantities;
     std::unique_ptr<reduction::PlanarShapes> _shapes;
     bool _whole = false;
-    std::vector<double> _rows;                  ///< of bearing tables, rad/s
-    mutable std::optional<Terms> _at_first_row; ///< of the tables, once asked for
-    Eigen::MatrixXd _stretches;                 ///< a row a quantity, over the shapes
+    std::unique_ptr<ShapeTerms> _terms;
+    std::vector<double> _rows; ///< of bearing tables: ends of the pieces, rad/s
+    mutable std::optional<QuadraticTerms> _at_first_row; ///< of the tables, once asked for
+    Eigen::MatrixXd _stretches;                          ///< a row a quantity, over the shapes
     /// What readings are made of, over the unknowns: of each quantity w, or x and y; under the
     /// weight the unknowns themselves, to see what cancels.
     Eigen::MatrixXd _read;
@@ -122,12 +125,12 @@ class ReducedMotion {
     Piece *_piece = nullptr;
     Eigen::VectorXcd _b;
 
-    [[nodiscard]] Terms terms(double bearing_speed) const;
-    [[nodiscard]] Terms whole_terms(double bearing_speed) const;
-    /// Adds a share of what the bearings at a speed are in the terms.
-    void add_bearings(double bearing_speed, double share, Terms &out) const;
+    [[nodiscard]] QuadraticTerms terms(double bearing_speed) const;
     [[nodiscard]] const QuadraticResolvent &resolvent(double from, double to);
     [[nodiscard]] const Factors &factors(double speed) const;
+    [[nodiscard]] Factors factors_at(double speed) const;
+    [[nodiscard]] QuadraticResolvent::Solution quick(double speed, Eigen::Index first,
+                                                     Eigen::Index count) const;
     void set_read();
     /// Numbers of a quantity among those that are read: the first and how many.
     [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> read_of(int quantity) const;

@@ -15,6 +15,22 @@ bool nothing(double difference, const Eigen::Matrix2d &a) {
            8 * std::numeric_limits<double>::epsilon() * a.cwiseAbs().maxCoeff();
 }
 
+/// By how much of its largest coefficient of a kind row i is off the line between its neighbours.
+double off_line(const Bearing &bearing, std::size_t i) {
+    const double share = (bearing.speeds[i] - bearing.speeds[i - 1]) /
+                         (bearing.speeds[i + 1] - bearing.speeds[i - 1]);
+    double off = 0;
+    for (const auto part : {&BearingCoefficients::k, &BearingCoefficients::c}) {
+        const Eigen::Matrix2d &before = bearing.rows[i - 1].*part;
+        const Eigen::Matrix2d &after = bearing.rows[i + 1].*part;
+        const double size = std::max(before.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff());
+        const double gap =
+            (bearing.rows[i].*part - (1 - share) * before - share * after).cwiseAbs().maxCoeff();
+        off = std::max(off, gap > 0 ? gap / size : 0);
+    }
+    return off;
+}
+
 } // namespace
 
 bool isotropic(const Eigen::Matrix2d &a) { return diagonal(a) && nothing(a(0, 0) - a(1, 1), a); }
@@ -50,6 +66,15 @@ BearingCoefficients Bearing::at(double speed) const {
     const BearingCoefficients &b = rows[i];
     return {(1 - t) * a.k + t * b.k, (1 - t) * a.c + t * b.c, (1 - t) * a.m + t * b.m,
             (1 - t) * a.kt + t * b.kt, (1 - t) * a.ct + t * b.ct};
+}
+
+std::vector<double> Bearing::bends() const {
+    constexpr double hardly = 1e-4;
+    std::vector<double> out;
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        if (i == 0 || i + 1 == speeds.size() || off_line(*this, i) > hardly)
+            out.push_back(speeds[i]);
+    return out;
 }
 
 } // namespace whirl::model

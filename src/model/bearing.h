@@ -58,6 +58,12 @@ struct Bearing {
 
     /// Coefficients at a spin speed (rad/s): linear between table rows, constant outside.
     [[nodiscard]] BearingCoefficients at(double speed) const;
+
+    /// Speeds of the rows at which the coefficients bend, rad/s, ascending: the first and the last
+    /// one, and those that are off the straight line between their neighbours by more than 1e-4 of
+    /// the largest stiffness or damping there. Between them a table through many rows of a smooth
+    /// curve (a spline) is as good as smooth. Empty for constant coefficients.
+    [[nodiscard]] std::vector<double> bends() const;
 };
 
 } // namespace whirl::model

@@ -76,4 +76,14 @@ bool Rotor::bearings_depend_on_speed() const {
                        [](const Bearing &b) { return b.depends_on_speed(); });
 }
 
+std::vector<double> Rotor::table_bends() const {
+    std::vector<double> out;
+    for (const Bearing &bearing : bearings)
+        for (const double speed : bearing.bends())
+            out.push_back(speed);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+}
+
 } // namespace whirl::model

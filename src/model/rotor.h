@@ -39,6 +39,8 @@ struct Rotor {
     [[nodiscard]] bool damped() const;
     /// A bearing table over spin speed is present.
     [[nodiscard]] bool bearings_depend_on_speed() const;
+    /// Speeds at which some bearing's coefficients bend (Bearing::bends), rad/s, ascending.
+    [[nodiscard]] std::vector<double> table_bends() const;
     /// Something turns with the rotor and is not axisymmetric.
     [[nodiscard]] bool rotating_anisotropy() const {
         return !anisotropies.empty() || !balancers.empty() || shaft.asymmetric();

@@ -184,6 +184,30 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
         });
 }
 
+/// Masses of pedestals and of the fluid in bearings less their mean over x and y, which the planar
+/// mass matrix has.
+void project_masses_beside(const assembly::Discretization &d, ReducedRotor &reduced) {
+    const Eigen::Index r = reduced.shapes.cols();
+    reduced.mass_beside = Eigen::MatrixXd::Zero(2 * r, 2 * r);
+    assembly::assemble_supports(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+        if (term != Term::mass)
+            return;
+        const Eigen::Matrix2d beside = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
+        const Eigen::MatrixXd product = reduced.shapes.row(i).transpose() * reduced.shapes.row(j);
+        for (int a = 0; a < 2; ++a)
+            for (int b = 0; b < 2; ++b)
+                reduced.mass_beside.block(a * r, b * r, r, r) += beside(a, b) * product;
+    });
+    // Fluid moves with the foundation, or between shaft and pedestal: the load is the pedestals'.
+    reduced.load_beside = Row::Zero(r);
+    for (std::size_t i = 0; i < d.rotor().bearings.size(); ++i)
+        if (const auto &pedestal = d.rotor().bearings[i].pedestal) {
+            const int unknown = d.pedestal_unknown(static_cast<int>(i));
+            reduced.load_beside += (pedestal->mass(0) - pedestal->mass(1)) / 2 *
+                                   reduced.shapes.row(unknown).transpose();
+        }
+}
+
 ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
                      const Eigen::MatrixXd &shapes) {
     ReducedRotor reduced;
@@ -196,8 +220,10 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
     for (const model::Bearing &bearing : d.rotor().bearings) // fluid that moves with the foundation
         if (!bearing.pedestal)
             reduced.mass_load -=
-                bearing.rows.front().m(0, 0) * reduced.row(d.deflection_at(bearing.z));
+                bearing.rows.front().m.trace() / 2 * reduced.row(d.deflection_at(bearing.z));
     project_rotor(d, reduced);
+    if (!d.rotor().support_masses_isotropic())
+        project_masses_beside(d, reduced);
     std::set<double> speeds;
     for (const model::Bearing &bearing : d.rotor().bearings)
         speeds.insert(bearing.speeds.begin(), bearing.speeds.end());
@@ -218,10 +244,6 @@ void refuse_massless(const assembly::Discretization &d) {
                 fmt::format("motion in time needs mass in all that moves: bearing[{}] stands on a "
                             "pedestal without; give it a pedestal_mass",
                             i));
-    if (!d.rotor().support_masses_isotropic())
-        throw model::AnalysisFailure(
-            "motion in time needs mass coefficients of bearings and masses of pedestals that are "
-            "the same in x and y and do not couple them");
 }
 
 /// The rotor with so much more inertia on its fast shapes that none is faster than `fastest`: they
@@ -234,6 +256,10 @@ ReducedRotor slowed(const ReducedRotor &rotor, double fastest) {
     out.shapes = rotor.shapes * s.asDiagonal();
     out.mass_times = rotor.mass_times * s.cwiseInverse().asDiagonal();
     out.mass_load = s.asDiagonal() * rotor.mass_load;
+    if (rotor.mass_beside.size() > 0) {
+        out.mass_beside = both.asDiagonal() * rotor.mass_beside * both.asDiagonal();
+        out.load_beside = s.asDiagonal() * rotor.load_beside;
+    }
     out.frequencies = rotor.frequencies.cwiseMin(fastest);
     for (Eigen::MatrixXd *A : {&out.elastic, &out.internal, &out.gyroscopic})
         *A = (s.asDiagonal() * *A * s.asDiagonal()).eval();

@@ -23,6 +23,10 @@ struct ReducedRotor {
     Row mass_load;   ///< r: load under a unit acceleration of all, pedestals included, with
                      ///< fluid in bearings that accelerates alike
     double mass = 0; ///< kg, without pedestals
+    /// 2r x 2r on (Re p; Im p): what the masses of supports are beside their mean over x and y, to
+    /// be added to the unit matrix; empty where they are the same from all sides.
+    Eigen::MatrixXd mass_beside;
+    Row load_beside; ///< r: beside mass_load, of an acceleration in x more, in y less; or empty
 
     /// Bearings at one speed, on the real form (2r x 2r).
     struct Supports {

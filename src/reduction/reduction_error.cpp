@@ -47,6 +47,8 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Columns &pl
     const ReducedRotor::Supports at = reduced.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness + imaginary_unit * speed * at.damping;
     A.diagonal().array() -= speed * speed;
+    if (reduced.mass_beside.size() > 0)
+        A -= speed * speed * reduced.mass_beside;
     const Eigen::MatrixXcd alone = reduced.elastic + imaginary_unit * speed * reduced.internal;
     A.topLeftCorner(r, r) += alone;
     A.bottomRightCorner(r, r) += alone;

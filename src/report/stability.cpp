@@ -151,7 +151,10 @@ const Columns<results::StabilityEnd> end_columns{
      "frequency in fixed axes [rad/s]",
      {"in fixed axes (rad/s)", "{:.8g}"},
      {"in fixed axes rad/s", "{:#.8g}"},
-     &results::StabilityEnd::frequency}};
+     &results::StabilityEnd::frequency},
+    {"error", "", {}, {}, [](const auto &end) {
+         return end.resolved.error ? Json(*end.resolved.error) : Json();
+     }}};
 
 const Columns<PermissibleAnisotropy> permissible_columns{
     {"name", "", {"Element"}, {}, &PermissibleAnisotropy::name},
@@ -208,6 +211,9 @@ Json json_of(const StabilityResult &result) {
             {"unstable", result.unstable},
             {"unstable_error", result.unstable_error},
             {"ends", json_rows(end_columns, result.ends)},
+            {"resolved_up_to", result.resolved_up_to ? Json(*result.resolved_up_to) : Json()},
+            {"unresolved_ends", json_rows(end_columns, result.unresolved_ends)},
+            {"resolved_growth", result.resolved_growth},
             {"critical_speeds", result.critical_speeds},
             {"zero_root_speeds", result.zero_root_speeds},
             {"additional_speeds", result.additional_speeds},
@@ -281,6 +287,9 @@ std::vector<Section> sections_of(const StabilityResult &result) {
     if (!result.ends.empty())
         sections.push_back({"Speeds at which the number of growing motions changes",
                             page_table(end_columns, result.ends)});
+    if (!result.unresolved_ends.empty())
+        sections.push_back({"The same of motions that the elements do not resolve",
+                            page_table(end_columns, result.unresolved_ends)});
     if (const std::vector<BandLine> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
                             page_table(still_columns, still)});
@@ -343,6 +352,10 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
     if (!result.ends.empty())
         text += "Speeds at which the number of growing motions changes:\n" +
                 text_table(end_columns, result.ends);
+    if (!result.unresolved_ends.empty())
+        text += fmt::format("Not resolved by the elements: {} more ends, of motions faster than "
+                            "{:.6g} rad/s\n",
+                            result.unresolved_ends.size(), *result.resolved_up_to);
     text +=
         speeds_text("Critical speeds, balls held, undamped", result.critical_speeds) +
         speeds_text("A root is zero at", result.zero_root_speeds) +

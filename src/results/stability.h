@@ -75,6 +75,12 @@ struct StabilityEnd {
     EndKind kind = EndKind::pair;
     int growing_below = 0; ///< motions that grow just below this speed
     int growing_above = 0;
+    /// Of what the elements resolve, where the result says up to which frequency that is.
+    struct Resolved {
+        bool motion = true;          ///< that which begins or ceases to grow
+        int below = -1, above = -1;  ///< growing motions that are resolved; -1: not told apart
+        std::optional<double> error; ///< of the speed, by finer elements, rad/s
+    } resolved;
 };
 
 struct StabilityResult {
@@ -88,6 +94,12 @@ struct StabilityResult {
     /// All speeds in the range at which the number of growing motions changes, ascending: ends of
     /// the unstable bands and changes inside of them.
     std::vector<StabilityEnd> ends;
+    /// |l| up to which motions are counted at all speeds, 1/s (ends/resolved_reach.h), where
+    /// something drives motions of every frequency; those that begin or cease to grow above it are
+    /// `unresolved_ends`. None: all are counted.
+    std::optional<double> resolved_up_to;
+    std::vector<StabilityEnd> unresolved_ends; ///< counted with all motions of this mesh
+    std::vector<double> resolved_growth;       ///< as growth, of the motions up to there; or empty
     /// Forward critical speeds in the range, balls held in place and without damping, rad/s
     /// (rotating form): what critical lists.
     std::vector<double> critical_speeds;

@@ -48,6 +48,12 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
     for (const FixedMass &mass : _parts.fixed)
         if (mass.mass.weight != 0 && is_there(mass))
             impulse -= mass.mass.weight * std::cos(spin.angle + mass.phase);
+    if (rotor.mass_beside.size() > 0) { // momentum is not along the velocity
+        const Eigen::VectorXd beside = rotor.mass_beside * v;
+        impulse += v.head(r).dot(beside.tail(r)) - v.tail(r).dot(beside.head(r));
+        const ConstMap a(_forces.data(), 2 * r); // what is skew in the masses has no energy
+        loss += (v.dot(rotor.mass_beside * a) - a.dot(beside)) / 2;
+    }
     books[0] = torque * spin.speed;
     books[1] = loss;
     books[2] = impulse;
@@ -89,6 +95,8 @@ double RotorMotion::energy(double t, const double *state) const {
     const ConstPair x(state, r, 2);
     const ConstPair u(state + n, r, 2);
     double energy = v.squaredNorm() / 2 + _parts.polar_inertia * now.speed * now.speed / 2;
+    if (rotor.mass_beside.size() > 0)
+        energy += v.dot(rotor.mass_beside * v) / 2;
     energy -=
         now.speed / 2 *
         (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0)));
@@ -128,6 +136,10 @@ double RotorMotion::momentum(double t, const double *state) const {
     momentum -=
         (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0))) / 2;
     momentum += x.col(0).dot(u.col(1)) - x.col(1).dot(u.col(0));
+    if (rotor.mass_beside.size() > 0) {
+        const Eigen::VectorXd beside = rotor.mass_beside * ConstMap(state + n, 2 * r);
+        momentum += x.col(0).dot(beside.tail(r)) - x.col(1).dot(beside.head(r));
+    }
     momentum -=
         now.speed / 2 *
         (x.col(0).dot(rotor.gyroscopic * x.col(0)) + x.col(1).dot(rotor.gyroscopic * x.col(1)));

@@ -103,6 +103,11 @@ void refuse_what_is_missing(const model::Case &scene) {
     if (scene.rotor.shaft.asymmetric())
         throw model::AnalysisFailure("motion in time needs a shaft of equal bending stiffnesses; "
                                      "this one has a segment with asymmetry");
+    const bool turning_masses = !scene.rotor.balancers.empty() || !scene.rotor.anisotropies.empty();
+    if (turning_masses && !scene.rotor.support_masses_isotropic())
+        throw model::AnalysisFailure(
+            "motion in time with balancers or anisotropies needs mass coefficients of bearings and "
+            "masses of pedestals that are the same in x and y and do not couple them");
     if (scene.simulate.torque)
         return;
     if (!scene.simulate.run_up.empty())

@@ -26,8 +26,10 @@ void Excitation::add(const reduction::Row &row, const model::StationForce &force
     _forces.push_back({row, force});
 }
 
-void Excitation::set_base(const reduction::Row &mass_load, const model::BaseMotion &base) {
-    _mass_load = mass_load;
+void Excitation::set_base(const reduction::Row &x_load, const reduction::Row &y_load,
+                          const model::BaseMotion &base) {
+    _x_load = x_load;
+    _y_load = y_load;
     _base = base;
 }
 
@@ -70,8 +72,8 @@ void Excitation::add_loads(double t, double piece, Eigen::VectorXd &loads) const
     if (!_base)
         return;
     const Eigen::Vector2d a = base(t, piece);
-    loads.head(r) -= a(0) * _mass_load;
-    loads.tail(r) -= a(1) * _mass_load;
+    loads.head(r) -= a(0) * _x_load;
+    loads.tail(r) -= a(1) * _y_load;
 }
 
 } // namespace whirl::simulation

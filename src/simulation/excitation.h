@@ -15,8 +15,10 @@ namespace whirl::simulation {
 class Excitation {
   public:
     void add(const reduction::Row &row, const model::StationForce &force);
-    /// @param mass_load  ReducedRotor::mass_load
-    void set_base(const reduction::Row &mass_load, const model::BaseMotion &base);
+    /// @param x_load,y_load  under an acceleration in x, and in y: ReducedRotor::mass_load with
+    /// what is beside it
+    void set_base(const reduction::Row &x_load, const reduction::Row &y_load,
+                  const model::BaseMotion &base);
 
     [[nodiscard]] bool none() const { return _forces.empty() && !_base; }
     [[nodiscard]] bool shakes() const { return _base.has_value(); }
@@ -36,7 +38,7 @@ class Excitation {
     };
     std::vector<Force> _forces;
     std::optional<model::BaseMotion> _base;
-    reduction::Row _mass_load;
+    reduction::Row _x_load, _y_load;
 };
 
 } // namespace whirl::simulation

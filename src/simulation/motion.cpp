@@ -204,6 +204,8 @@ void RotorMotion::gather(Index column) const {
 /// in _planes.
 void RotorMotion::solve_accelerations(int columns) const {
     const Index entries = _rows.cols();
+    if (_inverse_mass.size() > 0)
+        _forces.leftCols(columns) = Eigen::MatrixXd(_inverse_mass * _forces.leftCols(columns));
     if (entries == 0)
         return;
     const auto planes = entries / 2;

@@ -80,6 +80,7 @@ class RotorMotion {
     Eigen::MatrixXd _rows;                        ///< r x 2P: w, phi of each plane
     Eigen::MatrixXd _products;                    ///< _rows^T _rows
     Eigen::MatrixXd _stiffness;                   ///< 2r x 2r with constant supports
+    Eigen::MatrixXd _inverse_mass;                ///< where the rotor's is not one; else empty
     linalg::RealProduct _of_place;                ///< p to K p, then the gyroscopic matrix times p
     linalg::RealProduct _of_velocity;             ///< v to C v, then the same of v
     bool _tables = false;                         ///< supports depend on speed

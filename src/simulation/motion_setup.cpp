@@ -2,6 +2,8 @@
 
 #include "simulation/motion.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <utility>
 
@@ -46,6 +48,8 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _of_place = linalg::RealProduct(above_turned(_stiffness, rotor.gyroscopic));
     _of_velocity =
         linalg::RealProduct(above_turned(rotor.supports.front().damping, rotor.gyroscopic));
+    if (rotor.mass_beside.size() > 0) // no planes (motion_scene)
+        _inverse_mass = (Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside).inverse();
     _motions.resize(_parts.planes.size());
     _free_equations.resize(static_cast<std::size_t>(_parts.free_angles()));
     for (Eigen::ArrayXd *each : {&_turned, &_cosines, &_sines})

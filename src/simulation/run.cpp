@@ -36,6 +36,10 @@ double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
     A.bottomLeftCorner(2 * r, 2 * r) /= std::abs(speed);
     A.block(2 * r, 3 * r, r, r) -= speed * rotor.gyroscopic;
     A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
+    if (rotor.mass_beside.size() > 0) {
+        const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside;
+        A.bottomRows(2 * r) = M.partialPivLu().solve(A.bottomRows(2 * r)).eval();
+    }
     return -A.eigenvalues().real().minCoeff();
 }
 

@@ -84,8 +84,13 @@ void add_outside(const model::Case &scene, const assembly::Discretization &d, Mo
     add_sudden_imbalances(scene, d, motion);
     for (const model::StationForce &force : s.forces)
         motion.parts.excitation.add(motion.parts.rotor.row(d.deflection_at(force.z)), force);
-    if (s.base)
-        motion.parts.excitation.set_base(motion.parts.rotor.mass_load, *s.base);
+    if (s.base) {
+        const reduction::ReducedRotor &rotor = motion.parts.rotor;
+        const reduction::Row beside =
+            rotor.load_beside.size() > 0 ? rotor.load_beside : 0 * rotor.mass_load;
+        motion.parts.excitation.set_base(rotor.mass_load + beside, rotor.mass_load - beside,
+                                         *s.base);
+    }
     motion.moment += moment_of_forces(s, motion.parts.rotor.mass, motion.fastest);
     if (!scene.rotor.balancers.empty())
         return;

@@ -17,6 +17,8 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
     const Complex i(0, 1);
     const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
     Eigen::MatrixXcd A = at.stiffness.cast<Complex>() + i * speed * at.damping;
+    if (rotor.mass_beside.size() > 0)
+        A -= speed * speed * rotor.mass_beside;
     for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
         A.block(plane, plane, r, r) += rotor.elastic + i * speed * rotor.internal;
         A.block(plane, plane, r, r).diagonal().array() -= speed * speed;

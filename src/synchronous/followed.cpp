@@ -93,43 +93,18 @@ std::optional<std::vector<double>> zeros_of(const Cubic &cubic, double unseen) {
     return zeros;
 }
 
-/// Rows that are followed at once where the tables hardly bend: by how much of its largest
-/// coefficient of a kind a row may be off the straight line between its neighbours, how many, and
-/// the ratio of their speeds. What the ends cannot know of such a piece is less than `between`.
-constexpr double hardly = 1e-4;
-constexpr std::size_t most_rows = 16;
-constexpr double widest = 1.25;
+/// What the ends of a step over several rows cannot know of the speeds between, relative.
 constexpr double between = 5e-3;
 
-/// Of the largest entries: how far the coefficients at a row are off the line between two others.
-double off_line(const model::Bearing &bearing, double before, double at, double after) {
-    const double share = (at - before) / (after - before);
-    const model::BearingCoefficients a = bearing.at(before);
-    const model::BearingCoefficients here = bearing.at(at);
-    const model::BearingCoefficients b = bearing.at(after);
-    double off = 0;
-    for (const auto part : {&model::BearingCoefficients::k, &model::BearingCoefficients::c}) {
-        const double size =
-            std::max((a.*part).cwiseAbs().maxCoeff(), (b.*part).cwiseAbs().maxCoeff());
-        const double gap =
-            (here.*part - (1 - share) * (a.*part) - share * (b.*part)).cwiseAbs().maxCoeff();
-        off = std::max(off, gap > 0 ? gap / size : 0);
-    }
-    return off;
-}
-
-/// Rows from `first` on that are followed at once: two, or more where the tables hardly bend.
-std::vector<double> rows_at_once(const model::Rotor &rotor, const std::vector<double> &rows,
+/// Rows from `first` on that are followed at once: up to the next one at which a table bends, or
+/// twice the speed.
+std::vector<double> rows_at_once(const std::vector<double> &bends, const std::vector<double> &rows,
                                  std::size_t first) {
     std::vector<double> out{rows[first], rows[first + 1]};
-    for (std::size_t next = first + 2; next < rows.size() && out.size() < most_rows; ++next) {
-        const double before = out[out.size() - 2];
-        const bool bends = std::any_of(
-            rotor.bearings.begin(), rotor.bearings.end(), [&](const model::Bearing &bearing) {
-                return bearing.depends_on_speed() &&
-                       off_line(bearing, before, out.back(), rows[next]) > hardly;
-            });
-        if (bends || !(rows[next] < widest * out.front()))
+    for (std::size_t next = first + 2; next < rows.size(); ++next) {
+        constexpr double widest = 2;
+        const bool bend = std::binary_search(bends.begin(), bends.end(), out.back());
+        if (bend || rows[next] > widest * out.front())
             break;
         out.push_back(rows[next]);
     }
@@ -212,9 +187,30 @@ class Follower {
                    ? *above
                    : *(above - 1);
     }
+    /// Newton's steps towards the zero near a speed until they stay in one piece.
+    void approach(double &speed, Complex &l, Eigen::VectorXcd &shape) const {
+        constexpr int most = 4;
+        for (int step = 0; step < most; ++step) {
+            const std::size_t here = place_of(speed);
+            const auto point = piece(here).point(speed, l, shape, 1e-7);
+            if (!point)
+                return;
+            const double next =
+                speed + (point->eigenvalue.imag() - speed) / (1 - point->slope.imag());
+            if (!(next >= _first && next <= _last))
+                return;
+            l = point->eigenvalue + (next - speed) * point->slope;
+            shape = point->shape;
+            speed = next;
+            if (place_of(speed) == here)
+                return;
+        }
+    }
     /// The zero near a speed, in the piece that holds it or one of its neighbours.
     [[nodiscard]] std::optional<BranchPoint> standing(double speed, Complex l,
-                                                      const Eigen::VectorXcd &shape) const {
+                                                      Eigen::VectorXcd shape) const {
+        if (_pieces.size() > 1)
+            approach(speed, l, shape);
         const auto here = static_cast<int>(place_of(speed));
         for (const int aside : {0, -1, 1, -2, 2})
             if (const int i = here + aside; i >= 0 && i < static_cast<int>(_pieces.size()))
@@ -348,6 +344,7 @@ class Follower {
 
 FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) const {
     const std::vector<double> rows = table_speeds(_d.rotor());
+    const std::vector<double> bends = _d.rotor().table_bends();
     Modes out;
     double row = std::max(rows.front(), 0.0);
     const GeneralSynchronous::Modes first = _problem.lowest(row, 0, row);
@@ -362,7 +359,7 @@ FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) c
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(left),
                  [row](double other) { return other > row; });
     for (std::size_t i = 0; i + 1 < left.size() && !enough();) {
-        const std::vector<double> at_once = rows_at_once(_d.rotor(), left, i);
+        const std::vector<double> at_once = rows_at_once(bends, left, i);
         i += at_once.size() - 1;
         const double next = at_once.back();
         Follower follower(_problem, at_once);

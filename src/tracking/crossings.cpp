@@ -21,12 +21,11 @@ namespace {
 
 using results::Locked;
 
-/// Speeds strictly inside a step at which a frequency may have a kink: rows of bearing tables,
+/// Speeds strictly inside a step at which a frequency may have a kink: bends of bearing tables,
 /// rest.
 std::vector<double> kinks(const model::Rotor &rotor, double from, double to) {
-    std::set<double> out;
-    for (const model::Bearing &bearing : rotor.bearings)
-        out.insert(bearing.speeds.begin(), bearing.speeds.end());
+    const std::vector<double> bends = rotor.table_bends();
+    std::set<double> out(bends.begin(), bends.end());
     out.insert(0);
     return {out.upper_bound(std::min(from, to)), out.lower_bound(std::max(from, to))};
 }

@@ -203,6 +203,7 @@ TEST(SupportMasses, AreRefusedWhereTheyWouldVaryInTime) {
     EXPECT_THROW((void)modes::choose_formulation(scene), model::BadInput);
     model::Case simulated = of.scene();
     simulated.rotor.imbalances = {tests::imbalance_at(0.5, 1e-3)};
+    simulated.rotor.anisotropies = {{"", 0.5, 0.01, 0}};
     simulated.speeds = model::SpeedRange{50, 50, 1};
     simulated.simulate.time = 1;
     EXPECT_THROW((void)analyses::simulate(simulated), model::AnalysisFailure);

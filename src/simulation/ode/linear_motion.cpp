@@ -30,7 +30,7 @@ std::optional<Eigen::MatrixXcd> complex_form(const Eigen::MatrixXd &real) {
 
 std::optional<LinearMotion> rotor_alone(const reduction::ReducedRotor &rotor, double speed) {
     const Eigen::Index r = rotor.size();
-    if (rotor.supports.size() > 1)
+    if (rotor.supports.size() > 1 || rotor.mass_beside.size() > 0)
         return std::nullopt;
     const auto stiffness = complex_form(rotor.supports.front().stiffness);
     const auto damping = complex_form(rotor.supports.front().damping);

@@ -1,0 +1,48 @@
+#include "ends/resolved_reach.h"
+
+#include "mesh_error/safety.h"
+#include "reduction/planar_pair.h"
+#include "reduction/projection.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace whirl::ends {
+
+namespace {
+
+/// Frequencies at rest, ascending, rad/s; none where a mass matrix is not positive definite.
+Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::MatrixXd *shapes,
+                            double bearing_speed) {
+    const reduction::PlanarPair pair = reduction::planar_pair(d, bearing_speed);
+    const auto dense = [shapes](const Eigen::SparseMatrix<double> &A) {
+        return shapes != nullptr ? reduction::Projection(*shapes).of(A) : Eigen::MatrixXd(A);
+    };
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+        dense(pair.K), dense(pair.M), Eigen::EigenvaluesOnly);
+    if (modes.info() != Eigen::Success || !modes.eigenvalues().allFinite())
+        return {};
+    return modes.eigenvalues().cwiseMax(0).cwiseSqrt();
+}
+
+} // namespace
+
+double resolved_up_to(const assembly::Discretization &discretization, const Eigen::MatrixXd *shapes,
+                      double bearing_speed) {
+    constexpr double resolved = 0.01;
+    if (discretization.rigid())
+        return std::numeric_limits<double>::infinity();
+    const assembly::Discretization finer(discretization.rotor(),
+                                         mesh_error::finer_order(discretization.order()));
+    const Eigen::VectorXd own = frequencies(discretization, shapes, bearing_speed);
+    const Eigen::VectorXd better = frequencies(finer, nullptr, bearing_speed);
+    for (Eigen::Index k = 0; k < std::min(own.size(), better.size()); ++k)
+        if (mesh_error::estimate_safety * (own(k) - better(k)) > resolved * better(k))
+            return k > 0 ? std::sqrt(own(k - 1) * own(k)) : 0;
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace whirl::ends

@@ -1,0 +1,135 @@
+#include "forced/shape_terms.h"
+
+#include "assembly/rotating_system.h"
+#include "assembly/system.h"
+#include "forced/forced_motion.h"
+#include "linalg/matrix.h"
+#include "modes/support_damping.h"
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <vector>
+
+namespace whirl::forced {
+
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Complex = std::complex<double>;
+using Wide = long double;
+
+/// A V of the unknowns row, row + step, ... and column, column + step, ..., summed as `Number`.
+template <class Number>
+Eigen::MatrixXd forces(const Sparse &A, const Eigen::MatrixXd &V, int row, int column, int step) {
+    Eigen::MatrixXd out(V.rows(), V.cols());
+    std::vector<Number> sums(static_cast<std::size_t>(V.rows()));
+    for (Eigen::Index shape = 0; shape < V.cols(); ++shape) {
+        std::fill(sums.begin(), sums.end(), Number(0));
+        for (int j = 0; j < V.rows(); ++j)
+            for (Sparse::InnerIterator entry(A, step * j + column); entry; ++entry)
+                if (entry.row() % step == row)
+                    sums[static_cast<std::size_t>(entry.row() / step)] +=
+                        static_cast<Number>(entry.value()) * static_cast<Number>(V(j, shape));
+        for (Eigen::Index i = 0; i < V.rows(); ++i)
+            out(i, shape) = static_cast<double>(sums[static_cast<std::size_t>(i)]);
+    }
+    return out;
+}
+
+/// V^T A V. Short elements are stiffer than the rotor by many powers of ten, and all of that
+/// cancels in A V, which is the forces on the nodes: in double precision what is left would be off
+/// by 1e-10 and peaks by that times their amplification.
+/// @param parts  1: over planar unknowns; 2: in pairs (x, y), the shapes for both directions
+template <class Number>
+Eigen::MatrixXcd shape_product(const Eigen::MatrixXd &V, const linalg::Matrix &A, int parts) {
+    const Sparse entries = A.view();
+    Eigen::MatrixXcd out(parts * V.cols(), parts * V.cols());
+    for (int row = 0; row < parts; ++row)
+        for (int column = 0; column < parts; ++column) {
+            const Eigen::MatrixXd part =
+                V.transpose() * forces<Number>(entries, V, row, column, parts);
+            for (Eigen::Index k = 0; k < V.cols(); ++k)
+                for (Eigen::Index i = 0; i < V.cols(); ++i)
+                    out(parts * i + row, parts * k + column) = part(i, k);
+        }
+    return out;
+}
+
+/// Of a block on (x, y) the part that is the same from all sides.
+Eigen::Matrix2d all_round(const Eigen::Matrix2d &block) {
+    const double along = block.trace() / 2;
+    const double across = (block(1, 0) - block(0, 1)) / 2;
+    return Eigen::Matrix2d{{along, -across}, {across, along}};
+}
+
+} // namespace
+
+Eigen::Matrix2cd ShapeTerms::stiffness_block(const Eigen::Matrix2d &k) const {
+    return (_form == results::Form::rotating ? all_round(k) : k).cast<Complex>();
+}
+
+Eigen::Matrix2cd ShapeTerms::damping_block(const Eigen::Matrix2d &c) const {
+    if (_form != results::Form::rotating)
+        return imaginary_unit * c.cast<Complex>();
+    const Eigen::Matrix2d b = all_round(c); // of the axes that turn: i times the block
+    Eigen::Matrix2cd out =
+        Eigen::Matrix2d{{-b(1, 0), -b(0, 0)}, {b(0, 0), -b(1, 0)}}.cast<Complex>();
+    if (_weight)
+        out += imaginary_unit * b.cast<Complex>();
+    return out;
+}
+
+Eigen::MatrixXd ShapeTerms::columns_of(const assembly::Combination &combination) const {
+    Eigen::VectorXd planar = Eigen::VectorXd::Zero(_V.cols());
+    for (const auto &[unknown, value] : combination)
+        planar += value * _V.row(unknown).transpose();
+    Eigen::MatrixXd out = Eigen::MatrixXd::Zero(planes() * _V.cols(), planes());
+    for (Eigen::Index p = 0; p < planes(); ++p)
+        out.col(p)(Eigen::seqN(p, _V.cols(), planes())) = planar;
+    return out;
+}
+
+void ShapeTerms::add_bearings(double bearing_speed, double share, QuadraticTerms &out) const {
+    const auto add = [&](Eigen::MatrixXcd &target, int i, int j, const Eigen::Matrix2cd &block) {
+        const Eigen::MatrixXcd product =
+            (share * (_V.row(i).transpose() * _V.row(j))).cast<Complex>();
+        for (Eigen::Index p = 0; p < planes(); ++p)
+            for (Eigen::Index q = 0; q < planes(); ++q)
+                target(Eigen::seqN(p, _V.cols(), planes()), Eigen::seqN(q, _V.cols(), planes())) +=
+                    block(p, q) * product;
+    };
+    assembly::assemble_bearings(_discretization, bearing_speed,
+                                [&](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
+                                    if (term == assembly::Term::stiffness)
+                                        add(out.P0, i, j, stiffness_block(block));
+                                    if (term == assembly::Term::damping)
+                                        add(out.P1, i, j, damping_block(block));
+                                });
+}
+
+QuadraticTerms ShapeTerms::at(double bearing_speed) const {
+    const int parts = _form == results::Form::planar ? 1 : 2;
+    const auto product = [&](const linalg::Matrix &A) { return shape_product<Wide>(_V, A, parts); };
+    const auto mass = [&](const linalg::Matrix &A) { return shape_product<double>(_V, A, parts); };
+    if (_form == results::Form::planar) {
+        const assembly::PlanarSystem s = assembly::assemble_planar(_discretization, bearing_speed);
+        const linalg::Matrix C = linalg::Matrix::from_entries(
+            _discretization.planar_size(),
+            modes::planar_support_damping(_discretization, bearing_speed));
+        return {product(s.K), imaginary_unit * product(C), mass(s.G) - mass(s.M)};
+    }
+    if (_form == results::Form::rotating) {
+        const assembly::RotatingSystem s =
+            assembly::assemble_rotating(_discretization, bearing_speed, {});
+        if (_weight) // lambda = i s in rotating axes
+            return {product(s.K), product(s.Ks) + imaginary_unit * product(s.C),
+                    product(s.Kss) + imaginary_unit * product(s.Cs) - mass(s.M)};
+        return {product(s.K), product(s.Ks), product(s.Kss)};
+    }
+    const assembly::FixedSystem s = assembly::assemble_fixed(_discretization, bearing_speed);
+    return {product(s.K), product(s.Kc) + imaginary_unit * product(s.C),
+            imaginary_unit * mass(s.G) - mass(s.M)};
+}
+
+} // namespace whirl::forced
