@@ -1,5 +1,6 @@
 #include "tracking/mode_matching.h"
 
+#include "linalg/lanes/vector_products.h"
 #include "tracking/bands/locked_whirl.h"
 
 #include <algorithm>
@@ -146,12 +147,20 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
     return nearest < 0.1 * next ? place : Matching::none;
 }
 
+/// By the vectors of a mode at two speeds.
+bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::Index i,
+                  Eigen::Index j) {
+    constexpr double nearly = 0.1;
+    if (a.alike.size() > 0 && b.alike.size() > 0)
+        return std::norm(linalg::dot(a.alike.col(i), b.alike.col(j))) > 1 - nearly;
+    return std::abs(modes::overlap(a, b, i, j) - 1.0) < nearly;
+}
+
 /// The plain case, without the products of all modes with all others: every mode is where its slope
 /// leads, far from the others, and its vectors are nearly the same.
 std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
-    constexpr double nearly = 0.1;
     const std::size_t count = a.spectrum.modes.size();
-    if (count == 0 || count != b.spectrum.modes.size() || a.basis.complex_left.size() == 0 ||
+    if (count == 0 || count != b.spectrum.modes.size() || !a.basis.is_complex() ||
         !a.basis.copies.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
         return std::nullopt;
     Matching out{std::vector<int>(count, Matching::none), std::vector<int>(count, Matching::none),
@@ -159,7 +168,7 @@ std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(count); ++i) {
         const int j = expected_at(a, b, i);
         if (j == Matching::none || out.from[static_cast<std::size_t>(j)] != Matching::none ||
-            !(std::abs(modes::overlap(a.basis, b.basis, i, j) - 1.0) < nearly))
+            !nearly_alike(a.basis, b.basis, i, j))
             return std::nullopt;
         join(out, i, j);
     }

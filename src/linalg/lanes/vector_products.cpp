@@ -42,7 +42,8 @@ Sums sums_of(const std::complex<double> *a, const std::complex<double> *b, Eigen
 
 } // namespace
 
-std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+std::complex<double> dot(const Eigen::Ref<const Eigen::VectorXcd> &a,
+                         const Eigen::Ref<const Eigen::VectorXcd> &b) {
     const auto [along, across] = sums_of(a.data(), b.data(), a.size());
     return {along[0] + along[1] + along[2] + along[3],
             across[0] - across[1] + across[2] - across[3]};

@@ -24,7 +24,7 @@ struct SymmetricPair {
     bool counted_only = false;       ///< its error is that of a count
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
-    Eigen::VectorXcd Mx, Kx; ///< empty: not refined yet
+    bool refined = false; ///< else a guess
     /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it
     /// cheaply).
     Eigen::VectorXcd turn;
@@ -58,7 +58,7 @@ class EigenpairRefinement {
     };
     /// Rayleigh quotient iteration until the errors are small, cubic with a symmetric matrix: none
     /// where the guess is good enough. Four pairs at a time. Pairs that do not settle are left
-    /// without products.
+    /// as guesses.
     void refine(const std::vector<Task> &tasks);
 
     /// The eigenpair nearest a value, from no vector.

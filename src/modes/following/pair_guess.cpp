@@ -156,7 +156,7 @@ void add_tasks(const SymmetricProblem &problem, Refined &refined, int slowest,
         SymmetricPair &pair = pairs[i];
         pair.counted_only = enough[i] == counted_error;
         refined.real.push_back(problem.conjugates() && pair.value.imag() == 0);
-        if (pair.Mx.size() > 0 && pair.error <= enough[i])
+        if (pair.refined && pair.error <= enough[i])
             continue; // known
         tasks.push_back({&pair, refined.at->speed, distance_from_others(pairs, i), enough[i]});
         refined.places.push_back(i);
@@ -170,7 +170,7 @@ bool same_pairs(const SymmetricProblem &problem, const Refined &refined) {
     for (std::size_t k = 0; k < refined.places.size(); ++k) {
         const std::size_t i = refined.places[k];
         SymmetricPair &pair = pairs[i];
-        if (pair.Mx.size() == 0 || !upper(problem, pair, refined.real[i]) ||
+        if (!pair.refined || !upper(problem, pair, refined.real[i]) ||
             (pair.solved && !refined.at->grouped[i] &&
              !parallel(refined.before[k], pair.vector, same_motion)))
             return false;
@@ -254,7 +254,7 @@ SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved
 void carry_sign(const SymmetricPair &guess, SymmetricPair &pair) {
     if (linalg::dot(guess.vector, pair.vector).real() >= 0)
         return;
-    for (Eigen::VectorXcd *vector : {&pair.vector, &pair.Mx, &pair.Kx, &pair.turn})
+    for (Eigen::VectorXcd *vector : {&pair.vector, &pair.turn})
         *vector = -*vector;
 }
 
@@ -264,7 +264,7 @@ SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, doubl
         pair.value = std::conj(pair.value);
         pair.vector = problem.conjugate(pair.vector);
     }
-    pair.Mx.resize(0); // to be refined again
+    pair.refined = false;
     (void)upper(problem, pair, false);
     return pair;
 }

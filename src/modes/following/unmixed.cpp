@@ -102,7 +102,7 @@ bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pai
     const std::vector<Eigen::Index> mine = columns_by_rows(solver.eigenvectors().cwiseAbs());
     for (std::size_t k = 0; k < group.size(); ++k) {
         SymmetricPair &pair = pairs[group[k]];
-        if (pair.Mx.size() > 0) // known
+        if (pair.refined)
             continue;
         // Its own guess goes into it as it is: the sign is carried on by it.
         const auto mixture = solver.eigenvectors().col(mine[k]);
@@ -120,7 +120,7 @@ std::vector<bool> unmix(const SymmetricProblem &problem, double speed,
     std::vector<bool> grouped(pairs.size(), false);
     for (const Group &group : close_groups(pairs)) {
         const bool known = std::all_of(group.begin(), group.end(),
-                                       [&](std::size_t i) { return pairs[i].Mx.size() > 0; });
+                                       [&](std::size_t i) { return pairs[i].refined; });
         if (!known && unmix(span_of(problem, speed, pairs, group), group, pairs))
             for (const std::size_t i : group)
                 grouped[i] = true;
