@@ -87,12 +87,13 @@ Eigen::VectorXcd sum_of(const std::vector<RealMultiple> &terms) {
         for (Eigen::Index k = 0; k < size / block * block; k += block) {
             std::array<Real4, 4> all{};
             for (const RealMultiple *term = first; term != last; ++term) {
-                const auto *in = reinterpret_cast<const double *>(term->x->data()) + k;
-                for (std::size_t part = 0; part < all.size(); ++part) {
-                    Real4 some;
-                    std::memcpy(&some, in + part * lanes, sizeof some);
-                    all[part] += term->f * some;
-                }
+                std::array<Real4, 4> some;
+                std::memcpy(some.data(), reinterpret_cast<const double *>(term->x->data()) + k,
+                            sizeof some);
+                all[0] += term->f * some[0];
+                all[1] += term->f * some[1];
+                all[2] += term->f * some[2];
+                all[3] += term->f * some[3];
             }
             std::memcpy(out + k, all.data(), sizeof all);
         }

@@ -115,7 +115,8 @@ Weights best_weights(const Points &points, double speed, std::size_t pair) {
 }
 
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
-    return std::norm(linalg::dot(a, b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
+    return std::norm(linalg::dot(a, b)) >
+           cosine * cosine * linalg::dot(a, a).real() * linalg::dot(b, b).real();
 }
 
 /// Two pairs have become one.
