@@ -227,7 +227,13 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
                                       : general(speed, modes, Errors::of_right_vectors),
                                   _data->form);
         };
-        _data->following = std::make_unique<Continuation>(*problem, _data->d, start);
+        Continuation::Start undamped;
+        if (_data->form == results::Form::general && !problem->has(SymmetricProblem::stiffness_turned))
+            undamped = [this](double speed, int modes) {
+                return starting_pairs(
+                    Data::made(_data->symmetric, _data->d, false, 0.0).modes(speed, modes));
+            };
+        _data->following = std::make_unique<Continuation>(*problem, _data->d, start, undamped);
     }
     _data->following->follow(speeds, wanted);
 }

@@ -117,4 +117,16 @@ StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form 
     return out;
 }
 
+StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped) {
+    StartingPairs out;
+    for (const WhirlMode &mode : undamped) {
+        Eigen::VectorXcd shape = mode.shape; // y = i y'
+        for (Eigen::Index k = 1; k < shape.size(); k += 2)
+            shape(k) *= std::complex<double>(0, 1);
+        out.whirls.emplace_back(mode.eigenvalue, std::move(shape));
+        out.radius = std::max(out.radius, std::abs(mode.eigenvalue));
+    }
+    return out;
+}
+
 } // namespace whirl::modes

@@ -26,4 +26,7 @@ namespace whirl::modes {
 /// Modes found independently as pairs to begin with.
 [[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form);
 
+/// The slowest modes of a rotor without damping, in hyperbolic form, as pairs of the general one.
+[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped);
+
 } // namespace whirl::modes

@@ -301,7 +301,8 @@ void SymmetricProblem::add(Part part, double factor) const {
         Q[A.place[p]] += factor * A.value[p];
 }
 
-bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const {
+bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4 &speed,
+                                  const linalg::Real4 &damped) const {
     linalg::in_lanes([&]() __attribute__((always_inline)) {
         linalg::Complex4 square;
         linalg::set_product(square, l, l);
@@ -314,9 +315,10 @@ bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4
             Q.im = of.M * square.im + of.G * turning.im;
         }
         const linalg::Real4 none{};
+        const linalg::Complex4 some{l.re * damped, l.im * damped};
         for (const auto &[part, factor] :
-             {Factor{damping, l}, Factor{damping_turned, l_turned},
-              Factor{stiffness_turned, {none, none + 1}}, Factor{circulatory, {none, speed}}})
+             {Factor{damping, some}, Factor{damping_turned, {-some.im, some.re}},
+              Factor{stiffness_turned, {none, damped}}, Factor{circulatory, {none, speed * damped}}})
             for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle) {
                 linalg::Complex4 &to = _entries[static_cast<std::size_t>(entry)];
                 to.re += value * factor.re;
@@ -328,13 +330,14 @@ bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4
 }
 
 linalg::SymmetricFactors &SymmetricProblem::factorize(linalg::Complex4 l,
-                                                      const linalg::Real4 &speed) const {
-    if (factorized(l, speed))
+                                                      const linalg::Real4 &speed,
+                                                      const linalg::Real4 &damped) const {
+    if (factorized(l, speed, damped))
         return *_factors;
     constexpr double beside = 1 + 1e-14;
     l.re *= beside;
     l.im *= beside;
-    if (!factorized(l, speed))
+    if (!factorized(l, speed, damped))
         throw linalg::SolverError("a pivot of the symmetric factorisation is zero");
     return *_factors;
 }

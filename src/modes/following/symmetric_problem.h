@@ -43,6 +43,9 @@ class SymmetricProblem {
     of(const assembly::Discretization &discretization, results::Form form);
 
     [[nodiscard]] int size() const { return _size; }
+    [[nodiscard]] bool has(Part part) const {
+        return !_parts[static_cast<std::size_t>(part)].value.empty();
+    }
     [[nodiscard]] results::Form form() const { return _form; }
     /// With an eigenvalue its conjugate is one: the general form.
     [[nodiscard]] bool conjugates() const { return _form == results::Form::general; }
@@ -69,8 +72,10 @@ class SymmetricProblem {
                                                                    const linalg::Vector4 &x) const;
 
     /// L D L^T of four Q(l), each at a speed; the same object each time.
+    /// @param damped  1, or 0 for a rotor without damping and what drives motions
     /// @throws linalg::SolverError where a pivot is zero, on an eigenvalue beside it too
-    linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed) const;
+    linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed,
+                                        const linalg::Real4 &damped = {1, 1, 1, 1}) const;
     /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below a size (1/s).
     [[nodiscard]] std::array<double, linalg::lanes>
     energies(const linalg::Vector4 &b, const std::array<double, linalg::lanes> &sizes) const;
@@ -114,7 +119,8 @@ class SymmetricProblem {
     void set_everywhere();
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
-    [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;
+    [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed,
+                                  const linalg::Real4 &damped) const;
     [[nodiscard]] const linalg::RealEnergy &energy_of(int exponent) const;
 };
 
