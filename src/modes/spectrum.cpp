@@ -258,6 +258,23 @@ bool SpectrumSolver::by_matrix(double speed, int wanted) const {
 
 bool SpectrumSolver::follows() const { return _data->following != nullptr; }
 
+std::vector<std::optional<SpectrumSolver::Motion>>
+SpectrumSolver::followed(const std::vector<MotionAt> &asked) const {
+    std::vector<std::optional<Motion>> out(asked.size());
+    if (!follows())
+        return out;
+    std::vector<Continuation::Single> singles;
+    for (const auto &[speed, followed] : asked)
+        singles.push_back({speed, static_cast<std::size_t>(followed)});
+    const auto pairs = _data->following->single(singles);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i] && pairs[i]->value.imag() >= 0)
+            out[i] = {pairs[i]->value, pairs[i]->rate};
+        else if (pairs[i])
+            out[i] = {std::conj(pairs[i]->value), std::conj(pairs[i]->rate)};
+    return out;
+}
+
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
                                             const std::vector<WhirlMode> &guesses) const {
     if (_data->form == results::Form::rotating && !_data->tables) {

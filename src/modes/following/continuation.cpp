@@ -350,6 +350,29 @@ const FollowedSpeed *Continuation::at(double speed, int wanted) {
     return nullptr;
 }
 
+std::vector<std::optional<SymmetricPair>>
+Continuation::single(const std::vector<Single> &asked) const {
+    std::vector<std::optional<SymmetricPair>> out(asked.size());
+    std::vector<SinglePair> pairs;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        for (const Run &run : _runs) {
+            const auto [speed, i] = asked[k];
+            const auto above = run.at.lower_bound(speed);
+            if (above == run.at.begin() || above == run.at.end())
+                continue;
+            Guess guessed = guess(run.at, speed, i);
+            pairs.push_back({speed, std::move(guessed.pair), guessed.nearest,
+                             distance_from_others(above->second.pairs, i)});
+            places.push_back(k);
+        }
+    settle_single(_problem, pairs);
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+        if (pairs[k].settled)
+            out[places[k]] = std::move(pairs[k].pair);
+    return out;
+}
+
 /// At a speed inside a run.
 const FollowedSpeed *Continuation::between(Run &run, double speed) {
     std::optional<FollowedSpeed> found = step(run, speed);

@@ -51,6 +51,15 @@ class Continuation {
     /// At a speed that was asked for before.
     [[nodiscard]] const FollowedSpeed *known(double speed) const;
 
+    /// One of the pairs at a speed; not all that are needed to tell that none is missing.
+    struct Single {
+        double speed;
+        std::size_t pair; ///< place among the pairs of the speeds beside it
+    };
+    /// None where it is not followed there, or is shared with another one.
+    [[nodiscard]] std::vector<std::optional<SymmetricPair>>
+    single(const std::vector<Single> &asked) const;
+
     [[nodiscard]] const SymmetricProblem &problem() const { return _problem; }
 
   private:

@@ -292,4 +292,14 @@ void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &
             at.pairs[i].mixed = !parallel(at.nearest[i]->vector, at.pairs[i].vector, same_motion);
 }
 
+void settle_single(const SymmetricProblem &problem, std::vector<SinglePair> &pairs) {
+    std::vector<EigenpairRefinement::Task> tasks;
+    for (SinglePair &one : pairs)
+        tasks.push_back({&one.pair, one.speed, one.distance, enough_error});
+    EigenpairRefinement(problem).refine(tasks);
+    for (SinglePair &one : pairs)
+        one.settled = one.pair.refined && upper(problem, one.pair, false) &&
+                      parallel(one.nearest->vector, one.pair.vector, same_motion);
+}
+
 } // namespace whirl::modes
