@@ -264,8 +264,29 @@ void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t 
         (void)fill(good);
 }
 
-void EigenpairRefinement::refine(const std::vector<Task> &tasks) {
+/// Those of like size together: they are measured by the same energy.
+void EigenpairRefinement::sort(std::vector<Task> &tasks) {
+    const auto exponent = [](const Task &task) {
+        return std::ilogb(std::norm(task.pair->value)) / 2;
+    };
+    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task &a, const Task &b) {
+        return exponent(a) < exponent(b);
+    });
+}
+
+void EigenpairRefinement::take_good(std::vector<Task> tasks) {
+    sort(tasks);
+    std::vector<Task> others;
+    for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
+        load(tasks, first);
+        settle(tasks, first);
+        take_good(tasks, first, others);
+    }
+}
+
+void EigenpairRefinement::refine(std::vector<Task> tasks) {
     constexpr int most_steps = 8;
+    sort(tasks);
     std::vector<Task> open;
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);

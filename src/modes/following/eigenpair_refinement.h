@@ -59,7 +59,10 @@ class EigenpairRefinement {
     /// Rayleigh quotient iteration until the errors are small, cubic with a symmetric matrix: none
     /// where the guess is good enough. Four pairs at a time. Pairs that do not settle are left
     /// as guesses.
-    void refine(const std::vector<Task> &tasks);
+    void refine(std::vector<Task> tasks);
+
+    /// Takes those of the guesses that are good enough as they are; others stay guesses.
+    void take_good(std::vector<Task> tasks);
 
     /// The eigenpair nearest a value, from no vector.
     [[nodiscard]] SymmetricPair nearest(double speed, std::complex<double> value);
@@ -75,6 +78,7 @@ class EigenpairRefinement {
     linalg::Complex4 _xMx, _xDx, _xKx, _xD1x, _xK1x;
     const linalg::SymmetricFactors *_factors = nullptr; ///< of the last step
 
+    static void sort(std::vector<Task> &tasks);
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
     void settle(const std::vector<Task> &tasks, std::size_t first);

@@ -88,7 +88,7 @@ ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followe
         const auto place = static_cast<std::size_t>(modes[static_cast<std::size_t>(i)].followed);
         const SymmetricPair &pair = followed.pairs[place];
         out.alike.col(i) =
-            pair.vector / std::sqrt(linalg::dot(pair.vector, pair.vector).real());
+            pair.vector * (1 / std::sqrt(linalg::dot(pair.vector, pair.vector).real()));
         values(i) = pair.value;
         out.rate_below(i) = pair.value.imag() < 0 ? std::conj(pair.rate) : pair.rate;
         for (std::size_t j = 0; j < place; ++j)

@@ -12,7 +12,8 @@ namespace {
 using Complex = std::complex<double>;
 using Group = std::vector<std::size_t>;
 
-/// Indices of values that lie close together, by groups of two and more.
+} // namespace
+
 std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     constexpr double close = 0.03;
     std::vector<bool> taken(pairs.size(), false);
@@ -35,6 +36,8 @@ std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     }
     return out;
 }
+
+namespace {
 
 /// For each row the column it has its largest entry in, each column once.
 std::vector<Eigen::Index> columns_by_rows(Eigen::MatrixXd sizes) {
