@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace whirl::modes {
@@ -25,6 +26,8 @@ struct SymmetricPair {
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
     bool refined = false; ///< else a guess
+    /// Of the value of a guess, relative: how far its polynomial moved it at last.
+    double doubt = std::numeric_limits<double>::infinity();
     /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it
     /// cheaply).
     Eigen::VectorXcd turn;

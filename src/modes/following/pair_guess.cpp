@@ -103,7 +103,8 @@ Complex value_of(const Points &points, const Weights &weights, std::size_t pair)
 
 /// The polynomial through the nearest of the points: through as many as bring the eigenvalue nearer
 /// to where the next ones see it. Near a speed at which eigenvalues meet, real or complex, few do.
-Weights best_weights(const Points &points, double speed, std::size_t pair) {
+/// @param change  square of how far the last ones of them moved it
+Weights best_weights(const Points &points, double speed, std::size_t pair, double &change) {
     constexpr double nearer = 0.3 * 0.3; // of squares
     constexpr double settled = 1e-11 * 1e-11;
     const bool beyond = std::all_of(points.begin(), points.end(), [&](const FollowedSpeed *point) {
@@ -112,7 +113,7 @@ Weights best_weights(const Points &points, double speed, std::size_t pair) {
     const std::size_t further = beyond ? 1 : 2;
     Weights best = weights_of(points, 1, speed, pair);
     Complex there = value_of(points, best, pair);
-    double change = std::numeric_limits<double>::infinity();
+    change = std::numeric_limits<double>::infinity();
     for (std::size_t count = 2; count <= points.size(); count += further) {
         const Weights more = weights_of(points, count, speed, pair);
         const Complex next = value_of(points, more, pair);
@@ -236,9 +237,11 @@ Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::siz
     const SymmetricPair &nearest = points[0]->pairs[i];
     Guess found{{}, &nearest};
     SymmetricPair &out = found.pair;
-    const Weights weights = best_weights(points, speed, i);
+    double change = 0;
+    const Weights weights = best_weights(points, speed, i, change);
     out.value = points.size() > 1 ? value_of(points, weights, i)
                                   : nearest.value + nearest.rate * (speed - points[0]->speed);
+    out.doubt = std::sqrt(change / std::norm(out.value));
     std::vector<linalg::RealMultiple> terms;
     terms.reserve(2 * weights.size());
     for (std::size_t k = 0; k < weights.size(); ++k) {

@@ -16,6 +16,7 @@ using Group = std::vector<std::size_t>;
 
 std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     constexpr double close = 0.03;
+    constexpr double clear = 1e3; // doubts apart: their vectors hold nothing of one another
     std::vector<bool> taken(pairs.size(), false);
     std::vector<Group> out;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -25,8 +26,10 @@ std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
         for (std::size_t k = 0; k < group.size(); ++k) {
             const Complex value = pairs[group[k]].value;
             for (std::size_t j = i + 1; j < pairs.size(); ++j)
-                if (!taken[j] &&
-                    std::norm(pairs[j].value - value) < close * close * std::norm(value)) {
+                if (const double within = std::min(
+                        close, clear * (pairs[group[k]].doubt + pairs[j].doubt));
+                    !taken[j] &&
+                    std::norm(pairs[j].value - value) < within * within * std::norm(value)) {
                     taken[j] = true;
                     group.push_back(j);
                 }
