@@ -230,8 +230,13 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
         Continuation::Start undamped;
         if (_data->form == results::Form::general && !problem->has(SymmetricProblem::stiffness_turned))
             undamped = [this](double speed, int modes) {
-                return starting_pairs(
-                    Data::made(_data->symmetric, _data->d, false, 0.0).modes(speed, modes));
+                const SymmetricSpectrum &of =
+                    Data::made(_data->symmetric, _data->d, false, 0.0);
+                StartingPairs at_rest = starting_pairs(of.modes_at_rest(modes), 0);
+                const bool slow = std::all_of(
+                    at_rest.whirls.begin(), at_rest.whirls.end(),
+                    [speed](const auto &pair) { return std::abs(pair.first) > std::abs(speed); });
+                return slow ? at_rest : starting_pairs(of.modes(speed, modes), speed);
             };
         _data->following = std::make_unique<Continuation>(*problem, _data->d, start, undamped);
     }

@@ -88,7 +88,7 @@ std::optional<FollowedSpeed> Continuation::refined(const StartingPairs &found, d
 std::optional<FollowedSpeed> Continuation::from_undamped(double speed, int wanted) const {
     const StartingPairs found = _undamped(speed, wanted + beyond);
     FollowedSpeed undamped;
-    undamped.speed = speed;
+    undamped.speed = found.speed;
     for (const auto &[value, shape] : found.whirls)
         undamped.pairs.emplace_back().value = value;
     undamped.radius = std::min(found.radius, widest_gap(undamped, wanted));
@@ -233,8 +233,13 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) const {
 /// The speeds between those solved: halves of all intervals together, then their halves.
 void Continuation::fill(Run &run, const std::vector<double> &speeds,
                         const std::vector<std::size_t> &solved) const {
+    const auto take = [&](std::vector<std::optional<FollowedSpeed>> found) {
+        for (std::optional<FollowedSpeed> &at : found)
+            if (at)
+                run.at.emplace(at->speed, std::move(*at));
+    };
     std::vector<std::size_t> ends = solved;
-    while (true) {
+    for (bool open = true; open;) {
         std::vector<std::size_t> next{ends.front()};
         std::vector<double> middles;
         for (std::size_t k = 1; k < ends.size(); ++k) {
@@ -244,13 +249,13 @@ void Continuation::fill(Run &run, const std::vector<double> &speeds,
             }
             next.push_back(ends[k]);
         }
-        if (middles.empty())
-            return;
-        for (std::optional<FollowedSpeed> &between : steps(run, middles))
-            if (between)
-                run.at.emplace(between->speed, std::move(*between));
+        open = !middles.empty();
+        take(steps(run, middles));
         ends = std::move(next);
     }
+    for (std::size_t k = ends.front(); k <= ends.back(); ++k)
+        if (run.at.count(speeds[k]) == 0) // once more, with more neighbours
+            take(steps(run, {speeds[k]}));
 }
 
 /// A run from these pairs: what is known of them from a run with fewer pairs is taken over.

@@ -17,6 +17,7 @@ struct StartingPairs {
     std::vector<std::pair<std::complex<double>, Eigen::VectorXcd>> whirls;
     std::vector<double> real; ///< eigenvalues without whirl
     double radius = 0;        ///< all of less modulus are given
+    double speed = 0;         ///< at which they are, rad/s
 };
 
 /// Follows the slowest eigenpairs of a symmetric problem over the speeds of a sweep.

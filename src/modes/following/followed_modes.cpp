@@ -117,8 +117,9 @@ StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form 
     return out;
 }
 
-StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped) {
+StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped, double speed) {
     StartingPairs out;
+    out.speed = speed;
     for (const WhirlMode &mode : undamped) {
         Eigen::VectorXcd shape = mode.shape; // y = i y'
         for (Eigen::Index k = 1; k < shape.size(); k += 2)

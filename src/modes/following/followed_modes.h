@@ -27,6 +27,7 @@ namespace whirl::modes {
 [[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form);
 
 /// The slowest modes of a rotor without damping, in hyperbolic form, as pairs of the general one.
-[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped);
+[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped,
+                                           double speed);
 
 } // namespace whirl::modes

@@ -16,7 +16,9 @@ using Group = std::vector<std::size_t>;
 
 std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     constexpr double close = 0.03;
-    constexpr double clear = 1e3; // doubts apart: their vectors hold nothing of one another
+    // A part e of one another in their vectors moves values by e^2 of their distance: so many doubts
+    // apart these parts are small.
+    constexpr double clear = 1e6;
     std::vector<bool> taken(pairs.size(), false);
     std::vector<Group> out;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
