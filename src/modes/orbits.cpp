@@ -50,8 +50,8 @@ WHIRL_INLINED void set_circles(const double *x, const double *y, linalg::Real4 &
     linalg::Real4 b;
     std::memcpy(&a, x, sizeof a);
     std::memcpy(&b, y, sizeof b);
-    const linalg::Real4 turned = __builtin_shufflevector(b, b, 1, 0, 3, 2) *
-                                 linalg::Real4{-1, 1, -1, 1};
+    const linalg::Real4 turned =
+        __builtin_shufflevector(b, b, 1, 0, 3, 2) * linalg::Real4{-1, 1, -1, 1};
     with = (a + turned) * (a + turned);
     against = (a - turned) * (a - turned);
 }
@@ -212,8 +212,8 @@ Stations::deflections_of_both(const Eigen::VectorXcd &planes) const {
             }
             for (std::size_t i = first; i < _fours[group]; ++i) {
                 std::memcpy(x + 2 * i, &sums[i - first], 2 * sizeof(double));
-                const linalg::Real4 high = __builtin_shufflevector(sums[i - first], sums[i - first],
-                                                                   2, 3, 2, 3);
+                const linalg::Real4 high =
+                    __builtin_shufflevector(sums[i - first], sums[i - first], 2, 3, 2, 3);
                 std::memcpy(y + 2 * i, &high, 2 * sizeof(double));
             }
         }

@@ -228,10 +228,10 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
                                   _data->form);
         };
         Continuation::Start undamped;
-        if (_data->form == results::Form::general && !problem->has(SymmetricProblem::stiffness_turned))
+        if (_data->form == results::Form::general &&
+            !problem->has(SymmetricProblem::stiffness_turned))
             undamped = [this](double speed, int modes) {
-                const SymmetricSpectrum &of =
-                    Data::made(_data->symmetric, _data->d, false, 0.0);
+                const SymmetricSpectrum &of = Data::made(_data->symmetric, _data->d, false, 0.0);
                 StartingPairs at_rest = starting_pairs(of.modes_at_rest(modes), 0);
                 const bool slow = std::all_of(
                     at_rest.whirls.begin(), at_rest.whirls.end(),

@@ -50,8 +50,8 @@ std::optional<Search> search_of(const SweepNodes &nodes, std::size_t k, const Li
         return std::nullopt;
     const double share = a.distance / (a.distance - b.distance);
     const auto [low, high] = std::minmax(a.speed, b.speed);
-    return Search{{k, link.line, a.speed + share * (b.speed - a.speed), 0}, mode.followed, low,
-                  high};
+    return Search{
+        {k, link.line, a.speed + share * (b.speed - a.speed), 0}, mode.followed, low, high};
 }
 
 /// One step of Newton's method; the last one is that from a distance of zero.

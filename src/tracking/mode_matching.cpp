@@ -118,7 +118,8 @@ std::optional<double> distance_at_lock(const Snapshot &at_a, const Snapshot &at_
     return becomes || stays ? std::optional(distance) : std::nullopt;
 }
 
-/// Square of the distance of the eigenvalue at b from where that at a goes with the mean of both slopes.
+/// Square of the distance of the eigenvalue at b from where that at a goes with the mean of both
+/// slopes.
 double squared_discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen::Index j) {
     const double step = b.spectrum.speed - a.spectrum.speed;
     const std::complex<double> before = step > 0 ? a.basis.rate_above(i) : a.basis.rate_below(i);

@@ -50,7 +50,8 @@ void drop_beyond(FollowedSpeed &at, int whirling) {
 Continuation::Continuation(const SymmetricProblem &problem,
                            const assembly::Discretization &discretization, Start start,
                            Start undamped)
-    : _problem(problem), _start(std::move(start)), _undamped(std::move(undamped)), _fastest(largest_ratio(discretization.rotor())),
+    : _problem(problem), _start(std::move(start)), _undamped(std::move(undamped)),
+      _fastest(largest_ratio(discretization.rotor())),
       _creep(discretization.rotor().shaft.internal_damping) {}
 
 /// Pairs by inverse iteration from these, as many as can be followed; none where they do not settle

@@ -269,9 +269,8 @@ void EigenpairRefinement::sort(std::vector<Task> &tasks) {
     const auto exponent = [](const Task &task) {
         return std::ilogb(std::norm(task.pair->value)) / 2;
     };
-    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task &a, const Task &b) {
-        return exponent(a) < exponent(b);
-    });
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [&](const Task &a, const Task &b) { return exponent(a) < exponent(b); });
 }
 
 void EigenpairRefinement::take_good(std::vector<Task> tasks) {

@@ -27,7 +27,6 @@ namespace whirl::modes {
 [[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form);
 
 /// The slowest modes of a rotor without damping, in hyperbolic form, as pairs of the general one.
-[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped,
-                                           double speed);
+[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped, double speed);
 
 } // namespace whirl::modes

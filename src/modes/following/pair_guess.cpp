@@ -306,8 +306,8 @@ void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &
         for (const std::vector<std::size_t> &group : close_groups(at.pairs))
             for (const std::size_t i : group)
                 if (!at.pairs[i].refined)
-                    close.push_back({&at.pairs[i], at.speed, distance_from_others(at.pairs, i),
-                                     enough[i]});
+                    close.push_back(
+                        {&at.pairs[i], at.speed, distance_from_others(at.pairs, i), enough[i]});
     }
     EigenpairRefinement(problem).take_good(close);
     for (GuessedSpeed &at : speeds) {

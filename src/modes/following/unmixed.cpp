@@ -16,8 +16,8 @@ using Group = std::vector<std::size_t>;
 
 std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     constexpr double close = 0.03;
-    // A part e of one another in their vectors moves values by e^2 of their distance: so many doubts
-    // apart these parts are small.
+    // A part e of one another in their vectors moves values by e^2 of their distance: so many
+    // doubts apart these parts are small.
     constexpr double clear = 1e6;
     std::vector<bool> taken(pairs.size(), false);
     std::vector<Group> out;
@@ -28,8 +28,8 @@ std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
         for (std::size_t k = 0; k < group.size(); ++k) {
             const Complex value = pairs[group[k]].value;
             for (std::size_t j = i + 1; j < pairs.size(); ++j)
-                if (const double within = std::min(
-                        close, clear * (pairs[group[k]].doubt + pairs[j].doubt));
+                if (const double within =
+                        std::min(close, clear * (pairs[group[k]].doubt + pairs[j].doubt));
                     !taken[j] &&
                     std::norm(pairs[j].value - value) < within * within * std::norm(value)) {
                     taken[j] = true;
