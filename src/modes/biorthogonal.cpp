@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace whirl::modes {
@@ -157,11 +158,18 @@ void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
 
 } // namespace
 
+void ModeBasis::complete() const {
+    if (const auto make = std::exchange(later, nullptr))
+        make(*this);
+}
+
 Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
-    if (a.complex_left.size() == 0)
+    if (!a.is_complex())
         return (a.left.transpose() * b.right)
             .cwiseProduct((b.left.transpose() * a.right).transpose())
             .cwiseAbs();
+    a.complete();
+    b.complete();
     const auto products = [&](const Eigen::MatrixXcd &of_a, const Eigen::MatrixXcd &of_b) {
         return Eigen::MatrixXd((a.complex_left.transpose() * of_b)
                                    .cwiseProduct((b.complex_left.transpose() * of_a).transpose())
@@ -173,12 +181,14 @@ Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
     return out;
 }
 
-void separate(ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
+void separate(const ModeBasis &basis) { separate_columns(basis.complex_left, basis.complex_right); }
 
 std::complex<double> overlap(const ModeBasis &a, const ModeBasis &b, Eigen::Index i,
                              Eigen::Index j) {
-    if (a.complex_left.size() == 0)
+    if (!a.is_complex())
         return a.left.col(i).dot(b.right.col(j)) * b.left.col(j).dot(a.right.col(i));
+    a.complete();
+    b.complete();
     return linalg::product_of_columns(a.complex_left, i, b.complex_right, j) *
            linalg::product_of_columns(b.complex_left, j, a.complex_right, i);
 }

@@ -5,6 +5,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace whirl::modes {
@@ -39,7 +40,13 @@ struct ComplexQuadraticAt {
 /// complex in the others; the other pair is empty. A mode with v = 0 has zeros.
 struct ModeBasis {
     Eigen::MatrixXd left, right;
-    Eigen::MatrixXcd complex_left, complex_right;
+    mutable Eigen::MatrixXcd complex_left, complex_right;
+    /// Of followed modes, whose complex states are made only when they are asked for: right vectors
+    /// of length 1, in unknowns that all count alike.
+    Eigen::MatrixXcd alike;
+    mutable std::function<void(const ModeBasis &)> later;
+    void complete() const;
+    [[nodiscard]] bool is_complex() const { return alike.size() + complex_left.size() > 0; }
     /// In rotating axes a mode may be followed by a copy of its continuation, its conjugate or one
     /// of a Hill series: right vectors of such copies, and the copy that leads back from each.
     std::vector<Eigen::MatrixXcd> copies;
@@ -76,6 +83,6 @@ struct ModeBasis {
                                  const Eigen::MatrixXcd &vectors, bool mirrored);
 
 /// Vectors of equal eigenvalues may be mixed: makes left^T right the unit matrix where it can be.
-void separate(ModeBasis &basis);
+void separate(const ModeBasis &basis);
 
 } // namespace whirl::modes

@@ -227,7 +227,18 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
                                       : general(speed, modes, Errors::of_right_vectors),
                                   _data->form);
         };
-        _data->following = std::make_unique<Continuation>(*problem, _data->d, start);
+        Continuation::Start undamped;
+        if (_data->form == results::Form::general &&
+            !problem->has(SymmetricProblem::stiffness_turned))
+            undamped = [this](double speed, int modes) {
+                const SymmetricSpectrum &of = Data::made(_data->symmetric, _data->d, false, 0.0);
+                StartingPairs at_rest = starting_pairs(of.modes_at_rest(modes), 0);
+                const bool slow = std::all_of(
+                    at_rest.whirls.begin(), at_rest.whirls.end(),
+                    [speed](const auto &pair) { return std::abs(pair.first) > std::abs(speed); });
+                return slow ? at_rest : starting_pairs(of.modes(speed, modes), speed);
+            };
+        _data->following = std::make_unique<Continuation>(*problem, _data->d, start, undamped);
     }
     _data->following->follow(speeds, wanted);
 }
@@ -253,6 +264,23 @@ bool SpectrumSolver::by_matrix(double speed, int wanted) const {
 double SpectrumSolver::slow() const { return by_matrix() ? _data->floquet->slow() : 0; }
 
 bool SpectrumSolver::follows() const { return _data->following != nullptr; }
+
+std::vector<std::optional<SpectrumSolver::Motion>>
+SpectrumSolver::followed(const std::vector<MotionAt> &asked) const {
+    std::vector<std::optional<Motion>> out(asked.size());
+    if (!follows())
+        return out;
+    std::vector<Continuation::Single> singles;
+    for (const auto &[speed, followed] : asked)
+        singles.push_back({speed, static_cast<std::size_t>(followed)});
+    const auto pairs = _data->following->single(singles);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i] && pairs[i]->value.imag() >= 0)
+            out[i] = {pairs[i]->value, pairs[i]->rate};
+        else if (pairs[i])
+            out[i] = {std::conj(pairs[i]->value), std::conj(pairs[i]->rate)};
+    return out;
+}
 
 std::vector<WhirlMode> SpectrumSolver::near(double speed,
                                             const std::vector<WhirlMode> &guesses) const {

@@ -54,13 +54,10 @@ WhirlMode SymmetricSpectrum::mode_of(double w, const Eigen::VectorXd &x, double 
     return mode;
 }
 
-std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const {
-    if (!_supported)
-        return free_modes(speed, wanted);
-    // In hyperbolic form every mode stands twice, as +w and -w.
-    const int eigenvalues = std::min(2 * _M.size(), _planar ? wanted : 2 * wanted);
+std::vector<WhirlMode> SymmetricSpectrum::modes_of(const std::vector<linalg::RealPair> &pairs,
+                                                   double speed) const {
     std::vector<WhirlMode> out;
-    for (const linalg::RealPair &pair : _pencil->smallest(speed, eigenvalues)) {
+    for (const linalg::RealPair &pair : pairs) {
         if (!_planar && pair.value < 0)
             continue;
         out.push_back(mode_of(pair.value, pair.vector, speed));
@@ -68,6 +65,20 @@ std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const 
         out.back().rounding = pair.rounding;
     }
     return out;
+}
+
+std::vector<WhirlMode> SymmetricSpectrum::modes(double speed, int wanted) const {
+    if (!_supported)
+        return free_modes(speed, wanted);
+    // In hyperbolic form every mode stands twice, as +w and -w.
+    const int eigenvalues = std::min(2 * _M.size(), _planar ? wanted : 2 * wanted);
+    return modes_of(_pencil->smallest(speed, eigenvalues), speed);
+}
+
+std::vector<WhirlMode> SymmetricSpectrum::modes_at_rest(int wanted) const {
+    if (!_supported || _planar)
+        return modes(0, wanted);
+    return modes_of(_pencil->smallest_at_rest(std::min(2 * _M.size(), 2 * wanted)), 0);
 }
 
 std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) const {

@@ -20,6 +20,9 @@ class SymmetricSpectrum {
     /// planar form.
     [[nodiscard]] std::vector<WhirlMode> modes(double speed, int wanted) const;
 
+    /// The same at rest, to begin with: faster, and less accurate the larger the frequencies.
+    [[nodiscard]] std::vector<WhirlMode> modes_at_rest(int wanted) const;
+
     [[nodiscard]] const linalg::Matrix &M() const { return _M; }
     [[nodiscard]] const linalg::Matrix &K() const { return _K; }
     [[nodiscard]] const linalg::Matrix &S() const { return _S; }
@@ -32,6 +35,8 @@ class SymmetricSpectrum {
     bool _supported; ///< no rigid motion is free: K is positive definite
     std::unique_ptr<linalg::DefinitePencil> _pencil;
 
+    [[nodiscard]] std::vector<WhirlMode> modes_of(const std::vector<linalg::RealPair> &pairs,
+                                                  double speed) const;
     [[nodiscard]] std::vector<WhirlMode> free_modes(double speed, int wanted) const;
     [[nodiscard]] WhirlMode mode_of(double w, const Eigen::VectorXd &x, double speed) const;
 };

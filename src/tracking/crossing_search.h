@@ -29,6 +29,9 @@ class CrossingSearch {
 
     void search(const Node &a, const Node &b, const std::vector<Link> &links, int depth = 0);
 
+    /// A root, unless it is known.
+    void take(int line, double speed, double real);
+
     /// For the line of the motion that leaves the band there, between two nodes.
     void take_lock_end(const LockEnd &end, const Node &a, const Node &b);
 
@@ -53,7 +56,6 @@ class CrossingSearch {
     [[nodiscard]] bool held(const Node &node, std::size_t place) const;
     [[nodiscard]] bool upper_whirl(const Node &node, std::size_t place) const;
     [[nodiscard]] static bool jumps(const StepEnd &a, const StepEnd &b);
-    void take(int line, double speed, double real);
     void take_if_root(const Node &node, std::size_t place);
     [[nodiscard]] std::optional<double> look(const Node &a, const Node &b, const Link &link,
                                              int depth);

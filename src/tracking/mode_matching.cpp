@@ -1,5 +1,6 @@
 #include "tracking/mode_matching.h"
 
+#include "linalg/lanes/vector_products.h"
 #include "tracking/bands/locked_whirl.h"
 
 #include <algorithm>
@@ -117,15 +118,16 @@ std::optional<double> distance_at_lock(const Snapshot &at_a, const Snapshot &at_
     return becomes || stays ? std::optional(distance) : std::nullopt;
 }
 
-/// Distance of the eigenvalue at b from where that at a goes with the mean of both slopes.
-double discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen::Index j) {
+/// Square of the distance of the eigenvalue at b from where that at a goes with the mean of both
+/// slopes.
+double squared_discontinuity(const Snapshot &a, const Snapshot &b, Eigen::Index i, Eigen::Index j) {
     const double step = b.spectrum.speed - a.spectrum.speed;
     const std::complex<double> before = step > 0 ? a.basis.rate_above(i) : a.basis.rate_below(i);
     const std::complex<double> after = step > 0 ? b.basis.rate_below(j) : b.basis.rate_above(j);
     const std::complex<double> change = (before + after) / 2.0 * step;
     const std::complex<double> difference = value(b.spectrum, j) - value(a.spectrum, i);
     const bool known = std::isfinite(change.real()) && std::isfinite(change.imag());
-    return std::abs(known ? difference - change : difference);
+    return std::norm(known ? difference - change : difference);
 }
 
 /// The mode of b where a mode of a goes with its slope, ten times nearer than the next one; or
@@ -135,7 +137,7 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
     double next = nearest;
     int place = Matching::none;
     for (Eigen::Index j = 0; j < std::ssize(b.spectrum.modes); ++j) {
-        const double distance = discontinuity(a, b, i, j);
+        const double distance = squared_discontinuity(a, b, i, j);
         if (distance < nearest) {
             next = std::exchange(nearest, distance);
             place = static_cast<int>(j);
@@ -143,15 +145,23 @@ int expected_at(const Snapshot &a, const Snapshot &b, Eigen::Index i) {
             next = std::min(next, distance);
         }
     }
-    return nearest < 0.1 * next ? place : Matching::none;
+    return nearest < 0.1 * 0.1 * next ? place : Matching::none;
+}
+
+/// By the vectors of a mode at two speeds.
+bool nearly_alike(const modes::ModeBasis &a, const modes::ModeBasis &b, Eigen::Index i,
+                  Eigen::Index j) {
+    constexpr double nearly = 0.1;
+    if (a.alike.size() > 0 && b.alike.size() > 0)
+        return std::norm(linalg::dot(a.alike.col(i), b.alike.col(j))) > 1 - nearly;
+    return std::abs(modes::overlap(a, b, i, j) - 1.0) < nearly;
 }
 
 /// The plain case, without the products of all modes with all others: every mode is where its slope
 /// leads, far from the others, and its vectors are nearly the same.
 std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
-    constexpr double nearly = 0.1;
     const std::size_t count = a.spectrum.modes.size();
-    if (count == 0 || count != b.spectrum.modes.size() || a.basis.complex_left.size() == 0 ||
+    if (count == 0 || count != b.spectrum.modes.size() || !a.basis.is_complex() ||
         !a.basis.copies.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
         return std::nullopt;
     Matching out{std::vector<int>(count, Matching::none), std::vector<int>(count, Matching::none),
@@ -159,7 +169,7 @@ std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(count); ++i) {
         const int j = expected_at(a, b, i);
         if (j == Matching::none || out.from[static_cast<std::size_t>(j)] != Matching::none ||
-            !(std::abs(modes::overlap(a.basis, b.basis, i, j) - 1.0) < nearly))
+            !nearly_alike(a.basis, b.basis, i, j))
             return std::nullopt;
         join(out, i, j);
     }
@@ -242,7 +252,7 @@ Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
         for (Eigen::Index j = 0; j < overlap.cols(); ++j)
             if (open(i, j) && row(i) >= belongs && column(j) >= belongs &&
                 overlap(i, j) > 0.05 * row(i)) // else of another group
-                candidates.emplace_back(discontinuity(a, b, i, j), i, j);
+                candidates.emplace_back(squared_discontinuity(a, b, i, j), i, j);
     take_best(std::move(candidates), out);
     Candidates locks;
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)

@@ -42,7 +42,8 @@ Sums sums_of(const std::complex<double> *a, const std::complex<double> *b, Eigen
 
 } // namespace
 
-std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b) {
+std::complex<double> dot(const Eigen::Ref<const Eigen::VectorXcd> &a,
+                         const Eigen::Ref<const Eigen::VectorXcd> &b) {
     const auto [along, across] = sums_of(a.data(), b.data(), a.size());
     return {along[0] + along[1] + along[2] + along[3],
             across[0] - across[1] + across[2] - across[3]};
@@ -86,12 +87,13 @@ Eigen::VectorXcd sum_of(const std::vector<RealMultiple> &terms) {
         for (Eigen::Index k = 0; k < size / block * block; k += block) {
             std::array<Real4, 4> all{};
             for (const RealMultiple *term = first; term != last; ++term) {
-                const auto *in = reinterpret_cast<const double *>(term->x->data()) + k;
-                for (std::size_t part = 0; part < all.size(); ++part) {
-                    Real4 some;
-                    std::memcpy(&some, in + part * lanes, sizeof some);
-                    all[part] += term->f * some;
-                }
+                std::array<Real4, 4> some;
+                std::memcpy(some.data(), reinterpret_cast<const double *>(term->x->data()) + k,
+                            sizeof some);
+                all[0] += term->f * some[0];
+                all[1] += term->f * some[1];
+                all[2] += term->f * some[2];
+                all[3] += term->f * some[3];
             }
             std::memcpy(out + k, all.data(), sizeof all);
         }

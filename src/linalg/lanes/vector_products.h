@@ -13,7 +13,8 @@ namespace whirl::linalg {
 // Of complex vectors of one size, two entries in one instruction.
 
 /// a^H b
-[[nodiscard]] std::complex<double> dot(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b);
+[[nodiscard]] std::complex<double> dot(const Eigen::Ref<const Eigen::VectorXcd> &a,
+                                       const Eigen::Ref<const Eigen::VectorXcd> &b);
 
 /// Column i of A times column j of B, of one length, not conjugated.
 [[nodiscard]] std::complex<double> product_of_columns(const Eigen::MatrixXcd &A, Eigen::Index i,

@@ -15,6 +15,10 @@ namespace {
 /// Speeds of a sweep from one that is solved by inverse iteration to the next at most.
 constexpr std::size_t longest_stride = 8;
 
+/// Pairs to begin with beyond those wanted: to place the circle among, and to leave room for it to
+/// shrink.
+constexpr int beyond = 4;
+
 double largest_ratio(const model::Rotor &rotor) {
     double ratio = 2; // a thin ring; less for any other body
     for (const model::Disc &disc : rotor.discs)
@@ -44,13 +48,16 @@ void drop_beyond(FollowedSpeed &at, int whirling) {
 } // namespace
 
 Continuation::Continuation(const SymmetricProblem &problem,
-                           const assembly::Discretization &discretization, Start start)
-    : _problem(problem), _start(std::move(start)), _fastest(largest_ratio(discretization.rotor())),
+                           const assembly::Discretization &discretization, Start start,
+                           Start undamped)
+    : _problem(problem), _start(std::move(start)), _undamped(std::move(undamped)),
+      _fastest(largest_ratio(discretization.rotor())),
       _creep(discretization.rotor().shaft.internal_damping) {}
 
-std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const try {
-    constexpr int beyond = 4; // to place the circle among, and to leave room for it to shrink
-    const StartingPairs found = _start(speed, wanted + beyond);
+/// Pairs by inverse iteration from these, as many as can be followed; none where they do not settle
+/// or coincide.
+std::optional<FollowedSpeed> Continuation::refined(const StartingPairs &found, double speed,
+                                                   int wanted) const {
     FollowedSpeed out;
     out.speed = speed;
     for (const auto &[value, shape] : found.whirls) {
@@ -75,10 +82,37 @@ std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const
     // Pairs are refined a few at a time: none for which that many more would have to stand in.
     const int excess = (wanted + beyond + static_cast<int>(found.real.size())) % linalg::lanes;
     drop_beyond(out, wanted + beyond - (excess <= beyond / 2 ? excess : 0));
-    out.radius = std::min(found.radius, widest_gap(out, wanted));
-    out.counted = out.radius > 0;
-    if (!out.counted || out.within(out.radius) < wanted)
+    out.radius = widest_gap(out, wanted);
+    return out;
+}
+
+std::optional<FollowedSpeed> Continuation::from_undamped(double speed, int wanted) const {
+    const StartingPairs found = _undamped(speed, wanted + beyond);
+    FollowedSpeed undamped;
+    undamped.speed = found.speed;
+    for (const auto &[value, shape] : found.whirls)
+        undamped.pairs.emplace_back().value = value;
+    undamped.radius = std::min(found.radius, widest_gap(undamped, wanted));
+    std::optional<FollowedSpeed> out = refined(found, speed, wanted);
+    if (!out || undamped.radius == 0 || out->radius == 0 ||
+        !same_number(_problem, undamped, undamped.radius, *out, out->radius, false))
         return std::nullopt;
+    return out;
+}
+
+std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const try {
+    std::optional<FollowedSpeed> out;
+    if (_undamped)
+        out = from_undamped(speed, wanted);
+    if (!out) {
+        const StartingPairs found = _start(speed, wanted + beyond);
+        out = refined(found, speed, wanted);
+        if (out)
+            out->radius = std::min(found.radius, out->radius);
+    }
+    if (!out || out->radius == 0 || out->within(out->radius) < wanted)
+        return std::nullopt;
+    out->counted = true;
     return out;
 } catch (const linalg::SolverError &) {
     return std::nullopt; // that speed is solved alone
@@ -200,8 +234,13 @@ bool Continuation::bridged(Run &run, double from, double to, int depth) const {
 /// The speeds between those solved: halves of all intervals together, then their halves.
 void Continuation::fill(Run &run, const std::vector<double> &speeds,
                         const std::vector<std::size_t> &solved) const {
+    const auto take = [&](std::vector<std::optional<FollowedSpeed>> found) {
+        for (std::optional<FollowedSpeed> &at : found)
+            if (at)
+                run.at.emplace(at->speed, std::move(*at));
+    };
     std::vector<std::size_t> ends = solved;
-    while (true) {
+    for (bool open = true; open;) {
         std::vector<std::size_t> next{ends.front()};
         std::vector<double> middles;
         for (std::size_t k = 1; k < ends.size(); ++k) {
@@ -211,13 +250,13 @@ void Continuation::fill(Run &run, const std::vector<double> &speeds,
             }
             next.push_back(ends[k]);
         }
-        if (middles.empty())
-            return;
-        for (std::optional<FollowedSpeed> &between : steps(run, middles))
-            if (between)
-                run.at.emplace(between->speed, std::move(*between));
+        open = !middles.empty();
+        take(steps(run, middles));
         ends = std::move(next);
     }
+    for (std::size_t k = ends.front(); k <= ends.back(); ++k)
+        if (run.at.count(speeds[k]) == 0) // once more, with more neighbours
+            take(steps(run, {speeds[k]}));
 }
 
 /// A run from these pairs: what is known of them from a run with fewer pairs is taken over.
@@ -315,6 +354,29 @@ const FollowedSpeed *Continuation::at(double speed, int wanted) {
         return here != nullptr && here->within(here->radius) >= wanted ? here : nullptr;
     }
     return nullptr;
+}
+
+std::vector<std::optional<SymmetricPair>>
+Continuation::single(const std::vector<Single> &asked) const {
+    std::vector<std::optional<SymmetricPair>> out(asked.size());
+    std::vector<SinglePair> pairs;
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        for (const Run &run : _runs) {
+            const auto [speed, i] = asked[k];
+            const auto above = run.at.lower_bound(speed);
+            if (above == run.at.begin() || above == run.at.end())
+                continue;
+            Guess guessed = guess(run.at, speed, i);
+            pairs.push_back({speed, std::move(guessed.pair), guessed.nearest,
+                             distance_from_others(above->second.pairs, i)});
+            places.push_back(k);
+        }
+    settle_single(_problem, pairs);
+    for (std::size_t k = 0; k < pairs.size(); ++k)
+        if (pairs[k].settled)
+            out[places[k]] = std::move(pairs[k].pair);
+    return out;
 }
 
 /// At a speed inside a run.

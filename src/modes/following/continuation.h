@@ -17,6 +17,7 @@ struct StartingPairs {
     std::vector<std::pair<std::complex<double>, Eigen::VectorXcd>> whirls;
     std::vector<double> real; ///< eigenvalues without whirl
     double radius = 0;        ///< all of less modulus are given
+    double speed = 0;         ///< at which they are, rad/s
 };
 
 /// Follows the slowest eigenpairs of a symmetric problem over the speeds of a sweep.
@@ -35,8 +36,10 @@ class Continuation {
 
     /// @param problem         kept by reference
     /// @param discretization  for the largest Ip / Id
+    /// @param undamped        of the same rotor without damping and what drives motions, to begin
+    ///                        with those where they lead to all; may be empty
     Continuation(const SymmetricProblem &problem, const assembly::Discretization &discretization,
-                 Start start);
+                 Start start, Start undamped = {});
 
     /// Solves at speeds that rise or fall. Speeds at which pairs could not be followed are left
     /// out: modes are then to be found otherwise.
@@ -49,6 +52,15 @@ class Continuation {
     /// At a speed that was asked for before.
     [[nodiscard]] const FollowedSpeed *known(double speed) const;
 
+    /// One of the pairs at a speed; not all that are needed to tell that none is missing.
+    struct Single {
+        double speed;
+        std::size_t pair; ///< place among the pairs of the speeds beside it
+    };
+    /// None where it is not followed there, or is shared with another one.
+    [[nodiscard]] std::vector<std::optional<SymmetricPair>>
+    single(const std::vector<Single> &asked) const;
+
     [[nodiscard]] const SymmetricProblem &problem() const { return _problem; }
 
   private:
@@ -60,13 +72,16 @@ class Continuation {
         std::map<double, FollowedSpeed> tried; ///< where the order was not clear from afar
     };
     const SymmetricProblem &_problem;
-    Start _start;
+    Start _start, _undamped;
     double _fastest; ///< change of an eigenvalue in units of that of the speed
     double _creep;   ///< s, of internal damping: the same for each 1/s of the eigenvalue
     std::vector<Run> _runs, _before;
     int _wanted = 0;
 
     [[nodiscard]] std::optional<FollowedSpeed> begin(double speed, int wanted) const;
+    [[nodiscard]] std::optional<FollowedSpeed> from_undamped(double speed, int wanted) const;
+    [[nodiscard]] std::optional<FollowedSpeed> refined(const StartingPairs &found, double speed,
+                                                       int wanted) const;
     [[nodiscard]] static GuessedSpeed guessed(Run &run, double speed);
     [[nodiscard]] std::vector<std::optional<FollowedSpeed>>
     steps(Run &run, const std::vector<double> &speeds) const;
@@ -86,8 +101,10 @@ class Continuation {
 /// Whether as many eigenvalues are missing within `radius` at one speed as within another at the
 /// other: the argument of the ratio of both determinants around the circles, with all eigenvalues
 /// known of both divided out, which turns slowly.
+/// @param damped_a  false: the first are pairs of the rotor without damping
 [[nodiscard]] bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a,
-                               double radius_a, const FollowedSpeed &b, double radius_b);
+                               double radius_a, const FollowedSpeed &b, double radius_b,
+                               bool damped_a = true);
 
 /// A circle with at least `wanted` whirl modes in it, in the widest gap between moduli of pairs; 0
 /// where there is none.

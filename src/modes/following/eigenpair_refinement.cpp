@@ -154,8 +154,6 @@ linalg::Complex4 EigenpairRefinement::fill(const InLanes &pairs) const {
         scales.set(lane, std::isfinite(std::abs(scale)) && scale != 0.0 ? scale : 1);
     }
     std::array<Eigen::VectorXcd, linalg::lanes> vectors = linalg::vectors_of(_x, scales);
-    std::array<Eigen::VectorXcd, linalg::lanes> Mx = linalg::vectors_of(_of.M, scales);
-    std::array<Eigen::VectorXcd, linalg::lanes> Kx = linalg::vectors_of(_of.K, scales);
     const std::array<double, linalg::lanes> forms = _problem.absolute_forms(sizes, _speed, _x);
     for (std::size_t lane = 0; lane < linalg::lanes; ++lane) {
         if (pairs[lane] == nullptr)
@@ -167,12 +165,10 @@ linalg::Complex4 EigenpairRefinement::fill(const InLanes &pairs) const {
         pair.derivative *= scales.at(place) * scales.at(place);
         if (linalg::dot(pair.vector, vectors[lane]).real() < 0) {
             scales.set(place, -scales.at(place));
-            for (Eigen::VectorXcd *vector : {&vectors[lane], &Mx[lane], &Kx[lane]})
-                *vector = -*vector;
+            vectors[lane] = -vectors[lane];
         }
         pair.vector = std::move(vectors[lane]);
-        pair.Mx = std::move(Mx[lane]);
-        pair.Kx = std::move(Kx[lane]);
+        pair.refined = true;
     }
     return scales;
 }
@@ -247,7 +243,7 @@ void EigenpairRefinement::advance(const std::vector<Task> &tasks, std::size_t fi
     if (settling != InLanes{})
         fill_turns(settling, fill(settling));
 } catch (const linalg::SolverError &) {
-    // A pivot that happens to be zero: what is not settled has no products.
+    // A pivot that happens to be zero: what is not settled is not refined.
 }
 
 /// Fills the pairs in the lanes that are good as they are, and adds the others to those open.
@@ -257,8 +253,8 @@ void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t 
     for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
         SymmetricPair &pair = *tasks[i].pair;
         pair.solved = false;
-        for (Eigen::VectorXcd *known : {&pair.turn, &pair.Mx, &pair.Kx})
-            known->resize(0);
+        pair.refined = false;
+        pair.turn.resize(0);
         if (pair.error <= tasks[i].enough)
             good[i - first] = &pair;
         else
@@ -268,8 +264,28 @@ void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t 
         (void)fill(good);
 }
 
-void EigenpairRefinement::refine(const std::vector<Task> &tasks) {
+/// Those of like size together: they are measured by the same energy.
+void EigenpairRefinement::sort(std::vector<Task> &tasks) {
+    const auto exponent = [](const Task &task) {
+        return std::ilogb(std::norm(task.pair->value)) / 2;
+    };
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [&](const Task &a, const Task &b) { return exponent(a) < exponent(b); });
+}
+
+void EigenpairRefinement::take_good(std::vector<Task> tasks) {
+    sort(tasks);
+    std::vector<Task> others;
+    for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
+        load(tasks, first);
+        settle(tasks, first);
+        take_good(tasks, first, others);
+    }
+}
+
+void EigenpairRefinement::refine(std::vector<Task> tasks) {
     constexpr int most_steps = 8;
+    sort(tasks);
     std::vector<Task> open;
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <complex>
+#include <limits>
 #include <vector>
 
 namespace whirl::modes {
@@ -24,7 +25,9 @@ struct SymmetricPair {
     bool counted_only = false;       ///< its error is that of a count
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
-    Eigen::VectorXcd Mx, Kx; ///< empty: not refined yet
+    bool refined = false; ///< else a guess
+    /// Of the value of a guess, relative: how far its polynomial moved it at last.
+    double doubt = std::numeric_limits<double>::infinity();
     /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it
     /// cheaply).
     Eigen::VectorXcd turn;
@@ -58,8 +61,11 @@ class EigenpairRefinement {
     };
     /// Rayleigh quotient iteration until the errors are small, cubic with a symmetric matrix: none
     /// where the guess is good enough. Four pairs at a time. Pairs that do not settle are left
-    /// without products.
-    void refine(const std::vector<Task> &tasks);
+    /// as guesses.
+    void refine(std::vector<Task> tasks);
+
+    /// Takes those of the guesses that are good enough as they are; others stay guesses.
+    void take_good(std::vector<Task> tasks);
 
     /// The eigenpair nearest a value, from no vector.
     [[nodiscard]] SymmetricPair nearest(double speed, std::complex<double> value);
@@ -75,6 +81,7 @@ class EigenpairRefinement {
     linalg::Complex4 _xMx, _xDx, _xKx, _xD1x, _xK1x;
     const linalg::SymmetricFactors *_factors = nullptr; ///< of the last step
 
+    static void sort(std::vector<Task> &tasks);
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
     void settle(const std::vector<Task> &tasks, std::size_t first);

@@ -27,19 +27,21 @@ double without(const SymmetricProblem &problem, double phase, std::complex<doubl
 } // namespace
 
 bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
-                 const FollowedSpeed &b, double radius_b) try {
+                 const FollowedSpeed &b, double radius_b, bool damped_a) try {
     constexpr double turn = 2 * std::numbers::pi;
     // Eigenvalues in conjugate pairs: one half of the circle is the image of the other.
     const CircleWay way =
         problem.conjugates() ? CircleWay{0, turn / 2, 6, false} : CircleWay{0.1, turn, 12, true};
     const linalg::Real4 speeds{a.speed, b.speed, a.speed, b.speed};
+    const double share = damped_a ? 1 : 0;
+    const linalg::Real4 damped{share, 1, share, 1};
     const auto phase = [&](double angle) {
         const std::complex<double> at_a = std::polar(radius_a, angle);
         const std::complex<double> at_b = std::polar(radius_b, angle);
         linalg::Complex4 z{};
         for (int lane = 0; lane < linalg::lanes; ++lane)
             z.set(lane, lane % 2 == 0 ? at_a : at_b);
-        const auto phases = problem.factorize(z, speeds).determinant_phases();
+        const auto phases = problem.factorize(z, speeds, damped).determinant_phases();
         return without(problem, phases[1], at_b, b.pairs) -
                without(problem, phases[0], at_a, a.pairs);
     };

@@ -1,5 +1,6 @@
 #include "modes/following/followed_modes.h"
 
+#include "linalg/lanes/vector_products.h"
 #include "modes/following/sorted_modes.h"
 
 #include <cmath>
@@ -19,6 +20,30 @@ WhirlMode mode_of(const SymmetricProblem &problem, const FollowedSpeed &followed
     if (problem.form() == results::Form::planar_damped)
         set_planar_whirl(mode, pair.value, pair.value.imag() > 0, followed.speed);
     return mode;
+}
+
+/// Left and right vectors as states, from the right ones of the problem.
+void set_states(const SymmetricProblem &problem, double speed, const Eigen::VectorXcd &values,
+                const ModeBasis &basis) {
+    const Eigen::Index n = problem.size();
+    basis.complex_left.resize(2 * n, values.size());
+    basis.complex_right.resize(2 * n, values.size());
+    SymmetricProblem::Products of;
+    linalg::Vector4 x;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        const Eigen::VectorXcd vector = basis.alike.col(i);
+        linalg::set(x, {&vector, &vector, &vector, &vector});
+        problem.multiply(x, linalg::Real4{speed, speed, speed, speed}, of);
+        const Eigen::VectorXcd Mx = linalg::vector_of(of.M, 0);
+        const Eigen::VectorXcd Kx = linalg::vector_of(of.K, 0);
+        const std::complex<double> l = values(i);
+        const std::complex<double> norm =
+            (vector.transpose() * Kx).value() - l * l * (vector.transpose() * Mx).value();
+        basis.complex_left.col(i) << problem.covector_to_form(Kx) / norm,
+            problem.covector_to_form(Mx) * (-l / norm);
+        const Eigen::VectorXcd shape = problem.to_form(vector);
+        basis.complex_right.col(i) << shape, shape * l;
+    }
 }
 
 } // namespace
@@ -53,30 +78,31 @@ std::vector<WhirlMode> modes_near(const SymmetricProblem &problem, double speed,
 
 ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followed,
                    const std::vector<WhirlMode> &modes) {
-    const Eigen::Index n = problem.size();
     const auto count = std::ssize(modes);
     ModeBasis out;
-    out.complex_left.resize(2 * n, count);
-    out.complex_right.resize(2 * n, count);
+    out.alike.resize(problem.size(), count);
     out.rate_below.resize(count);
+    Eigen::VectorXcd values(count);
     bool close = false;
     for (Eigen::Index i = 0; i < count; ++i) {
         const auto place = static_cast<std::size_t>(modes[static_cast<std::size_t>(i)].followed);
         const SymmetricPair &pair = followed.pairs[place];
-        // x^T (K - l^2 M) x with x^T Q(l) x = 0.
-        const std::complex<double> norm = -pair.value * pair.derivative;
-        out.complex_left.col(i) << problem.covector_to_form(pair.Kx) / norm,
-            problem.covector_to_form(pair.Mx) * (-pair.value / norm);
-        const Eigen::VectorXcd shape = problem.to_form(pair.vector);
-        out.complex_right.col(i) << shape, shape * pair.value;
+        out.alike.col(i) =
+            pair.vector * (1 / std::sqrt(linalg::dot(pair.vector, pair.vector).real()));
+        values(i) = pair.value;
         out.rate_below(i) = pair.value.imag() < 0 ? std::conj(pair.rate) : pair.rate;
         for (std::size_t j = 0; j < place; ++j)
             close = close ||
                     std::norm(followed.pairs[j].value - pair.value) < 1e-8 * std::norm(pair.value);
     }
     out.rate_above = out.rate_below;
+    out.later = [&problem, values, close, speed = followed.speed](const ModeBasis &basis) {
+        set_states(problem, speed, values, basis);
+        if (close)
+            separate(basis);
+    };
     if (close)
-        separate(out);
+        out.complete();
     return out;
 }
 
@@ -88,6 +114,19 @@ StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form 
                                 mode.shape);
     out.real = found.overdamped;
     out.radius = found.complete_radius;
+    return out;
+}
+
+StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped, double speed) {
+    StartingPairs out;
+    out.speed = speed;
+    for (const WhirlMode &mode : undamped) {
+        Eigen::VectorXcd shape = mode.shape; // y = i y'
+        for (Eigen::Index k = 1; k < shape.size(); k += 2)
+            shape(k) *= std::complex<double>(0, 1);
+        out.whirls.emplace_back(mode.eigenvalue, std::move(shape));
+        out.radius = std::max(out.radius, std::abs(mode.eigenvalue));
+    }
     return out;
 }
 

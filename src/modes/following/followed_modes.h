@@ -18,11 +18,15 @@ namespace whirl::modes {
 [[nodiscard]] std::vector<WhirlMode> modes_near(const SymmetricProblem &problem, double speed,
                                                 const std::vector<WhirlMode> &guesses);
 
-/// Left and right vectors of modes that are all among the pairs, with the products the pairs carry.
+/// Rates of modes that are all among the pairs; their states are made later.
+/// @param problem  kept by reference
 [[nodiscard]] ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followed,
                                  const std::vector<WhirlMode> &modes);
 
 /// Modes found independently as pairs to begin with.
 [[nodiscard]] StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form);
+
+/// The slowest modes of a rotor without damping, in hyperbolic form, as pairs of the general one.
+[[nodiscard]] StartingPairs starting_pairs(const std::vector<WhirlMode> &undamped, double speed);
 
 } // namespace whirl::modes

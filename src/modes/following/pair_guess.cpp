@@ -5,6 +5,7 @@
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -21,15 +22,27 @@ constexpr std::size_t points_beyond = 4;
 /// Cosine between a guess and what became of it, where all unknowns count alike.
 constexpr double same_motion = 0.8;
 
+/// A list of a few, made for each guess.
+template <class T> struct Few {
+    std::array<T, points_between> of{};
+    std::size_t count = 0;
+
+    void push_back(const T &value) { of[count++] = value; }
+    [[nodiscard]] std::size_t size() const { return count; }
+    [[nodiscard]] const T &operator[](std::size_t k) const { return of[k]; }
+    [[nodiscard]] const T *begin() const { return of.data(); }
+    [[nodiscard]] const T *end() const { return of.data() + count; }
+};
+
 /// Known pairs at the speeds nearest to one, from the nearest on.
-using Points = std::vector<const FollowedSpeed *>;
+using Points = Few<const FollowedSpeed *>;
 
 /// A point of a polynomial.
 bool tells(const SymmetricPair &pair) { return pair.solved && !pair.mixed; }
 
 Points points_near(const std::map<double, FollowedSpeed> &known, double speed, std::size_t pair) {
-    std::vector<const FollowedSpeed *> low;
-    std::vector<const FollowedSpeed *> high;
+    Points low;
+    Points high;
     const auto above = known.lower_bound(speed);
     for (auto it = above; it != known.begin() && low.size() < points_between;)
         if (tells((--it)->second.pairs[pair]))
@@ -53,7 +66,7 @@ Points points_near(const std::map<double, FollowedSpeed> &known, double speed, s
 struct Weight {
     double value, change;
 };
-using Weights = std::vector<Weight>;
+using Weights = Few<Weight>;
 
 /// Hermite's polynomial through the first of the points, at the speed; of points whose change is
 /// not known through the value alone.
@@ -90,32 +103,34 @@ Complex value_of(const Points &points, const Weights &weights, std::size_t pair)
 
 /// The polynomial through the nearest of the points: through as many as bring the eigenvalue nearer
 /// to where the next ones see it. Near a speed at which eigenvalues meet, real or complex, few do.
-Weights best_weights(const Points &points, double speed, std::size_t pair) {
-    constexpr double nearer = 0.3;
-    constexpr double settled = 1e-11;
+/// @param change  square of how far the last ones of them moved it
+Weights best_weights(const Points &points, double speed, std::size_t pair, double &change) {
+    constexpr double nearer = 0.3 * 0.3; // of squares
+    constexpr double settled = 1e-11 * 1e-11;
     const bool beyond = std::all_of(points.begin(), points.end(), [&](const FollowedSpeed *point) {
-        return (point->speed < speed) == (points.front()->speed < speed);
+        return (point->speed < speed) == (points[0]->speed < speed);
     });
     const std::size_t further = beyond ? 1 : 2;
     Weights best = weights_of(points, 1, speed, pair);
     Complex there = value_of(points, best, pair);
-    double change = std::numeric_limits<double>::infinity();
+    change = std::numeric_limits<double>::infinity();
     for (std::size_t count = 2; count <= points.size(); count += further) {
-        Weights more = weights_of(points, count, speed, pair);
+        const Weights more = weights_of(points, count, speed, pair);
         const Complex next = value_of(points, more, pair);
-        if (!(std::abs(next - there) < nearer * change))
+        if (!(std::norm(next - there) < nearer * change))
             break;
-        change = std::abs(next - there);
+        change = std::norm(next - there);
         there = next;
-        best = std::move(more);
-        if (change < settled * std::abs(there))
+        best = more;
+        if (change < settled * std::norm(there))
             break;
     }
     return best;
 }
 
 bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosine) {
-    return std::norm(linalg::dot(a, b)) > cosine * cosine * a.squaredNorm() * b.squaredNorm();
+    return std::norm(linalg::dot(a, b)) >
+           cosine * cosine * linalg::dot(a, a).real() * linalg::dot(b, b).real();
 }
 
 /// Two pairs have become one.
@@ -156,7 +171,7 @@ void add_tasks(const SymmetricProblem &problem, Refined &refined, int slowest,
         SymmetricPair &pair = pairs[i];
         pair.counted_only = enough[i] == counted_error;
         refined.real.push_back(problem.conjugates() && pair.value.imag() == 0);
-        if (pair.Mx.size() > 0 && pair.error <= enough[i])
+        if (pair.refined && pair.error <= enough[i])
             continue; // known
         tasks.push_back({&pair, refined.at->speed, distance_from_others(pairs, i), enough[i]});
         refined.places.push_back(i);
@@ -170,7 +185,7 @@ bool same_pairs(const SymmetricProblem &problem, const Refined &refined) {
     for (std::size_t k = 0; k < refined.places.size(); ++k) {
         const std::size_t i = refined.places[k];
         SymmetricPair &pair = pairs[i];
-        if (pair.Mx.size() == 0 || !upper(problem, pair, refined.real[i]) ||
+        if (!pair.refined || !upper(problem, pair, refined.real[i]) ||
             (pair.solved && !refined.at->grouped[i] &&
              !parallel(refined.before[k], pair.vector, same_motion)))
             return false;
@@ -219,13 +234,16 @@ int FollowedSpeed::within(double size) const {
 
 Guess guess(const std::map<double, FollowedSpeed> &known, double speed, std::size_t i) {
     const Points points = points_near(known, speed, i);
-    const SymmetricPair &nearest = points.front()->pairs[i];
+    const SymmetricPair &nearest = points[0]->pairs[i];
     Guess found{{}, &nearest};
     SymmetricPair &out = found.pair;
-    const Weights weights = best_weights(points, speed, i);
+    double change = 0;
+    const Weights weights = best_weights(points, speed, i, change);
     out.value = points.size() > 1 ? value_of(points, weights, i)
-                                  : nearest.value + nearest.rate * (speed - points.front()->speed);
+                                  : nearest.value + nearest.rate * (speed - points[0]->speed);
+    out.doubt = std::sqrt(change / std::norm(out.value));
     std::vector<linalg::RealMultiple> terms;
+    terms.reserve(2 * weights.size());
     for (std::size_t k = 0; k < weights.size(); ++k) {
         const SymmetricPair &pair = points[k]->pairs[i];
         terms.push_back({weights[k].value, &pair.vector});
@@ -254,7 +272,7 @@ SymmetricPair taken_for(SymmetricPair &guess, std::vector<SymmetricPair> &solved
 void carry_sign(const SymmetricPair &guess, SymmetricPair &pair) {
     if (linalg::dot(guess.vector, pair.vector).real() >= 0)
         return;
-    for (Eigen::VectorXcd *vector : {&pair.vector, &pair.Mx, &pair.Kx, &pair.turn})
+    for (Eigen::VectorXcd *vector : {&pair.vector, &pair.turn})
         *vector = -*vector;
 }
 
@@ -264,7 +282,7 @@ SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed, doubl
         pair.value = std::conj(pair.value);
         pair.vector = problem.conjugate(pair.vector);
     }
-    pair.Mx.resize(0); // to be refined again
+    pair.refined = false;
     (void)upper(problem, pair, false);
     return pair;
 }
@@ -281,6 +299,17 @@ std::optional<std::vector<SymmetricPair>> pairs_near(const SymmetricProblem &pro
 void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &speeds,
                     int slowest) {
     std::vector<GuessedSpeed *> all;
+    // What is good as it is need not be told from its neighbours.
+    std::vector<EigenpairRefinement::Task> close;
+    for (GuessedSpeed &at : speeds) {
+        const std::vector<double> enough = enough_errors(at.pairs, slowest);
+        for (const std::vector<std::size_t> &group : close_groups(at.pairs))
+            for (const std::size_t i : group)
+                if (!at.pairs[i].refined)
+                    close.push_back(
+                        {&at.pairs[i], at.speed, distance_from_others(at.pairs, i), enough[i]});
+    }
+    EigenpairRefinement(problem).take_good(close);
     for (GuessedSpeed &at : speeds) {
         at.grouped = unmix(problem, at.speed, at.pairs);
         all.push_back(&at);
@@ -289,6 +318,16 @@ void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &
     for (GuessedSpeed &at : speeds)
         for (std::size_t i = 0; i < at.pairs.size() && at.settled; ++i)
             at.pairs[i].mixed = !parallel(at.nearest[i]->vector, at.pairs[i].vector, same_motion);
+}
+
+void settle_single(const SymmetricProblem &problem, std::vector<SinglePair> &pairs) {
+    std::vector<EigenpairRefinement::Task> tasks;
+    for (SinglePair &one : pairs)
+        tasks.push_back({&one.pair, one.speed, one.distance, enough_error});
+    EigenpairRefinement(problem).refine(tasks);
+    for (SinglePair &one : pairs)
+        one.settled = one.pair.refined && upper(problem, one.pair, false) &&
+                      parallel(one.nearest->vector, one.pair.vector, same_motion);
 }
 
 } // namespace whirl::modes

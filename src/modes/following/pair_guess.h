@@ -58,6 +58,16 @@ pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricP
 void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &speeds,
                     int slowest);
 
+/// A single pair at a speed, told from others by that it is the same motion as its guess.
+struct SinglePair {
+    double speed;
+    SymmetricPair pair;           ///< a guess
+    const SymmetricPair *nearest; ///< at the nearest speed known
+    double distance;              ///< from the others (distance_from_others)
+    bool settled = false;
+};
+void settle_single(const SymmetricProblem &problem, std::vector<SinglePair> &pairs);
+
 /// The eigenpair nearest a real number, of two conjugates the upper one.
 [[nodiscard]] SymmetricPair nearest_upper(const SymmetricProblem &problem, double speed,
                                           double value);

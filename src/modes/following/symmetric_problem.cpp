@@ -18,38 +18,6 @@ namespace {
 using Complex = SymmetricProblem::Complex;
 using RealSparse = SymmetricProblem::Sparse;
 
-/// A row of a real matrix times a vector.
-template <class Rows>
-WHIRL_INLINED void row_times(const Rows &A, std::size_t r, const linalg::Vector4 &x,
-                             linalg::Complex4 &sum) {
-    const linalg::Complex4 *in = x.data();
-    const int *columns = A.column.data();
-    const double *values = A.value.data();
-    const int last = A.start[r + 1];
-    for (int p = A.start[r]; p < last; ++p) {
-        sum.re += values[p] * in[columns[p]].re;
-        sum.im += values[p] * in[columns[p]].im;
-    }
-}
-
-/// @param turned  times i
-template <class Rows>
-WHIRL_INLINED void add_rows(const Rows &A, const linalg::Vector4 &x, bool turned,
-                            linalg::Vector4 &out) {
-    for (std::size_t r = 0; r < A.row.size(); ++r) {
-        linalg::Complex4 sum{};
-        row_times(A, r, x, sum);
-        linalg::Complex4 &to = out[static_cast<std::size_t>(A.row[r])];
-        to.re += turned ? -sum.im : sum.re;
-        to.im += turned ? sum.re : sum.im;
-    }
-}
-
-struct Factor {
-    SymmetricProblem::Part part;
-    linalg::Complex4 factor;
-};
-
 bool positive_definite(const RealSparse &A) {
     return Eigen::SimplicialLLT<RealSparse>(A).info() == Eigen::Success;
 }
@@ -107,16 +75,71 @@ void SymmetricProblem::set_everywhere() {
         for (std::size_t p = 0; p < rows.place.size(); ++p)
             common[static_cast<std::size_t>(rows.place[p])].*of = rows.value[p];
     }
-    for (int row = 0; row < _size; ++row) { // the column of a symmetric matrix
-        for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p) {
-            const Everywhere &entry = common[static_cast<std::size_t>(p)];
-            if (entry.M == 0 && entry.G == 0 && entry.K == 0)
-                continue;
-            _rows.column.push_back(_Q.innerIndexPtr()[p]);
-            _rows.entry.push_back(entry);
-        }
+    set_rows(common);
+}
+
+/// @param common  by entries of _Q
+void SymmetricProblem::set_rows(const std::vector<Everywhere> &common) {
+    // The column of a symmetric matrix is its row.
+    const auto for_row = [&](int row, const auto &work) {
+        for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p)
+            work(_Q.innerIndexPtr()[p], common[static_cast<std::size_t>(p)]);
+    };
+    const auto like = [&](int pair) { // both rows but for what is across
+        std::vector<std::pair<int, Everywhere>> of_p;
+        std::vector<std::pair<int, Everywhere>> of_q;
+        for_row(2 * pair, [&](int column, const Everywhere &entry) {
+            if (column % 2 == 0)
+                of_p.emplace_back(column / 2, entry);
+        });
+        for_row(2 * pair + 1, [&](int column, const Everywhere &entry) {
+            if (column % 2 == 1)
+                of_q.emplace_back(column / 2, entry);
+        });
+        return std::equal(of_p.begin(), of_p.end(), of_q.begin(), of_q.end(),
+                          [](const auto &p, const auto &q) {
+                              return p.first == q.first && p.second.M == q.second.M &&
+                                     p.second.K == q.second.K && p.second.G == -q.second.G;
+                          });
+    };
+    _rows.pairs = conjugates();
+    for (int pair = 0; pair < _size / 2 && _rows.pairs; ++pair)
+        _rows.pairs = like(pair);
+    const int each = _rows.pairs ? 2 : 1;
+    for (int row = 0; row < _size; row += each) {
+        for_row(row, [&](int column, const Everywhere &entry) {
+            if (column % each != 0)
+                return;
+            if (entry.M != 0 || entry.K != 0) {
+                _rows.column.push_back(column);
+                _rows.entry.push_back({entry.M, entry.K});
+            }
+            if (entry.G != 0) {
+                _rows.G_column.push_back(column);
+                _rows.G.push_back(entry.G);
+            }
+        });
         _rows.start.push_back(static_cast<int>(_rows.column.size()));
+        _rows.G_start.push_back(static_cast<int>(_rows.G.size()));
     }
+    if (!_rows.pairs)
+        return;
+    const auto set_across = [&](double Everywhere::*of, Rows &across) {
+        for (int row = 0; row < _size; ++row) {
+            for_row(row, [&](int column, const Everywhere &entry) {
+                if (column % 2 == row % 2 || entry.*of == 0)
+                    return;
+                across.column.push_back(column);
+                across.value.push_back(entry.*of);
+            });
+            if (static_cast<int>(across.column.size()) > across.start.back()) {
+                across.row.push_back(row);
+                across.start.push_back(static_cast<int>(across.column.size()));
+            }
+        }
+    };
+    set_across(&Everywhere::M, _M_across);
+    set_across(&Everywhere::K, _K_across);
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
@@ -141,35 +164,6 @@ void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
             rows.start.push_back(static_cast<int>(rows.column.size()));
         }
     }
-}
-
-const linalg::RealEnergy &SymmetricProblem::energy_of(int exponent) const {
-    auto known = _energy.find(exponent);
-    if (known == _energy.end()) {
-        const double s = std::ldexp(1.0, exponent);
-        _Q.coeffs().setZero();
-        add(stiffness, 1);
-        add(mass, s * s);
-        _factor->factorize(_Q);
-        known = _energy.emplace(exponent, linalg::RealEnergy(*_factor)).first;
-    }
-    return known->second;
-}
-
-std::array<double, linalg::lanes>
-SymmetricProblem::energies(const linalg::Vector4 &b,
-                           const std::array<double, linalg::lanes> &sizes) const {
-    Exponents exponents{};
-    for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
-        exponents[lane] = std::ilogb(sizes[lane]);
-    auto known = _energies.find(exponents);
-    if (known == _energies.end()) {
-        std::array<const linalg::RealEnergy *, linalg::lanes> each{};
-        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
-            each[lane] = &energy_of(exponents[lane]);
-        known = _energies.emplace(exponents, linalg::RealEnergies(each)).first;
-    }
-    return known->second(b);
 }
 
 // The pairs (x, y = i y') as p and q, and back, in real numbers: these are done for each mode of a
@@ -226,117 +220,6 @@ Eigen::VectorXcd SymmetricProblem::conjugate(const Eigen::VectorXcd &vector) con
 
 Eigen::VectorXcd SymmetricProblem::covector_to_form(const Eigen::VectorXcd &vector) const {
     return scaled_to_form(vector, _inverse_scales, -1);
-}
-
-void SymmetricProblem::multiply(const linalg::Vector4 &x, const linalg::Real4 &speed,
-                                Products &out) const {
-    const auto rows = [this](Part part) -> const Rows & {
-        return _parts[static_cast<std::size_t>(part)];
-    };
-    for (linalg::Vector4 *y : {&out.M, &out.D, &out.K, &out.D1})
-        y->resize(x.size());
-    out.K1.resize(rows(circulatory).row.empty() ? 0 : x.size());
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        const linalg::Complex4 *in = x.data();
-        const int *columns = _rows.column.data();
-        const Everywhere *entries = _rows.entry.data();
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            linalg::Complex4 M{};
-            linalg::Complex4 G{};
-            linalg::Complex4 K{};
-            const int last = _rows.start[k + 1];
-            for (int p = _rows.start[k]; p < last; ++p) {
-                const linalg::Complex4 &from = in[columns[p]];
-                const Everywhere of = entries[p];
-                M.re += of.M * from.re;
-                M.im += of.M * from.im;
-                G.re += of.G * from.re;
-                G.im += of.G * from.im;
-                K.re += of.K * from.re;
-                K.im += of.K * from.im;
-            }
-            out.M[k] = M;
-            out.K[k] = K;
-            out.D1[k] = {-G.im, G.re};
-            out.D[k] = {speed * out.D1[k].re, speed * out.D1[k].im};
-        }
-        add_rows(rows(stiffness_turned), x, true, out.K);
-        add_rows(rows(damping), x, false, out.D);
-        add_rows(rows(damping_turned), x, true, out.D);
-        if (!out.K1.empty()) {
-            std::fill(out.K1.begin(), out.K1.end(), linalg::Complex4{});
-            add_rows(rows(circulatory), x, true, out.K1);
-            for (std::size_t k = 0; k < x.size(); ++k) {
-                out.K[k].re += speed * out.K1[k].re;
-                out.K[k].im += speed * out.K1[k].im;
-            }
-        }
-    });
-}
-
-std::array<double, linalg::lanes> SymmetricProblem::absolute_forms(const linalg::Real4 &l,
-                                                                   const linalg::Real4 &speed,
-                                                                   const linalg::Vector4 &x) const {
-    std::array<linalg::Real4, parts> form{};
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        std::array<linalg::Real4, parts> sum{};
-        for (std::size_t k = 0; k < x.size(); ++k) {
-            const linalg::Real4 square = x[k].re * x[k].re + x[k].im * x[k].im;
-            for (std::size_t part = 0; part < parts; ++part)
-                sum[part] += _absolute_sums[k][part] * square;
-        }
-        form = sum;
-    });
-    const linalg::Real4 turn = speed < 0 ? -speed : speed;
-    const linalg::Real4 sum =
-        form[stiffness] + form[stiffness_turned] + turn * form[circulatory] +
-        l * (form[damping] + form[damping_turned] + turn * form[gyroscopic] + l * form[mass]);
-    return {sum[0], sum[1], sum[2], sum[3]};
-}
-
-void SymmetricProblem::add(Part part, double factor) const {
-    const Rows &A = _parts[static_cast<std::size_t>(part)];
-    Complex *Q = _Q.valuePtr();
-    for (std::size_t p = 0; p < A.value.size(); ++p)
-        Q[A.place[p]] += factor * A.value[p];
-}
-
-bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const {
-    linalg::in_lanes([&]() __attribute__((always_inline)) {
-        linalg::Complex4 square;
-        linalg::set_product(square, l, l);
-        const linalg::Complex4 l_turned{-l.im, l.re};
-        const linalg::Complex4 turning{l_turned.re * speed, l_turned.im * speed};
-        for (std::size_t entry = 0; entry < _entries.size(); ++entry) {
-            const Everywhere &of = _everywhere[entry];
-            linalg::Complex4 &Q = _entries[entry];
-            Q.re = of.M * square.re + of.G * turning.re + of.K;
-            Q.im = of.M * square.im + of.G * turning.im;
-        }
-        const linalg::Real4 none{};
-        for (const auto &[part, factor] :
-             {Factor{damping, l}, Factor{damping_turned, l_turned},
-              Factor{stiffness_turned, {none, none + 1}}, Factor{circulatory, {none, speed}}})
-            for (const auto &[entry, value] : _parts[static_cast<std::size_t>(part)].triangle) {
-                linalg::Complex4 &to = _entries[static_cast<std::size_t>(entry)];
-                to.re += value * factor.re;
-                to.im += value * factor.im;
-            }
-    });
-    const std::array<bool, linalg::lanes> sound = _factors->factorize(_entries);
-    return std::count(sound.begin(), sound.end(), true) == linalg::lanes;
-}
-
-linalg::SymmetricFactors &SymmetricProblem::factorize(linalg::Complex4 l,
-                                                      const linalg::Real4 &speed) const {
-    if (factorized(l, speed))
-        return *_factors;
-    constexpr double beside = 1 + 1e-14;
-    l.re *= beside;
-    l.im *= beside;
-    if (!factorized(l, speed))
-        throw linalg::SolverError("a pivot of the symmetric factorisation is zero");
-    return *_factors;
 }
 
 } // namespace whirl::modes

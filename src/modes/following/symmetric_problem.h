@@ -43,6 +43,9 @@ class SymmetricProblem {
     of(const assembly::Discretization &discretization, results::Form form);
 
     [[nodiscard]] int size() const { return _size; }
+    [[nodiscard]] bool has(Part part) const {
+        return !_parts[static_cast<std::size_t>(part)].value.empty();
+    }
     [[nodiscard]] results::Form form() const { return _form; }
     /// With an eigenvalue its conjugate is one: the general form.
     [[nodiscard]] bool conjugates() const { return _form == results::Form::general; }
@@ -69,8 +72,10 @@ class SymmetricProblem {
                                                                    const linalg::Vector4 &x) const;
 
     /// L D L^T of four Q(l), each at a speed; the same object each time.
+    /// @param damped  1, or 0 for a rotor without damping and what drives motions
     /// @throws linalg::SolverError where a pivot is zero, on an eigenvalue beside it too
-    linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed) const;
+    linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed,
+                                        const linalg::Real4 &damped = {1, 1, 1, 1}) const;
     /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below a size (1/s).
     [[nodiscard]] std::array<double, linalg::lanes>
     energies(const linalg::Vector4 &b, const std::array<double, linalg::lanes> &sizes) const;
@@ -88,9 +93,17 @@ class SymmetricProblem {
     struct Everywhere {
         double M = 0, G = 0, K = 0;
     };
+    /// M and K at rows, and G apart, which has fewer entries. Of pairs of unknowns (p, q) where
+    /// both have the same M and K, and the opposite G: then each entry stands for both.
+    struct Both {
+        double M = 0, K = 0;
+    };
     struct EverywhereRows {
+        bool pairs = false;
         std::vector<int> start{0}, column;
-        std::vector<Everywhere> entry;
+        std::vector<Both> entry;
+        std::vector<int> G_start{0}, G_column;
+        std::vector<double> G;
     };
     int _size = 0;
     results::Form _form = results::Form::general;
@@ -103,6 +116,7 @@ class SymmetricProblem {
     mutable std::unique_ptr<linalg::SymmetricFactors> _factors;
     std::vector<Everywhere> _everywhere;
     EverywhereRows _rows;
+    Rows _M_across, _K_across;        ///< what of pairs is left
     mutable linalg::Vector4 _entries; ///< of four Q
     using Exponents = std::array<int, linalg::lanes>;
     mutable std::map<int, linalg::RealEnergy> _energy; ///< by the exponent of two
@@ -112,9 +126,12 @@ class SymmetricProblem {
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales, double sign) const;
     void set_everywhere();
+    void set_rows(const std::vector<Everywhere> &common);
+    template <int each> void multiply_everywhere(const linalg::Vector4 &x, Products &out) const;
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
-    [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed) const;
+    [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed,
+                                  const linalg::Real4 &damped) const;
     [[nodiscard]] const linalg::RealEnergy &energy_of(int exponent) const;
 };
 

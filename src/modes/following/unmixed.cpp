@@ -12,9 +12,13 @@ namespace {
 using Complex = std::complex<double>;
 using Group = std::vector<std::size_t>;
 
-/// Indices of values that lie close together, by groups of two and more.
+} // namespace
+
 std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     constexpr double close = 0.03;
+    // A part e of one another in their vectors moves values by e^2 of their distance: so many
+    // doubts apart these parts are small.
+    constexpr double clear = 1e6;
     std::vector<bool> taken(pairs.size(), false);
     std::vector<Group> out;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -24,8 +28,10 @@ std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
         for (std::size_t k = 0; k < group.size(); ++k) {
             const Complex value = pairs[group[k]].value;
             for (std::size_t j = i + 1; j < pairs.size(); ++j)
-                if (!taken[j] &&
-                    std::norm(pairs[j].value - value) < close * close * std::norm(value)) {
+                if (const double within =
+                        std::min(close, clear * (pairs[group[k]].doubt + pairs[j].doubt));
+                    !taken[j] &&
+                    std::norm(pairs[j].value - value) < within * within * std::norm(value)) {
                     taken[j] = true;
                     group.push_back(j);
                 }
@@ -35,6 +41,8 @@ std::vector<Group> close_groups(const std::vector<SymmetricPair> &pairs) {
     }
     return out;
 }
+
+namespace {
 
 /// For each row the column it has its largest entry in, each column once.
 std::vector<Eigen::Index> columns_by_rows(Eigen::MatrixXd sizes) {
@@ -102,7 +110,7 @@ bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pai
     const std::vector<Eigen::Index> mine = columns_by_rows(solver.eigenvectors().cwiseAbs());
     for (std::size_t k = 0; k < group.size(); ++k) {
         SymmetricPair &pair = pairs[group[k]];
-        if (pair.Mx.size() > 0) // known
+        if (pair.refined)
             continue;
         // Its own guess goes into it as it is: the sign is carried on by it.
         const auto mixture = solver.eigenvectors().col(mine[k]);
@@ -120,7 +128,7 @@ std::vector<bool> unmix(const SymmetricProblem &problem, double speed,
     std::vector<bool> grouped(pairs.size(), false);
     for (const Group &group : close_groups(pairs)) {
         const bool known = std::all_of(group.begin(), group.end(),
-                                       [&](std::size_t i) { return pairs[i].Mx.size() > 0; });
+                                       [&](std::size_t i) { return pairs[i].refined; });
         if (!known && unmix(span_of(problem, speed, pairs, group), group, pairs))
             for (const std::size_t i : group)
                 grouped[i] = true;

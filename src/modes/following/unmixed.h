@@ -7,6 +7,10 @@
 
 namespace whirl::modes {
 
+/// Indices of pairs whose values lie close together, by groups of two and more.
+[[nodiscard]] std::vector<std::vector<std::size_t>>
+close_groups(const std::vector<SymmetricPair> &pairs);
+
 /// Where eigenvalues nearly meet the vectors mix: guesses whose values lie close together are
 /// replaced by the mixtures that the problem has in their span. Pairs with products stay.
 /// @returns of each pair whether it was among such a group
