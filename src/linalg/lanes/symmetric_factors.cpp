@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace whirl::linalg {
 
@@ -88,14 +89,25 @@ std::array<double, lanes> SymmetricFactors::determinant_phases() const {
 }
 
 RealEnergies::RealEnergies(const std::array<const RealEnergy *, lanes> &factors)
-    : _order(factors[0]->_order), _start(factors[0]->_start), _rows(factors[0]->_rows),
-      _L(_rows.size()), _inverse(_order.size()), _work(_order.size()) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        for (std::size_t p = 0; p < _L.size(); ++p)
-            _L[p][static_cast<int>(lane)] = factors[lane]->_L[p];
-        for (std::size_t k = 0; k < _inverse.size(); ++k)
-            _inverse[k][static_cast<int>(lane)] = factors[lane]->_inverse[k];
-    }
+    : _order(factors[0]->_order), _start(_order.size() + 1, 0), _columns(factors[0]->_rows.size()),
+      _L(_columns.size()), _inverse(_order.size()), _work(_order.size()) {
+    const std::vector<int> &by_columns = factors[0]->_start;
+    const std::vector<int> &rows = factors[0]->_rows;
+    for (const int row : rows)
+        ++_start[static_cast<std::size_t>(row) + 1];
+    std::partial_sum(_start.begin(), _start.end(), _start.begin());
+    std::vector<int> next(_start.begin(), _start.end() - 1);
+    for (std::size_t column = 0; column < _order.size(); ++column)
+        for (auto p = static_cast<std::size_t>(by_columns[column]);
+             p < static_cast<std::size_t>(by_columns[column + 1]); ++p) {
+            const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(rows[p])]++);
+            _columns[place] = static_cast<int>(column);
+            _L[place] = {factors[0]->_L[p], factors[1]->_L[p], factors[2]->_L[p],
+                         factors[3]->_L[p]};
+        }
+    for (std::size_t k = 0; k < _inverse.size(); ++k)
+        _inverse[k] = {factors[0]->_inverse[k], factors[1]->_inverse[k], factors[2]->_inverse[k],
+                       factors[3]->_inverse[k]};
 }
 
 /// With A = L D L^T it is the sum of |L^-1 b|^2 / D.
@@ -104,17 +116,17 @@ std::array<double, lanes> RealEnergies::operator()(const Vector4 &b) const {
     in_lanes([&]() __attribute__((always_inline)) {
         const std::size_t n = _order.size();
         Complex4 *work = _work.data();
-        const int *rows = _rows.data();
-        for (std::size_t k = 0; k < n; ++k)
-            work[k] = b[static_cast<std::size_t>(_order[k])];
+        const int *columns = _columns.data();
+        const Real4 *L = _L.data();
         for (std::size_t k = 0; k < n; ++k) {
-            const Complex4 known = work[k];
-            sum += _inverse[k] * (known.re * known.re + known.im * known.im);
-            for (int p = _start[k]; p < _start[k + 1]; ++p) {
-                Complex4 &other = work[rows[p]];
-                other.re -= _L[static_cast<std::size_t>(p)] * known.re;
-                other.im -= _L[static_cast<std::size_t>(p)] * known.im;
+            Complex4 known = b[static_cast<std::size_t>(_order[k])];
+            for (int p = _start[k], end = _start[k + 1]; p < end; ++p) {
+                const Complex4 &other = work[columns[p]];
+                known.re -= L[p] * other.re;
+                known.im -= L[p] * other.im;
             }
+            work[k] = known;
+            sum += _inverse[k] * (known.re * known.re + known.im * known.im);
         }
     });
     return {sum[0], sum[1], sum[2], sum[3]};

@@ -46,7 +46,7 @@ class RealEnergies {
     [[nodiscard]] std::array<double, lanes> operator()(const Vector4 &b) const;
 
   private:
-    std::vector<int> _order, _start, _rows;
+    std::vector<int> _order, _start, _columns; ///< L by rows: sums stay in registers
     std::vector<Real4> _L, _inverse;
     mutable Vector4 _work;
 };

@@ -246,15 +246,29 @@ void EigenpairRefinement::advance(const std::vector<Task> &tasks, std::size_t fi
     // A pivot that happens to be zero: what is not settled is not refined.
 }
 
+/// Guesses that have moved by so much are not good as they are: their errors need not be looked at.
+bool EigenpairRefinement::rough(const std::vector<Task> &tasks, std::size_t first) {
+    constexpr double moved = 1e-5; // values are of second order in what vectors are off
+    const auto begin = tasks.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
+    return std::all_of(begin, begin + static_cast<std::ptrdiff_t>(count), [](const Task &task) {
+        return task.enough <= enough_error && task.pair->doubt > moved &&
+               std::isfinite(task.pair->doubt);
+    });
+}
+
 /// Fills the pairs in the lanes that are good as they are, and adds the others to those open.
+/// @param looked_at  their errors are known
 void EigenpairRefinement::take_good(const std::vector<Task> &tasks, std::size_t first,
-                                    std::vector<Task> &open) {
+                                    bool looked_at, std::vector<Task> &open) {
     InLanes good{};
     for (std::size_t i = first; i < std::min(first + linalg::lanes, tasks.size()); ++i) {
         SymmetricPair &pair = *tasks[i].pair;
         pair.solved = false;
         pair.refined = false;
         pair.turn.resize(0);
+        if (!looked_at)
+            pair.error = std::numeric_limits<double>::infinity();
         if (pair.error <= tasks[i].enough)
             good[i - first] = &pair;
         else
@@ -279,7 +293,7 @@ void EigenpairRefinement::take_good(std::vector<Task> tasks) {
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);
         settle(tasks, first);
-        take_good(tasks, first, others);
+        take_good(tasks, first, true, others);
     }
 }
 
@@ -289,9 +303,11 @@ void EigenpairRefinement::refine(std::vector<Task> tasks) {
     std::vector<Task> open;
     for (std::size_t first = 0; first < tasks.size(); first += linalg::lanes) {
         load(tasks, first);
-        settle(tasks, first);
+        const bool looked_at = !rough(tasks, first);
+        if (looked_at)
+            settle(tasks, first);
         std::vector<Task> here;
-        take_good(tasks, first, here);
+        take_good(tasks, first, looked_at, here);
         if (here.size() <= linalg::lanes / 2) // together with others
             open.insert(open.end(), here.begin(), here.end());
         else

@@ -85,7 +85,9 @@ class EigenpairRefinement {
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
     void settle(const std::vector<Task> &tasks, std::size_t first);
-    void take_good(const std::vector<Task> &tasks, std::size_t first, std::vector<Task> &open);
+    [[nodiscard]] static bool rough(const std::vector<Task> &tasks, std::size_t first);
+    void take_good(const std::vector<Task> &tasks, std::size_t first, bool looked_at,
+                   std::vector<Task> &open);
     void inverse_step();
     [[nodiscard]] linalg::Vector4 turns() const;
     void advance(const std::vector<Task> &tasks, std::size_t first, bool at_last,

@@ -19,7 +19,9 @@ using Complex = SymmetricProblem::Complex;
 using RealSparse = SymmetricProblem::Sparse;
 
 bool positive_definite(const RealSparse &A) {
-    return Eigen::SimplicialLLT<RealSparse>(A).info() == Eigen::Success;
+    // In the order of the shaft the matrix is a band.
+    return Eigen::SimplicialLLT<RealSparse, Eigen::Lower, Eigen::NaturalOrdering<int>>(A).info() ==
+           Eigen::Success;
 }
 
 } // namespace
