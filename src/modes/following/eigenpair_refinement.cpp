@@ -248,7 +248,7 @@ void EigenpairRefinement::advance(const std::vector<Task> &tasks, std::size_t fi
 
 /// Guesses that have moved by so much are not good as they are: their errors need not be looked at.
 bool EigenpairRefinement::rough(const std::vector<Task> &tasks, std::size_t first) {
-    constexpr double moved = 1e-5; // values are of second order in what vectors are off
+    constexpr double moved = 2e-6; // values are of second order in what vectors are off
     const auto begin = tasks.begin() + static_cast<std::ptrdiff_t>(first);
     const auto count = std::min(tasks.size() - first, std::size_t{linalg::lanes});
     return std::all_of(begin, begin + static_cast<std::ptrdiff_t>(count), [](const Task &task) {
