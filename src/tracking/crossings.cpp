@@ -62,7 +62,8 @@ class Sweep {
         for (const FollowedCrossing &crossing : plain)
             search.take(crossing.line, crossing.speed, crossing.real);
         for (std::size_t k = 0; k < _nodes.count(); ++k) {
-            search.visit(_nodes.bare(k));
+            if (any_on(k, multiple))
+                search.visit(_nodes.bare(k));
             if (k + 1 < _nodes.count())
                 look_into(search, k, multiple, rides, plain);
         }
@@ -229,6 +230,17 @@ class Sweep {
             for (const LockEnd &end : ends)
                 if ((_nodes.speed(k) <= end.speed) != (_nodes.speed(k + 1) <= end.speed))
                     search.take_lock_end(end, _nodes.full(k), _nodes.full(k + 1));
+    }
+
+    /// Whether a mode at a speed may lie on the multiple.
+    [[nodiscard]] bool any_on(std::size_t k, double multiple) const {
+        const modes::Spectrum &spectrum = _nodes.spectrum(k);
+        for (std::size_t i = 0; i < spectrum.modes.size(); ++i) {
+            const StepEnd here = end_of(spectrum, _nodes.rates(k), i, multiple, true);
+            if (!(std::abs(here.distance) > here.tolerance))
+                return true;
+        }
+        return false;
     }
 
     [[nodiscard]] bool any_look(std::size_t k, const std::vector<Link> &links,
