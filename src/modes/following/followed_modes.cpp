@@ -64,6 +64,7 @@ void set_states(const SymmetricProblem &problem, double speed, const Eigen::Vect
 GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem, const FollowedSpeed &followed) {
     GeneralSpectrum::Modes out;
     out.complete_radius = followed.radius;
+    out.modes.reserve(followed.pairs.size());
     for (std::size_t i = 0; i < followed.pairs.size(); ++i)
         if (!followed.pairs[i].counted_only && std::abs(followed.pairs[i].value) < followed.radius)
             sort_in(followed.pairs[i].value, mode_of(problem, followed, i), out);
