@@ -1,5 +1,6 @@
 #include "analyses/campbell.h"
 
+#include "analyses/notes/gaps.h"
 #include "analyses/notes/growing_lines.h"
 #include "analyses/notes/unconfirmed.h"
 #include "assembly/discretization.h"
@@ -200,31 +201,6 @@ void note_absent(results::CampbellResult &result, const std::vector<tracking::Li
     }
 }
 
-/// Each by itself while they are few.
-void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
-               const std::string &what) {
-    constexpr std::size_t few = 3;
-    if (gaps.size() <= few) {
-        for (const tracking::Gap &gap : gaps)
-            model.notes.push_back(
-                fmt::format("between {:.6g} and {:.6g} rad/s {} (frequency near {:.6g} rad/s)",
-                            gap.from, gap.to, what, gap.frequency));
-        return;
-    }
-    tracking::Gap all = gaps.front();
-    double highest = all.frequency;
-    for (const tracking::Gap &gap : gaps) {
-        all.from = std::min(all.from, gap.from);
-        all.to = std::max(all.to, gap.to);
-        all.frequency = std::min(all.frequency, gap.frequency);
-        highest = std::max(highest, gap.frequency);
-    }
-    model.notes.push_back(fmt::format(
-        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (frequencies from {:.6g} to "
-        "{:.6g} rad/s)",
-        gaps.size(), all.from, all.to, what, all.frequency, highest));
-}
-
 /// `critical` has no answer where the equations stay periodic.
 bool critical_knows(const results::CampbellResult &result) {
     return result.model.formulation.form != results::Form::hill;
@@ -344,6 +320,20 @@ void add_notes(results::CampbellResult &result, const model::CampbellSettings &s
               "could be verified");
 }
 
+void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
+               const tracking::FollowedLines &found, const Drawn &drawn,
+               results::CampbellResult &result) {
+    const std::vector<tracking::Line> &lines = found.tracking.lines;
+    const tracking::LineErrors errors =
+        tracking::line_errors(scene.rotor, solver, lines, found.spectra);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        result.modes.push_back(mode_along(lines[i], found.spectra, errors[i],
+                                          results::in_rotating_axes(solver.form()),
+                                          solver.follows()));
+        result.modes.back().label = drawn.labels[i];
+    }
+}
+
 } // namespace
 
 results::CampbellResult campbell(const model::Case &scene) {
@@ -370,25 +360,26 @@ results::CampbellResult campbell(const model::Case &scene) {
                                             scene.campbell.modes, scene.reduction);
     if (process::process_rank() != 0)
         return result;
-    const Drawn drawn =
-        keep_lowest(found, *scene.speeds, scene.campbell.modes, periodic.has_value());
-    const std::vector<modes::Spectrum> &spectra = found.spectra;
+    // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
+    // then these speeds are searched too.
+    const bool coarse =
+        !periodic && result.speeds.size() < tracking::naming_speeds(*scene.speeds).size();
+    tracking::Crossings crossed;
+    if (periodic)
+        crossed = std::move(periodic->crossed);
+    else if (coarse)
+        crossed =
+            tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
+    const Drawn drawn = keep_lowest(found, *scene.speeds, scene.campbell.modes, periodic || coarse);
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);
-    const tracking::LineErrors errors =
-        tracking::line_errors(scene.rotor, solver, found.tracking.lines, spectra);
-    for (std::size_t i = 0; i < found.tracking.lines.size(); ++i) {
-        result.modes.push_back(mode_along(found.tracking.lines[i], spectra, errors[i],
-                                          results::in_rotating_axes(solver.form()),
-                                          solver.follows()));
-        result.modes.back().label = drawn.labels[i];
-    }
+    add_modes(scene, solver, found, drawn, result);
     stage.emplace("crossings", 0.75, 1.0);
-    tracking::Crossings crossed =
-        periodic ? std::move(periodic->crossed)
-                 : tracking::crossings(solver, found.tracking, spectra, scene.campbell.multiples);
-    if (periodic) {
+    if (periodic || coarse) {
         keep_drawn(crossed.found, drawn);
         keep_drawn(crossed.locked, drawn);
+    } else {
+        crossed =
+            tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
     }
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);

@@ -340,11 +340,11 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
     UnstableBands out;
     if (model.conservative)
         return out;
-    const auto found_by = like != nullptr
-                              ? std::make_shared<stability::BandFinder>(model, arrangement, *like)
-                              : std::make_shared<stability::BandFinder>(model, arrangement);
+    using stability::BandFinder;
+    const auto found_by = like ? std::make_shared<BandFinder>(model, arrangement, *like)
+                               : std::make_shared<BandFinder>(model, arrangement);
     out.finder = found_by;
-    stability::BandFinder &finder = *found_by;
+    BandFinder &finder = *found_by;
     std::vector<double> known = described(grid, model);
     KeptMotions kept(finder.solver(), known);
     const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };

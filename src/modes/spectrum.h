@@ -94,17 +94,15 @@ class SpectrumSolver {
     /// follow() has been asked for, and can be met.
     [[nodiscard]] bool follows() const;
 
-    /// Single motions between speeds they were followed through (WhirlMode::followed), with their
-    /// change with speed; none where one is not told from another.
     struct MotionAt {
         double speed;
-        int followed;
+        int followed; ///< WhirlMode::followed
     };
     struct Motion {
         std::complex<double> eigenvalue, rate; ///< Im >= 0
     };
-    [[nodiscard]] std::vector<std::optional<Motion>>
-    followed(const std::vector<MotionAt> &asked) const;
+    /// Single motions between speeds they were followed through; none where not told from others.
+    [[nodiscard]] std::vector<std::optional<Motion>> followed(const std::vector<MotionAt> &) const;
 
     /// Modes near guesses over the unknowns of this rotor, one for each; none where they cannot be
     /// found from these. Form hill: guesses over any unknowns, at speeds other than 0, by as many

@@ -101,13 +101,10 @@ std::optional<FollowedSpeed> Continuation::from_undamped(double speed, int wante
 }
 
 std::optional<FollowedSpeed> Continuation::begin(double speed, int wanted) const try {
-    std::optional<FollowedSpeed> out;
-    if (_undamped)
-        out = from_undamped(speed, wanted);
+    std::optional<FollowedSpeed> out = _undamped ? from_undamped(speed, wanted) : std::nullopt;
     if (!out) {
         const StartingPairs found = _start(speed, wanted + beyond);
-        out = refined(found, speed, wanted);
-        if (out)
+        if ((out = refined(found, speed, wanted)))
             out->radius = std::min(found.radius, out->radius);
     }
     if (!out || out->radius == 0 || out->within(out->radius) < wanted)

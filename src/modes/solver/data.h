@@ -1,0 +1,105 @@
+#pragma once
+
+#include "assembly/discretization.h"
+#include "balancers/arrangement.h"
+#include "balancers/linear_element.h"
+#include "modes/following/continuation.h"
+#include "modes/form_matrices.h"
+#include "modes/general_spectrum.h"
+#include "modes/hill/floquet_spectrum.h"
+#include "modes/orbits.h"
+#include "modes/planar_damped.h"
+#include "modes/reduced/few_shapes.h"
+#include "modes/rotating_spectrum.h"
+#include "modes/spectrum.h"
+#include "modes/symmetric_spectrum.h"
+#include "modes/turning/few_turning.h"
+#include "modes/turning/turning_pencil.h"
+#include "results/formulation.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace whirl::modes {
+
+/// What a SpectrumSolver is made of, for its own sources.
+struct SpectrumSolver::Data {
+    assembly::Discretization d;
+    results::Form form;
+    bool tables; ///< bearings change with speed: assemble again at every speed
+    Stations stations;
+    std::unique_ptr<SymmetricSpectrum> symmetric;
+    std::unique_ptr<PlanarDamped> planar_damped;
+    std::unique_ptr<GeneralSpectrum> general;
+    std::vector<balancers::BalancerElement> balancers;
+    std::unique_ptr<RotatingSpectrum> rotating;
+    std::optional<FewTurning::Range> turning_range; ///< asked for
+    std::unique_ptr<FewTurning> turning;            ///< form rotating; none: the whole rotor
+    std::unique_ptr<TurningPencil> pencil;          ///< form rotating
+    std::unique_ptr<SpectrumSolver> on_few;         ///< the rotor on those shapes
+    std::shared_ptr<const Eigen::MatrixXd> shapes;  ///< this rotor is one on these
+    std::unique_ptr<FloquetSpectrum> floquet;       ///< form hill; none: by Hill's series
+    std::unique_ptr<periodic::WholeRotor> series;   ///< form hill: single motions
+    std::map<double, Spectrum> beside;              ///< with floquet: next to some speeds
+    int refinement;
+    std::unique_ptr<Continuation> following; ///< none before follow()
+    std::unique_ptr<FewShapes> few;          ///< none: the whole rotor
+
+    Data(const model::Rotor &rotor, results::Form which, int order, int parts, int harmonics,
+         std::shared_ptr<const Eigen::MatrixXd> few_shapes = nullptr)
+        : d(rotor, order, parts), form(which), tables(rotor.bearings_depend_on_speed()),
+          stations(Stations::for_orbits(d)), shapes(std::move(few_shapes)), refinement(parts) {
+        if (results::in_rotating_axes(form)) {
+            balancers =
+                balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
+            rotating = std::make_unique<RotatingSpectrum>(
+                shapes && form == results::Form::rotating
+                    ? RotatingSpectrum::rough(d, balancers, *shapes)
+                    : RotatingSpectrum(d, 0, balancers, form == results::Form::hill ? harmonics : 0,
+                                       shapes.get()));
+        }
+    }
+
+    /// Made when it is asked for first, as all below are.
+    template <class Made, class... Arguments>
+    static Made &made(std::unique_ptr<Made> &known, const Arguments &...arguments) {
+        if (!known)
+            known = std::make_unique<Made>(arguments...);
+        return *known;
+    }
+
+    /// Form rotating: from now on by few shapes, where they do.
+    void take_turning(FewTurning::Range range) {
+        if (form != results::Form::rotating || tables ||
+            (turning_range && turning_range->covers(range)))
+            return;
+        if (turning_range)
+            range = {std::min(range.from, turning_range->from),
+                     std::max(range.to, turning_range->to),
+                     std::max(range.wanted, turning_range->wanted)};
+        turning_range = range;
+        on_few.reset();
+        turning = FewTurning::of(d, balancers, *rotating, range);
+    }
+
+    const FormMatrices &matrices() {
+        return few      ? few->matrices()
+               : shapes ? made(_matrices, d, rotating->system())
+                        : made(_matrices, d, form, balancers);
+    }
+
+    /// None where the matrices are not symmetric.
+    const SymmetricProblem *symmetric_matrices() {
+        if (!_symmetric_problem)
+            _symmetric_problem = SymmetricProblem::of(d, form);
+        return _symmetric_problem->get();
+    }
+
+  private:
+    std::unique_ptr<FormMatrices> _matrices;
+    std::optional<std::unique_ptr<SymmetricProblem>> _symmetric_problem;
+};
+
+} // namespace whirl::modes
