@@ -42,7 +42,7 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     const Eigen::MatrixXcd read = rows.cast<std::complex<double>>();
     const Eigen::MatrixXcd lower = schur.Q.bottomRows(m);
     const Eigen::MatrixXcd upper = schur.Q.topRows(m);
-    const Eigen::VectorXcd steady = at_shift.solve(b);
+    const Eigen::MatrixXcd steady = at_shift.solve(b);
     _lower = read * lower;
     _h = upper.adjoint() * steady;
     find_residues();
