@@ -3,6 +3,7 @@
 #include "assembly/assemble.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/dense/products.h"
 #include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
@@ -53,7 +54,8 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
 Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
     Eigen::MatrixXd V(columns.rows(), 0);
     take_in(V, pair.M, columns, 1e-7);
-    const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
+    const Eigen::MatrixXd forces = pair.K * V;
+    const Eigen::MatrixXd K = linalg::transposed_times(V, forces);
     return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
@@ -180,7 +182,7 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
                                       : term == Term::gyroscopic ? reduced.gyroscopic
                                                                  : reduced.internal;
             if (term != Term::circulatory) // the same as the damping of the shaft
-                target += rows.transpose() * block * rows;
+                target += linalg::transposed_times(rows, linalg::times(block, rows));
         });
 }
 
@@ -231,7 +233,8 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
         speeds.insert(0.0);
     for (const double speed : speeds)
         reduced.supports.push_back(project_supports(d, shapes, speed));
-    const Eigen::MatrixXd K = shapes.transpose() * (pair.K * shapes);
+    const Eigen::MatrixXd forces = pair.K * shapes;
+    const Eigen::MatrixXd K = linalg::transposed_times(shapes, forces);
     reduced.frequencies = K.diagonal().cwiseMax(0).cwiseSqrt();
     return reduced;
 }

@@ -12,6 +12,7 @@ MatrixXcd times(const MatrixXcd &A, const MatrixXcd &B) { return A * B; }
 VectorXcd times(const MatrixXcd &A, const VectorXcd &x) { return A * x; }
 
 MatrixXd transposed_times(const MatrixXd &A, const MatrixXd &B) { return A.transpose() * B; }
+MatrixXcd transposed_times(const MatrixXcd &A, const MatrixXcd &B) { return A.transpose() * B; }
 MatrixXcd adjoint_times(const MatrixXcd &A, const MatrixXcd &B) { return A.adjoint() * B; }
 
 MatrixXd solved(const PartialPivLU<MatrixXd> &A, const MatrixXd &B) { return A.solve(B); }

@@ -15,6 +15,8 @@ namespace whirl::linalg {
 
 /// A^T B, A^H B
 [[nodiscard]] Eigen::MatrixXd transposed_times(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B);
+[[nodiscard]] Eigen::MatrixXcd transposed_times(const Eigen::MatrixXcd &A,
+                                                const Eigen::MatrixXcd &B);
 [[nodiscard]] Eigen::MatrixXcd adjoint_times(const Eigen::MatrixXcd &A, const Eigen::MatrixXcd &B);
 
 /// A^-1 B
