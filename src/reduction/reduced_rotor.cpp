@@ -11,7 +11,6 @@
 #include "reduction/planar_pair.h"
 #include "reduction/reduction_error.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
@@ -54,8 +53,7 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
 Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
     Eigen::MatrixXd V(columns.rows(), 0);
     take_in(V, pair.M, columns, 1e-7);
-    const Eigen::MatrixXd forces = pair.K * V;
-    const Eigen::MatrixXd K = linalg::transposed_times(V, forces);
+    const Eigen::MatrixXd K = linalg::transposed_times(V, pair.K * V);
     return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
@@ -233,8 +231,7 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
         speeds.insert(0.0);
     for (const double speed : speeds)
         reduced.supports.push_back(project_supports(d, shapes, speed));
-    const Eigen::MatrixXd forces = pair.K * shapes;
-    const Eigen::MatrixXd K = linalg::transposed_times(shapes, forces);
+    const Eigen::MatrixXd K = linalg::transposed_times(shapes, pair.K * shapes);
     reduced.frequencies = K.diagonal().cwiseMax(0).cwiseSqrt();
     return reduced;
 }
