@@ -1,5 +1,6 @@
 #include "assembly/assemble.h"
 
+#include "linalg/dense/products.h"
 #include "model/axes.h"
 
 #include <vector>
@@ -19,6 +20,11 @@ Eigen::MatrixXd rigid_element_motion(const Discretization &d, int span) {
     return T;
 }
 
+/// T^T A T
+Eigen::MatrixXd through(const Eigen::MatrixXd &A, const Eigen::MatrixXd &T) {
+    return linalg::transposed_times(T, linalg::times(A, T));
+}
+
 void assemble_shaft(const Discretization &d, const AddPlanar &add) {
     const double eta = d.rotor().shaft.internal_damping;
     for (int span = 0; span < static_cast<int>(d.shaft_mesh().spans.size()); ++span) {
@@ -26,9 +32,9 @@ void assemble_shaft(const Discretization &d, const AddPlanar &add) {
         if (d.rigid()) {
             const std::vector<int> both{0, 1};
             const Eigen::MatrixXd T = rigid_element_motion(d, span);
-            add(Term::mass, both, T.transpose() * beam.M * T);
-            add(Term::gyroscopic, both, T.transpose() * beam.G * T);
-            add(Term::stiffness, both, T.transpose() * beam.K_axial * T);
+            add(Term::mass, both, through(beam.M, T));
+            add(Term::gyroscopic, both, through(beam.G, T));
+            add(Term::stiffness, both, through(beam.K_axial, T));
             continue;
         }
         const std::vector<int> unknowns = d.beam_unknowns(span);
@@ -68,7 +74,7 @@ void assemble_shaft_asymmetry(const Discretization &d, const AddConjugate &add) 
             std::polar(1.0, 2 * segment.asymmetry_angle) * segment.asymmetry;
         if (d.rigid()) {
             const Eigen::MatrixXd T = rigid_element_motion(d, span);
-            add(Term::mass, std::vector<int>{0, 1}, T.transpose() * beam.G * T / 2, factor);
+            add(Term::mass, std::vector<int>{0, 1}, through(beam.G, T) / 2, factor);
             continue;
         }
         const std::vector<int> unknowns = d.beam_unknowns(span);
@@ -101,7 +107,7 @@ void assemble_proportional_damping(const Discretization &d, const AddCoupling &a
             d.rigid() ? std::vector<int>{0, 1} : d.beam_unknowns(span);
         const Eigen::MatrixXd T = d.rigid() ? rigid_element_motion(d, span) : Eigen::MatrixXd();
         const Eigen::MatrixXd block =
-            d.rigid() ? Eigen::MatrixXd(shaft.alpha * T.transpose() * beam.M * T)
+            d.rigid() ? Eigen::MatrixXd(shaft.alpha * through(beam.M, T))
                       : Eigen::MatrixXd(shaft.alpha * beam.M + shaft.beta * beam.K);
         add_element(Term::damping, unknowns, block, Eigen::Matrix2d::Identity(), add);
     }

@@ -1,6 +1,7 @@
 #include "assembly/discretization.h"
 
 #include "elements/beam.h"
+#include "linalg/dense/products.h"
 
 #include <algorithm>
 
@@ -92,7 +93,7 @@ elements::PlanarMatrices Discretization::over_unknowns(elements::PlanarMatrices 
                 (unknowns[i] >= node_base(span + 1) + 2))
                 strained.col(static_cast<Eigen::Index>(i)).setZero();
     const auto through = [](const Eigen::MatrixXd &A, const Eigen::MatrixXd &by) {
-        return Eigen::MatrixXd(by.transpose() * A * by);
+        return linalg::transposed_times(by, linalg::times(A, by));
     };
     return {through(beam.M, T),
             through(beam.G, T),

@@ -190,8 +190,10 @@ SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
     out.pull = Eigen::VectorXd::Zero(n);
     out.pull(0) = mass.sum();
     out.conjugate = T.transpose() * conjugate;
-    out.inertia = T.transpose() * mass.asDiagonal() * T;
-    out.damping = T.transpose() * damping.asDiagonal() * T;
+    const Eigen::MatrixXd momentum = mass.asDiagonal() * T;
+    const Eigen::MatrixXd drag = damping.asDiagonal() * T;
+    out.inertia = T.transpose() * momentum;
+    out.damping = T.transpose() * drag;
     out.restoring = Eigen::VectorXd::Zero(n);
     out.groups = T;
     // Differences that leave the sum as it is are other balanced positions.

@@ -1,14 +1,14 @@
 #include "ends/resolved_reach.h"
 
+#include "linalg/dense/symmetric_pair.h"
 #include "mesh_error/safety.h"
 #include "reduction/planar_pair.h"
 #include "reduction/projection.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace whirl::ends {
 
@@ -21,11 +21,11 @@ Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::Matr
     const auto dense = [shapes](const Eigen::SparseMatrix<double> &A) {
         return shapes != nullptr ? reduction::Projection(*shapes).of(A) : Eigen::MatrixXd(A);
     };
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-        dense(pair.K), dense(pair.M), Eigen::EigenvaluesOnly);
-    if (modes.info() != Eigen::Success || !modes.eigenvalues().allFinite())
+    const std::optional<Eigen::VectorXd> squares =
+        linalg::symmetric_pair_values(dense(pair.K), dense(pair.M));
+    if (!squares || !squares->allFinite())
         return {};
-    return modes.eigenvalues().cwiseMax(0).cwiseSqrt();
+    return squares->cwiseMax(0).cwiseSqrt();
 }
 
 } // namespace

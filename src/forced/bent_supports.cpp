@@ -1,6 +1,7 @@
 #include "forced/bent_supports.h"
 
 #include "forced/forced_motion.h"
+#include "linalg/dense/products.h"
 #include "synchronous/parts.h"
 
 #include <Eigen/LU>
@@ -129,6 +130,11 @@ BentSupports::Change BentSupports::at(Complex s) const {
     return out;
 }
 
+Eigen::MatrixXcd BentSupports::over_unknowns(const Eigen::MatrixXcd &Z) const {
+    const Eigen::MatrixXcd B = _columns.cast<Complex>();
+    return linalg::times(linalg::times(B, Z), Eigen::MatrixXcd(B.transpose()));
+}
+
 QuadraticResolvent::Solution
 BentSupports::solution(double s, const QuadraticResolvent::Solution &numbers,
                        const QuadraticResolvent::Solution &stretch) const {
@@ -136,16 +142,24 @@ BentSupports::solution(double s, const QuadraticResolvent::Solution &numbers,
     // slopes.
     const Change change = at(s);
     const Eigen::Index n = _columns.cols();
-    const auto A = stretch.y.rightCols(n);
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> system(Eigen::MatrixXcd::Identity(n, n) +
-                                                       change.Z * A);
-    const Eigen::VectorXcd f = system.solve(change.Z * stretch.y.col(0));
-    const Eigen::VectorXcd a = stretch.y.col(0) - A * f;
-    const Eigen::VectorXcd moved = stretch.slope.col(0) - stretch.slope.rightCols(n) * f;
-    const Eigen::VectorXcd f_slope = system.solve(change.slope * a + change.Z * moved);
-    return {numbers.y.col(0) - numbers.y.rightCols(n) * f, numbers.slope.col(0) -
-                                                               numbers.slope.rightCols(n) * f -
-                                                               numbers.y.rightCols(n) * f_slope};
+    const Eigen::MatrixXcd A = stretch.y.rightCols(n);
+    const Eigen::MatrixXcd A_slope = stretch.slope.rightCols(n);
+    Eigen::MatrixXcd equations = linalg::times(change.Z, A);
+    equations.diagonal().array() += 1;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> system(equations);
+    Eigen::VectorXcd a = stretch.y.col(0);
+    const Eigen::VectorXcd f = linalg::solved(system, linalg::times(change.Z, a));
+    a -= linalg::times(A, f);
+    const Eigen::VectorXcd moved = stretch.slope.col(0) - linalg::times(A_slope, f);
+    const Eigen::VectorXcd forces = linalg::times(change.slope, a) + linalg::times(change.Z, moved);
+    const Eigen::VectorXcd f_slope = linalg::solved(system, forces);
+    const Eigen::MatrixXcd read = numbers.y.rightCols(n);
+    const Eigen::MatrixXcd read_slope = numbers.slope.rightCols(n);
+    QuadraticResolvent::Solution out{numbers.y.col(0), numbers.slope.col(0)};
+    out.y.col(0) -= linalg::times(read, f);
+    out.slope.col(0) -= linalg::times(read_slope, f);
+    out.slope.col(0) -= linalg::times(read, f_slope);
+    return out;
 }
 
 bool BentSupports::in_sight(Complex pole) const {
@@ -166,17 +180,19 @@ std::optional<Complex> BentSupports::pole(const QuadraticTerms &lines, Complex g
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most; ++step) {
         const Change change = at(s);
-        const Eigen::MatrixXcd P = lines.at(s) + _columns * change.Z * _columns.transpose();
-        const Eigen::MatrixXcd slope =
-            lines.slope(s) + _columns * change.slope * _columns.transpose();
+        const Eigen::MatrixXcd P = lines.at(s) + over_unknowns(change.Z);
+        const Eigen::MatrixXcd slope = lines.slope(s) + over_unknowns(change.slope);
         const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(P);
         for (int repeat = 0; repeat < (step == 0 ? 3 : 1); ++repeat) {
-            x = lu.solve(slope * x).normalized();
-            y = lu.adjoint().solve(slope.adjoint() * y).normalized();
+            x = linalg::solved(lu, linalg::times(slope, x));
+            x.normalize();
+            const Eigen::VectorXcd forces = slope.adjoint() * y;
+            y = lu.adjoint().solve(forces);
+            y.normalize();
         }
         if (!x.allFinite() || !y.allFinite()) // at the pole itself
             return s;
-        const Complex move = -y.dot(P * x) / y.dot(slope * x);
+        const Complex move = -y.dot(linalg::times(P, x)) / y.dot(linalg::times(slope, x));
         const double size = std::abs(move);
         s += move;
         if (!in_sight(s) || std::abs(s - guess) > 0.2 * std::abs(guess))
@@ -200,8 +216,7 @@ std::vector<Complex> BentSupports::row_by_row(const QuadraticTerms &lines) const
         const double half = (ends[i + 1] - ends[i]) / 4;
         std::array<Eigen::MatrixXcd, 3> Z;
         for (int k = 0; k < 3; ++k)
-            Z[static_cast<std::size_t>(k)] =
-                _columns * at(middle + (k - 1) * half).Z * _columns.transpose();
+            Z[static_cast<std::size_t>(k)] = over_unknowns(at(middle + (k - 1) * half).Z);
         const Eigen::MatrixXcd second = (Z[0] - 2.0 * Z[1] + Z[2]) / (2 * half * half);
         const Eigen::MatrixXcd first = (Z[2] - Z[0]) / (2 * half) - 2 * middle * second;
         const QuadraticTerms terms{lines.P0 + Z[1] - middle * first - middle * middle * second,

@@ -34,6 +34,8 @@ class BentSupports {
     [[nodiscard]] bool none() const { return _bearings.empty(); }
     /// B: forces on the unknowns, which read the stretches of these bearings by B^T.
     [[nodiscard]] const Eigen::MatrixXd &columns() const { return _columns; }
+    /// B Z B^T
+    [[nodiscard]] Eigen::MatrixXcd over_unknowns(const Eigen::MatrixXcd &Z) const;
 
     struct Change {
         Eigen::MatrixXcd Z;     ///< P is B Z B^T more than that with the lines

@@ -203,7 +203,7 @@ void ForcedMotion::solve_in_rotating_axes(double speed) {
     const linalg::Matrix stiffness = _turning->stiffness(speed);
     const Eigen::VectorXd scales = linalg::unit_scales(_turning->K, &_turning->M);
     const Eigen::SparseMatrix<double> K =
-        scales.asDiagonal() * Eigen::SparseMatrix<double>(stiffness.view()) * scales.asDiagonal();
+        linalg::scaled(Eigen::SparseMatrix<double>(stiffness.view()), scales);
     real.array() *= scales.array();
     linalg::SparseFactor<double> factors;
     if (!factors.factorize(K))

@@ -1,6 +1,7 @@
 #include "forced/quadratic_resolvent.h"
 
 #include "linalg/dense/complex_schur.h"
+#include "linalg/dense/products.h"
 
 #include <Eigen/LU>
 
@@ -32,8 +33,8 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     const Eigen::Index m = b.rows();
     Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(2 * m, 2 * m);
     const Eigen::MatrixXcd slope = terms.P1 + 2.0 * _shift * terms.P2;
-    const Eigen::MatrixXcd left = at_shift.solve(slope);
-    const Eigen::MatrixXcd right = at_shift.solve(terms.P2);
+    const Eigen::MatrixXcd left = linalg::solved(at_shift, slope);
+    const Eigen::MatrixXcd right = linalg::solved(at_shift, terms.P2);
     companion.topLeftCorner(m, m) = -_width * left;
     companion.topRightCorner(m, m) = -_width * _width * right;
     companion.bottomLeftCorner(m, m).setIdentity();
@@ -42,9 +43,8 @@ QuadraticResolvent::QuadraticResolvent(const QuadraticTerms &terms, const Eigen:
     const Eigen::MatrixXcd read = rows.cast<std::complex<double>>();
     const Eigen::MatrixXcd lower = schur.Q.bottomRows(m);
     const Eigen::MatrixXcd upper = schur.Q.topRows(m);
-    const Eigen::MatrixXcd steady = at_shift.solve(b);
-    _lower = read * lower;
-    _h = upper.adjoint() * steady;
+    _lower = linalg::times(read, lower);
+    _h = linalg::adjoint_times(upper, linalg::solved(at_shift, b));
     find_residues();
 }
 
@@ -63,7 +63,7 @@ void QuadraticResolvent::find_residues() {
         }
     }
     const Eigen::MatrixXcd parts = X.triangularView<Eigen::UnitUpper>().solve(_h);
-    const Eigen::MatrixXcd numbers = _lower * X;
+    const Eigen::MatrixXcd numbers = linalg::times(_lower, X);
     for (const auto &part : parts.colwise()) {
         Eigen::MatrixXcd of = numbers * part.asDiagonal();
         Eigen::MatrixXd sizes = of.cwiseAbs();

@@ -2,6 +2,7 @@
 
 #include "assembly/planes.h"
 #include "linalg/check.h"
+#include "linalg/dense/products.h"
 #include "modes/orbits.h"
 #include "synchronous/parts.h"
 
@@ -31,7 +32,7 @@ Eigen::MatrixXd real_parts(const Eigen::MatrixXcd &motions, double part) {
     Eigen::MatrixXd out(motions.rows(), 2 * motions.cols());
     Eigen::Index count = 0;
     for (Eigen::Index j = 0; j < motions.cols(); ++j) {
-        const Complex square = (motions.col(j).transpose() * motions.col(j)).value();
+        const Complex square = motions.col(j).cwiseProduct(motions.col(j)).sum();
         const Eigen::VectorXcd turned = motions.col(j) * std::polar(1.0, -std::arg(square) / 2);
         out.col(count++) = turned.real();
         if (turned.imag().norm() > part * turned.norm())
@@ -246,10 +247,9 @@ ReducedMotion::Factors ReducedMotion::factors_at(double speed) const {
     Eigen::MatrixXcd P = _piece->P.at(speed);
     Eigen::MatrixXcd slope = _piece->P.slope(speed);
     if (_piece->bent) {
-        const Eigen::MatrixXd &B = _piece->bent->columns();
         const BentSupports::Change change = _piece->bent->at(speed);
-        P += B * change.Z * B.transpose();
-        slope += B * change.slope * B.transpose();
+        P += _piece->bent->over_unknowns(change.Z);
+        slope += _piece->bent->over_unknowns(change.slope);
     }
     return {speed, Eigen::PartialPivLU<Eigen::MatrixXcd>(P), std::move(slope)};
 }
@@ -258,9 +258,8 @@ std::vector<Reading> ReducedMotion::at(double speed) const {
     const auto [known, missing] = _piece->readings.try_emplace(speed);
     if (missing) {
         const Factors &of = factors(speed);
-        const Eigen::VectorXcd u = of.P.solve(_b);
-        const Eigen::VectorXcd change = of.slope * u;
-        const Eigen::VectorXcd slope = -Eigen::VectorXcd(of.P.solve(change));
+        const Eigen::VectorXcd u = linalg::solved(of.P, _b);
+        const Eigen::VectorXcd slope = -linalg::solved(of.P, linalg::times(of.slope, u));
         known->second = readings({_read * u, _read * slope}, speed);
     }
     return known->second;

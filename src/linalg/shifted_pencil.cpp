@@ -3,6 +3,7 @@
 #include "linalg/check.h"
 #include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
+#include "linalg/unit_scales.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -86,7 +87,7 @@ Eigen::VectorXd unit_diagonal(const Matrix &K) {
 }
 
 Sparse scaled(const Eigen::VectorXd &d, const Matrix &A) {
-    return d.asDiagonal() * Sparse(A.view()) * d.asDiagonal();
+    return linalg::scaled(Sparse(A.view()), d);
 }
 
 class Shifted {

@@ -39,4 +39,9 @@ Eigen::VectorXd scales_at(double shift, const Eigen::VectorXd &M, const Eigen::V
     return diagonal.unaryExpr([mean](double d) { return 1 / std::sqrt(d > 0 ? d : mean); });
 }
 
+Eigen::SparseMatrix<double> scaled(const Eigen::SparseMatrix<double> &A,
+                                   const Eigen::VectorXd &scales) {
+    return scales.asDiagonal() * A * scales.asDiagonal();
+}
+
 } // namespace whirl::linalg

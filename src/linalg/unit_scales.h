@@ -3,6 +3,7 @@
 #include "linalg/matrix.h"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace whirl::linalg {
 
@@ -19,5 +20,9 @@ namespace whirl::linalg {
 /// @param M,K  diagonals
 [[nodiscard]] Eigen::VectorXd scales_at(double shift, const Eigen::VectorXd &M,
                                         const Eigen::VectorXd &K);
+
+/// S A S, S the diagonal matrix of these scales.
+[[nodiscard]] Eigen::SparseMatrix<double> scaled(const Eigen::SparseMatrix<double> &A,
+                                                 const Eigen::VectorXd &scales);
 
 } // namespace whirl::linalg

@@ -1,5 +1,6 @@
 #include "modes/biorthogonal.h"
 
+#include "linalg/dense/products.h"
 #include "linalg/lanes/complex4.h"
 #include "linalg/lanes/vector_products.h"
 #include "linalg/quadratic/quadratic_pattern.h"
@@ -144,7 +145,7 @@ Eigen::MatrixXcd left_vectors(const QuadraticAt &problem, const Eigen::VectorXcd
 }
 
 void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
-    const Eigen::MatrixXcd products = left.transpose() * right;
+    const Eigen::MatrixXcd products = linalg::transposed_times(left, right);
     const Eigen::Index n = products.rows();
     const double off =
         (products - Eigen::MatrixXcd(products.diagonal().asDiagonal())).cwiseAbs().sum();
@@ -153,7 +154,9 @@ void separate_columns(Eigen::MatrixXcd &left, const Eigen::MatrixXcd &right) {
     Eigen::FullPivLU<Eigen::MatrixXcd> lu(products);
     lu.setThreshold(1e-6);
     if (lu.isInvertible())
-        left = (lu.solve(left.transpose())).transpose().eval();
+        left = linalg::solved(products.partialPivLu(), Eigen::MatrixXcd(left.transpose()))
+                   .transpose()
+                   .eval();
 }
 
 } // namespace
@@ -165,15 +168,16 @@ void ModeBasis::complete() const {
 
 Eigen::MatrixXd overlaps(const ModeBasis &a, const ModeBasis &b) {
     if (!a.is_complex())
-        return (a.left.transpose() * b.right)
-            .cwiseProduct((b.left.transpose() * a.right).transpose())
+        return linalg::transposed_times(a.left, b.right)
+            .cwiseProduct(linalg::transposed_times(b.left, a.right).transpose())
             .cwiseAbs();
     a.complete();
     b.complete();
     const auto products = [&](const Eigen::MatrixXcd &of_a, const Eigen::MatrixXcd &of_b) {
-        return Eigen::MatrixXd((a.complex_left.transpose() * of_b)
-                                   .cwiseProduct((b.complex_left.transpose() * of_a).transpose())
-                                   .cwiseAbs());
+        return Eigen::MatrixXd(
+            linalg::transposed_times(a.complex_left, of_b)
+                .cwiseProduct(linalg::transposed_times(b.complex_left, of_a).transpose())
+                .cwiseAbs());
     };
     Eigen::MatrixXd out = products(a.complex_right, b.complex_right);
     for (std::size_t copy = 0; copy < a.copies.size(); ++copy)

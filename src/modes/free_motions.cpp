@@ -1,6 +1,7 @@
 #include "modes/free_motions.h"
 
 #include "assembly/assemble.h"
+#include "linalg/dense/products.h"
 #include "results/formulation.h"
 
 #include <Eigen/Dense>
@@ -134,7 +135,8 @@ struct RigidMatrices {
             Eigen::MatrixXd local(std::ssize(unknowns), m);
             for (Eigen::Index i = 0; i < local.rows(); ++i)
                 local.row(i) = R.row(unknowns[static_cast<std::size_t>(i)]);
-            (term == assembly::Term::mass ? M : G) += local.transpose() * block * local;
+            (term == assembly::Term::mass ? M : G) +=
+                linalg::transposed_times(local, linalg::times(block, local));
         });
         // Of what the shaft carries; its pedestals stay where they are.
         centre << -M(0, 1) / M(0, 0), 1;
@@ -158,7 +160,8 @@ Eigen::MatrixXd by_translation_and_tilt(const Eigen::MatrixXd &null,
         return null;
     Eigen::Matrix2d wanted;
     wanted << 1, centre(0), 0, centre(1);
-    return null * null.topRows(2).inverse() * wanted;
+    const Eigen::Matrix2d top = null.topRows(2);
+    return linalg::times(null, Eigen::MatrixXd(top.inverse() * wanted));
 }
 
 /// Columns in x and y in turn where both planes are free alike, else whatever is free.
@@ -171,7 +174,8 @@ Eigen::MatrixXd real_coordinates(const Constraints &constraints, int m,
         return all;
     const Eigen::MatrixXd first = by_translation_and_tilt(x, centre);
     // The same motion in the other plane where that is free too (the basis may differ by a turn).
-    const bool alike = (y * (y.transpose() * first) - first).norm() <= 1e-9 * first.norm();
+    const Eigen::MatrixXd within = linalg::times(y, linalg::transposed_times(y, first));
+    const bool alike = (within - first).norm() <= 1e-9 * first.norm();
     const Eigen::MatrixXd second = alike ? first : by_translation_and_tilt(y, centre);
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(2 * m, all.cols());
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
@@ -184,10 +188,12 @@ Eigen::MatrixXd real_coordinates(const Constraints &constraints, int m,
 /// Fills in damping and scale from D over the rigid coordinates and the free motions N among them.
 void project_damping(const Eigen::MatrixXd &M, const Eigen::MatrixXd &D, const Eigen::MatrixXd &N,
                      FreeMotions &out) {
-    const Eigen::VectorXd weight = (N.transpose() * M * N).diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd masses = linalg::transposed_times(N, linalg::times(M, N));
+    const Eigen::VectorXd weight = masses.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd scaled = N * weight.asDiagonal();
-    out.damping = scaled.transpose() * D * scaled;
-    out.scale = (scaled.cwiseAbs().transpose() * D.cwiseAbs() * scaled.cwiseAbs()).maxCoeff();
+    out.damping = linalg::transposed_times(scaled, linalg::times(D, scaled));
+    const Eigen::MatrixXd sizes = scaled.cwiseAbs();
+    out.scale = linalg::transposed_times(sizes, linalg::times(D.cwiseAbs(), sizes)).maxCoeff();
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "balancers/balanced_position.h"
 #include "elements/section.h"
+#include "linalg/dense/products.h"
 #include "linalg/lanes/complex4.h"
 #include "results/whirl.h"
 
@@ -227,7 +228,7 @@ Stations Stations::over(const Eigen::MatrixXd &shapes) const {
     for (std::size_t i = 0; i < _z.size(); ++i)
         for (std::size_t p = _first[i]; p < _first[i + 1]; ++p)
             rows.row(static_cast<Eigen::Index>(i)) += _values[p] * shapes.row(_unknowns[p]);
-    out._weights = rows.transpose() * _masses.asDiagonal() * rows;
+    out._weights = linalg::transposed_times(rows, Eigen::MatrixXd(_masses.asDiagonal() * rows));
     return out;
 }
 

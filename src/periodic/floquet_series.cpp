@@ -1,3 +1,4 @@
+#include "linalg/dense/products.h"
 #include "periodic/half_turn.h"
 #include "periodic/monodromy.h"
 
@@ -22,7 +23,12 @@ struct OverPeriod {
 
     [[nodiscard]] double frequency(const MatrixXd &M) const {
         const auto square = [&M](const MatrixXcd &x) {
-            return std::abs((x.conjugate().cwiseProduct(M * x)).sum());
+            const MatrixXd real = x.real();
+            const MatrixXd imag = x.imag();
+            const MatrixXd by_real = linalg::times(M, real);
+            const MatrixXd by_imag = linalg::times(M, imag);
+            return std::hypot(real.cwiseProduct(by_real).sum() + imag.cwiseProduct(by_imag).sum(),
+                              real.cwiseProduct(by_imag).sum() - imag.cwiseProduct(by_real).sum());
         };
         return std::sqrt(square(rates) / std::max(square(displacements), 1e-300));
     }
@@ -89,9 +95,9 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
         constexpr double beyond = 3; // on average over the terms it is as fast as its frequency
         const int K =
             std::min(most, static_cast<int>(beyond * frequency / (2 * std::abs(speed))) + more);
+        const MatrixXcd waves = all.middleCols(most - K, 2 * K + 1);
         out.push_back({motion.value, motion.noise,
-                       system.scales().asDiagonal() *
-                           (over.displacements * all.middleCols(most - K, 2 * K + 1))});
+                       system.scales().asDiagonal() * linalg::times(over.displacements, waves)});
     }
     return out;
 }

@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/dense/products.h"
 #include "periodic/half_turn.h"
 
 #include <Eigen/LU>
@@ -64,15 +65,17 @@ struct ModalSeries::Chain {
     };
     /// What the places see of forces of a term.
     [[nodiscard]] MatrixXcd back(Index k) const {
-        return seen * inverse.col(k).asDiagonal() * acts;
+        const MatrixXcd motion = inverse.col(k).asDiagonal() * acts;
+        return linalg::times(seen, motion);
     }
     /// Forces of the motion without forces.
     [[nodiscard]] MatrixXcd alone(const MatrixXcd &right) const {
-        const MatrixXcd at_places = seen * inverse.cwiseProduct(right);
+        const MatrixXcd motion = inverse.cwiseProduct(right);
+        const MatrixXcd at_places = linalg::times(seen, motion);
         const Index others = right.cols() - 1;
         MatrixXcd out = MatrixXcd::Zero(acts.cols(), right.cols());
-        out.rightCols(others) += up * at_places.leftCols(others);
-        out.leftCols(others) += down * at_places.rightCols(others);
+        out.rightCols(others) += linalg::times(up, at_places).leftCols(others);
+        out.leftCols(others) += linalg::times(down, at_places).rightCols(others);
         return out;
     }
     /// A term with the end behind it.
@@ -80,11 +83,13 @@ struct ModalSeries::Chain {
     /// @param ahead   of the next one
     [[nodiscard]] static End longer(const VectorXcd &constant, const End &end,
                                     const MatrixXcd &behind, const MatrixXcd &ahead) {
-        const Index m = ahead.rows();
         if (behind.size() == 0)
             return {constant, ahead};
-        const Eigen::PartialPivLU<MatrixXcd> lu(MatrixXcd::Identity(m, m) - behind * end.factor);
-        return {lu.solve(constant + behind * end.constant), lu.solve(ahead)};
+        MatrixXcd own = -linalg::times(behind, end.factor);
+        own.diagonal().array() += 1;
+        const Eigen::PartialPivLU<MatrixXcd> lu(own);
+        const VectorXcd forces = constant + linalg::times(behind, end.constant);
+        return {linalg::solved(lu, forces), linalg::solved(lu, ahead)};
     }
 };
 
@@ -98,22 +103,32 @@ MatrixXcd ModalSeries::Chain::solve(const MatrixXcd &right) const {
     const auto end = [&](Index k) -> End & { return ends[static_cast<std::size_t>(k)]; };
     MatrixXcd below, above; // back() of the last term on either side, as the next one meets it
     for (Index k = 0; k < middle; ++k) {
-        end(k) = longer(forces.col(k), k > 0 ? end(k - 1) : End{}, below, down * back(k + 1));
-        below = up * back(k);
+        end(k) = longer(forces.col(k), k > 0 ? end(k - 1) : End{}, below,
+                        linalg::times(down, back(k + 1)));
+        below = linalg::times(up, back(k));
     }
     for (Index k = terms - 1; k > middle; --k) {
-        end(k) = longer(forces.col(k), k + 1 < terms ? end(k + 1) : End{}, above, up * back(k - 1));
-        above = down * back(k);
+        end(k) = longer(forces.col(k), k + 1 < terms ? end(k + 1) : End{}, above,
+                        linalg::times(up, back(k - 1)));
+        above = linalg::times(down, back(k));
     }
-    const MatrixXcd last =
-        MatrixXcd::Identity(m, m) - below * end(middle - 1).factor - above * end(middle + 1).factor;
-    forces.col(middle) += below * end(middle - 1).constant + above * end(middle + 1).constant;
-    forces.col(middle) = last.partialPivLu().solve(forces.col(middle)).eval();
+    MatrixXcd last = MatrixXcd::Identity(m, m);
+    last -= linalg::times(below, end(middle - 1).factor);
+    last -= linalg::times(above, end(middle + 1).factor);
+    VectorXcd force = forces.col(middle);
+    force += linalg::times(below, end(middle - 1).constant);
+    force += linalg::times(above, end(middle + 1).constant);
+    force = linalg::solved(last.partialPivLu(), force);
+    forces.col(middle) = force;
+    const auto follow = [&](Index k, Index next) {
+        force = forces.col(next);
+        forces.col(k) = end(k).constant + linalg::times(end(k).factor, force);
+    };
     for (Index k = middle - 1; k >= 0; --k)
-        forces.col(k) = end(k).constant + end(k).factor * forces.col(k + 1);
+        follow(k, k + 1);
     for (Index k = middle + 1; k < terms; ++k)
-        forces.col(k) = end(k).constant + end(k).factor * forces.col(k - 1);
-    return inverse.cwiseProduct(right + acts * forces);
+        follow(k, k - 1);
+    return inverse.cwiseProduct(right + linalg::times(acts, forces));
 }
 
 ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
@@ -128,20 +143,20 @@ ModalSeries::ModalSeries(const System &system, double speed) : _speed(speed) {
         throw linalg::SolverError("a rotor with massless unknowns has fewer modes");
     MatrixXd A = MatrixXd::Zero(2 * n, 2 * n);
     A.topRightCorner(n, n).setIdentity();
-    A.bottomLeftCorner(n, n) = -mass.solve(steady.K);
-    A.bottomRightCorner(n, n) = -mass.solve(steady.D);
+    A.bottomLeftCorner(n, n) = -linalg::solved(mass, steady.K);
+    A.bottomRightCorner(n, n) = -linalg::solved(mass, steady.D);
     take_modes(linalg::general_eigen(
         _weights.asDiagonal() * A * _weights.cwiseInverse().asDiagonal(), linalg::Vectors::both));
     MatrixXd B = MatrixXd::Zero(2 * n, m);
-    B.bottomRows(n) = _weights.tail(n).asDiagonal() * mass.solve(P);
+    B.bottomRows(n) = _weights.tail(n).asDiagonal() * linalg::solved(mass, P);
     const MatrixXd at_start = system.turning(speed, 0);
     const MatrixXd quarter = system.turning(speed, std::numbers::pi / 2);
     MatrixXd Y = MatrixXd::Zero(at_start.cols(), 2 * n);
     Y.topLeftCorner(m, n) = P.transpose() * _weights.head(n).cwiseInverse().asDiagonal();
     if (at_start.cols() > m)
         Y.bottomRightCorner(m, n) = P.transpose() * _weights.tail(n).cwiseInverse().asDiagonal();
-    _acts = _L * B;
-    _seen = Y * _R;
+    _acts = linalg::times(_L, MatrixXcd(B.cast<Complex>()));
+    _seen = linalg::times(MatrixXcd(Y.cast<Complex>()), _R);
     const Complex i(0, 1);
     _up = (at_start.cast<Complex>() - i * quarter) / 2;
     _down = (at_start.cast<Complex>() + i * quarter) / 2;
@@ -204,9 +219,9 @@ MatrixXcd ModalSeries::solve_adjoint(Complex l, const MatrixXcd &right) const {
 Complex ModalSeries::quotient(const MatrixXcd &left, const MatrixXcd &a) const {
     const Index terms = a.cols();
     MatrixXcd image = off(_steady, _speed, 0, terms).cwiseProduct(a);
-    const MatrixXcd at_places = _seen * a;
-    const MatrixXcd upwards = _acts * (_up * at_places);
-    const MatrixXcd downwards = _acts * (_down * at_places);
+    const MatrixXcd at_places = linalg::times(_seen, a);
+    const MatrixXcd upwards = linalg::times(_acts, linalg::times(_up, at_places));
+    const MatrixXcd downwards = linalg::times(_acts, linalg::times(_down, at_places));
     image.rightCols(terms - 1) -= upwards.leftCols(terms - 1);
     image.leftCols(terms - 1) -= downwards.rightCols(terms - 1);
     return product(left, image) / product(left, a);
@@ -246,7 +261,7 @@ std::optional<ModalSeries::Settled> ModalSeries::settled(MatrixXcd a, MatrixXcd 
 std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     constexpr double nothing = 1e-9; // its square is what the value is off by
     constexpr double far_too_many = 1e-12;
-    const MatrixXcd z = _R * found.a;
+    const MatrixXcd z = linalg::times(_R, found.a);
     const Index terms = z.cols();
     const auto ends = [&](Index from_end) {
         return std::max(z.col(from_end).norm(), z.col(terms - 1 - from_end).norm()) / z.norm();
@@ -264,7 +279,7 @@ std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     };
     return SeriesMotion{found.value + Complex(0, 2 * _speed * static_cast<double>(places)),
                         shown(_weights.cwiseInverse().asDiagonal() * z),
-                        shown(_weights.asDiagonal() * (_L.adjoint() * found.b))};
+                        shown(_weights.asDiagonal() * linalg::adjoint_times(_L, found.b))};
 }
 
 std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) const {
@@ -273,9 +288,9 @@ std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) cons
     const auto weights = _weights.asDiagonal();
     const auto back = _weights.cwiseInverse().asDiagonal();
     const bool both = guess.left.size() > 0;
-    const MatrixXcd first = _L * (weights * guess.right);
-    const MatrixXcd first_left =
-        both ? MatrixXcd(_R.adjoint() * (back * guess.left)) : solve_adjoint(guess.value, first);
+    const MatrixXcd first = linalg::times(_L, MatrixXcd(weights * guess.right));
+    const MatrixXcd first_left = both ? linalg::adjoint_times(_R, MatrixXcd(back * guess.left))
+                                      : solve_adjoint(guess.value, first);
     for (Index terms = std::max(fewest, first.cols()); terms <= most; terms += 4) {
         MatrixXcd a = of_terms(first, terms);
         MatrixXcd b = of_terms(first_left, terms);

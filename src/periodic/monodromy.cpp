@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/dense/products.h"
 #include "linalg/lanes/row_products.h"
 #include "linalg/lanes/small_products.h"
 #include "linalg/quadratic/quadratic_eigen.h"
@@ -156,11 +157,13 @@ struct StepMaps {
             return;
         }
         const Eigen::Index rows = system.turning(speed, 0).cols(); // at each point
+        const Rows at_places = P.transpose();
         Rows seen(stages * rows, columns);
         for (Eigen::Index i = 0; i < stages; ++i) {
-            seen.middleRows(i * rows, m) = P.transpose() * q.at(i).leftCols(columns);
+            linalg::set_product(at_places, q.at(i).leftCols(columns), seen.middleRows(i * rows, m));
             if (rows > m)
-                seen.middleRows(i * rows + m, m) = P.transpose() * v.at(i).leftCols(columns);
+                linalg::set_product(at_places, v.at(i).leftCols(columns),
+                                    seen.middleRows(i * rows + m, m));
         }
         Y = seen.leftCols(2 * n);
         Z = seen.rightCols(stages * m);
@@ -204,7 +207,10 @@ double action_of(const System::Steady &steady, const Eigen::VectorXcd &shape) {
     const auto squared = [&steady](const Eigen::VectorXcd &x) {
         return x.dot(steady.M * x).real();
     };
-    const double action = q.dot(steady.M * rate).imag() + q.real().dot(steady.D * q.imag());
+    const Eigen::VectorXd real = q.real();
+    const Eigen::VectorXd imag = q.imag();
+    const Eigen::VectorXd damping = steady.D * imag;
+    const double action = q.dot(steady.M * rate).imag() + real.dot(damping);
     return action / std::sqrt(squared(q) * squared(rate));
 }
 
@@ -300,9 +306,12 @@ std::vector<FloquetMotion> steady_motions(const System &system, double speed) {
     if (speed == 0) {
         const MatrixXd still = system.turning(0, 0);
         const MatrixXd &P = system.places();
-        steady.K += P * still.leftCols(P.cols()) * P.transpose();
+        const auto over_unknowns = [&P](const MatrixXd &at_places) {
+            return linalg::times(linalg::times(P, at_places), MatrixXd(P.transpose()));
+        };
+        steady.K += over_unknowns(still.leftCols(P.cols()));
         if (still.cols() > P.cols())
-            steady.D += P * still.rightCols(P.cols()) * P.transpose();
+            steady.D += over_unknowns(still.rightCols(P.cols()));
     }
     linalg::QuadraticOptions options;
     options.method = linalg::QuadraticMethod::dense;

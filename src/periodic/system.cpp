@@ -2,6 +2,7 @@
 
 #include "assembly/frequency_scales.h"
 #include "assembly/rotating_system.h"
+#include "linalg/dense/products.h"
 #include "linalg/unit_scales.h"
 #include "reduction/projection.h"
 
@@ -58,7 +59,8 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
     for (std::size_t j = 0; j < at.size(); ++j)
         picked(at[j], static_cast<Eigen::Index>(j)) = 1;
     const auto small = [&picked](const Sparse &A) -> Eigen::MatrixXd {
-        return picked.transpose() * (A * picked);
+        const Eigen::MatrixXd forces = A * picked;
+        return linalg::transposed_times(picked, forces);
     };
     _turning_C = {small(all[0]), small(all[1])};
     _turning_K = {small(all[2]), small(all[3])};

@@ -70,7 +70,7 @@ struct WholeRotor::AtSpeed {
 
     void scale(const Eigen::VectorXd &d) {
         for (Sparse *A : {&M, &D, &K, &C_cosine, &C_sine, &K_cosine, &K_sine})
-            *A = Sparse(d.asDiagonal() * *A * d.asDiagonal());
+            *A = linalg::scaled(*A, d);
     }
 };
 

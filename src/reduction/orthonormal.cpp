@@ -1,5 +1,7 @@
 #include "reduction/orthonormal.h"
 
+#include "linalg/dense/products.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +35,8 @@ void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<dou
     const Eigen::RowVectorXd before = sizes();
     for (Eigen::Index j = 0; j < columns.cols(); ++j)
         columns.col(j) /= before(j) > 0 ? before(j) : 1;
-    columns -= shapes * (shapes.transpose() * (H * columns)).eval();
+    const Eigen::MatrixXd forces = H * columns;
+    columns -= linalg::times(shapes, linalg::transposed_times(shapes, forces));
     for (Eigen::Index left = columns.cols(); left > 0; --left) {
         Eigen::Index newest = 0;
         if (!(sizes().maxCoeff(&newest) > newness))
@@ -44,7 +47,9 @@ void take_in_newest_first(Eigen::MatrixXd &shapes, const Eigen::SparseMatrix<dou
         if (shapes.cols() == known)
             continue;
         const Eigen::VectorXd v = shapes.rightCols<1>();
-        columns -= v * (v.transpose() * (H * columns)).eval();
+        const Eigen::VectorXd force = H * v;
+        for (Eigen::Index j = 0; j < columns.cols(); ++j)
+            columns.col(j) -= force.dot(columns.col(j)) * v;
     }
 }
 

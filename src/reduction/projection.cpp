@@ -1,5 +1,7 @@
 #include "reduction/projection.h"
 
+#include "linalg/dense/products.h"
+
 #include <Eigen/SparseCore>
 
 namespace whirl::reduction {
@@ -29,7 +31,7 @@ linalg::Matrix Projection::of(const linalg::Matrix &A) const {
 }
 
 Eigen::MatrixXd Projection::loads(const Eigen::MatrixXd &columns) const {
-    return in_pairs(_shapes, columns.rows()).transpose() * columns;
+    return linalg::transposed_times(in_pairs(_shapes, columns.rows()), columns);
 }
 
 Eigen::VectorXcd Projection::lifted(const Eigen::VectorXcd &reduced) const {
@@ -41,7 +43,8 @@ Eigen::MatrixXd Projection::of(const Sparse &full) const {
     const Sparse transposed = full.transpose();
     const Eigen::MatrixXd W = in_pairs(_shapes, full.rows());
     const auto product = [&W](const Sparse &half) -> Eigen::MatrixXd {
-        return W.transpose() * (half * W);
+        const Eigen::MatrixXd forces = half * W;
+        return linalg::transposed_times(W, forces);
     };
     const Eigen::MatrixXd symmetric = product((full + transposed) / 2);
     const Eigen::MatrixXd skew = product((full - transposed) / 2);

@@ -3,6 +3,7 @@
 #include "assembly/assemble.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/dense/products.h"
 #include "linalg/sparse_factor.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
@@ -10,7 +11,6 @@
 #include "reduction/planar_pair.h"
 #include "reduction/reduction_error.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SparseCholesky>
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
 Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
     Eigen::MatrixXd V(columns.rows(), 0);
     take_in(V, pair.M, columns, 1e-7);
-    const Eigen::MatrixXd K = V.transpose() * (pair.K * V);
+    const Eigen::MatrixXd K = linalg::transposed_times(V, pair.K * V);
     return V * linalg::symmetric_eigenpairs(K).eigenvectors();
 }
 
@@ -180,7 +180,7 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
                                       : term == Term::gyroscopic ? reduced.gyroscopic
                                                                  : reduced.internal;
             if (term != Term::circulatory) // the same as the damping of the shaft
-                target += rows.transpose() * block * rows;
+                target += linalg::transposed_times(rows, linalg::times(block, rows));
         });
 }
 
@@ -231,7 +231,7 @@ ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
         speeds.insert(0.0);
     for (const double speed : speeds)
         reduced.supports.push_back(project_supports(d, shapes, speed));
-    const Eigen::MatrixXd K = shapes.transpose() * (pair.K * shapes);
+    const Eigen::MatrixXd K = linalg::transposed_times(shapes, pair.K * shapes);
     reduced.frequencies = K.diagonal().cwiseMax(0).cwiseSqrt();
     return reduced;
 }

@@ -2,6 +2,7 @@
 
 #include "assembly/system.h"
 #include "linalg/definite_pencil.h"
+#include "linalg/dense/products.h"
 #include "linalg/harmonic_solve.h"
 
 #include <Eigen/Dense>
@@ -61,9 +62,11 @@ Eigen::MatrixXcd reduced_response(const ReducedRotor &reduced, const Columns &pl
         rows.col(i) = reduced.row(places[static_cast<std::size_t>(i)]);
     Eigen::MatrixXcd forces(2 * r, count);
     forces << rows, -imaginary_unit * rows;
-    const Eigen::MatrixXcd motion = A.partialPivLu().solve(forces);
+    const Eigen::MatrixXcd motion = linalg::solved(A.partialPivLu(), forces);
+    const Eigen::MatrixXcd read = rows.cast<std::complex<double>>();
     Eigen::MatrixXcd response(2 * count, count);
-    response << rows.transpose() * motion.topRows(r), rows.transpose() * motion.bottomRows(r);
+    response << linalg::transposed_times(read, motion.topRows(r)),
+        linalg::transposed_times(read, motion.bottomRows(r));
     return response;
 }
 

@@ -1,6 +1,7 @@
 #include "rigid/projection.h"
 
 #include "assembly/system.h"
+#include "linalg/dense/products.h"
 #include "model/variants.h"
 
 #include <Eigen/LU>
@@ -16,10 +17,11 @@ Eigen::Matrix2d condensed(const Eigen::MatrixXd &A) {
     const Eigen::Index pedestals = A.rows() - 2;
     if (pedestals == 0)
         return A;
-    return A.topLeftCorner<2, 2>() -
-           A.topRightCorner(2, pedestals) * A.bottomRightCorner(pedestals, pedestals)
-                                                .partialPivLu()
-                                                .solve(A.bottomLeftCorner(pedestals, 2));
+    const Eigen::MatrixXd inside = A.bottomRightCorner(pedestals, pedestals);
+    const Eigen::MatrixXd across = A.topRightCorner(2, pedestals);
+    const Eigen::MatrixXd back = A.bottomLeftCorner(pedestals, 2);
+    return A.topLeftCorner(2, 2) -
+           linalg::times(across, linalg::solved(inside.partialPivLu(), back));
 }
 
 } // namespace

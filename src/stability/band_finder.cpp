@@ -1,6 +1,7 @@
 #include "stability/band_finder.h"
 
 #include "linalg/check.h"
+#include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
 #include "reduction/planar_shapes.h"
@@ -59,10 +60,12 @@ Eigen::MatrixXd energies(const std::vector<MotionsAtSpeed> &motions, Eigen::Inde
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(r, r);
     for (const MotionsAtSpeed &at : motions)
         for (const linalg::ComplexPair &pair : at.pairs) {
-            const Eigen::MatrixXd parts = reduction::planar_parts(pair.vector, r, term);
+            Eigen::MatrixXd parts = reduction::planar_parts(pair.vector, r, term);
             const double length = parts.colwise().norm().maxCoeff();
-            if (length > 0)
-                out += (parts / length) * (parts / length).transpose();
+            if (!(length > 0))
+                continue;
+            parts /= length;
+            out += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
         }
     return out;
 }
@@ -114,8 +117,8 @@ compact_shapes(const StabilityModel &model, const balancers::Arrangement &arrang
         if (static_cast<double>(few) > hardly_fewer * static_cast<double>(r))
             break;
         tried = few;
-        const auto shapes =
-            std::make_shared<const Eigen::MatrixXd>(*all * principal.eigenvectors().rightCols(few));
+        const Eigen::MatrixXd mixtures = principal.eigenvectors().rightCols(few);
+        const auto shapes = std::make_shared<const Eigen::MatrixXd>(linalg::times(*all, mixtures));
         if (same_motions(MotionSolver(model, arrangement, shapes), motions))
             return shapes;
     }

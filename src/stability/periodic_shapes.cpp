@@ -1,5 +1,6 @@
 // The planar shapes that an elastic periodic rotor is reduced to.
 
+#include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "stability/periodic_motions.h"
 
@@ -38,9 +39,9 @@ void PeriodicMotions::compact() const {
     Eigen::MatrixXd energies = Eigen::MatrixXd::Zero(all.cols(), all.cols());
     for (const auto &[speed, wanted] : _good_at)
         for (const Wanted &one : wanted) {
-            Eigen::MatrixXd parts = to_amplitudes * one.parts;
+            Eigen::MatrixXd parts = linalg::times(to_amplitudes, one.parts);
             parts /= std::max(parts.colwise().norm().maxCoeff(), 1e-300);
-            energies += parts * parts.transpose();
+            energies += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
         }
     const auto principal = linalg::symmetric_eigenpairs(energies);
     Eigen::Index tried = 0;

@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
+#include "linalg/unit_scales.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -133,7 +134,7 @@ int negative_eigenvalues(const Sparse &Q) {
         const double size = std::abs(value);
         return size > 0 ? std::exp2(-std::round(std::log2(size) / 2)) : 1.0;
     });
-    const Eigen::SimplicialLDLT<Sparse> ldlt(Sparse(d.asDiagonal() * Q * d.asDiagonal()));
+    const Eigen::SimplicialLDLT<Sparse> ldlt(linalg::scaled(Q, d));
     if (ldlt.info() != Eigen::Success)
         throw linalg::SolverError("an inertia count met a zero pivot");
     return static_cast<int>((ldlt.vectorD().array() < 0).count());

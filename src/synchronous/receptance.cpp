@@ -3,6 +3,7 @@
 #include "assembly/system.h"
 #include "linalg/check.h"
 #include "linalg/sparse_factor.h"
+#include "linalg/unit_scales.h"
 #include "modes/support_damping.h"
 #include "results/formulation.h"
 
@@ -60,7 +61,7 @@ struct Terms {
     }
     void scale(const Eigen::VectorXd &d) {
         for (Sparse &term : of)
-            term = d.asDiagonal() * Sparse(term * d.asDiagonal());
+            term = linalg::scaled(term, d);
     }
     [[nodiscard]] bool absent(Factor factor) const {
         return of[factor].nonZeros() == 0 || of[factor].coeffs().isZero(0);

@@ -4,6 +4,7 @@
 #include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
 #include "balancers/arrangement.h"
+#include "linalg/dense/products.h"
 #include "support/balancer_parts.h"
 #include "support/dense_eigenvalues.h"
 #include "support/periodic_system.h"
@@ -68,10 +69,13 @@ Motion turned(const tests::PeriodicSystem &system, double time) {
             std::cos(W * time);
         J.block<2, 2>(i, i) << 0, -1, 1, 0;
     }
-    const MatrixXd rate = W * J * T;
-    const MatrixXd second = W * W * J * J * T;
-    return {T.transpose() * f.M * T, T.transpose() * (f.D * T + 2 * f.M * rate),
-            T.transpose() * (f.K * T + f.D * rate + f.M * second)};
+    using linalg::times;
+    using linalg::transposed_times;
+    const MatrixXd rate = W * times(J, T);
+    const MatrixXd second = W * times(J, rate);
+    return {transposed_times(T, times(f.M, T)),
+            transposed_times(T, times(f.D, T) + 2 * times(f.M, rate)),
+            transposed_times(T, times(f.K, T) + times(f.D, rate) + times(f.M, second))};
 }
 
 /// From one unknown a moving mass to the means sigma: (columns, rows) of the two sides of
@@ -170,7 +174,7 @@ MatrixXd nodal_stiffness(const MatrixXd &K, int plane) {
     const MatrixXd inside = in_plane(between, between);
     const MatrixXd moved = inside.partialPivLu().solve(across);
     MatrixXd nodal = in_plane(nodes, nodes);
-    nodal -= across.transpose() * moved;
+    nodal -= linalg::transposed_times(across, moved);
     return nodal;
 }
 

@@ -6,6 +6,7 @@
 #include "assembly/rotating_system.h"
 #include "assembly/system.h"
 #include "balancers/arrangement.h"
+#include "linalg/dense/products.h"
 #include "modes/formulation.h"
 #include "support/balancer_scenes.h"
 #include "support/rotating_scenes.h"
@@ -219,12 +220,13 @@ struct BallRotor {
     BallRotor(double mass, double k, double c, double speed, const std::vector<Ball> &balls) {
         const auto n = static_cast<Eigen::Index>(2 + balls.size());
         M = C = G = K = N = Eigen::MatrixXd::Zero(n, n);
-        Eigen::Matrix2d J;
+        Eigen::MatrixXd J(2, 2);
         J << 0, -1, 1, 0;
         const auto add_mass = [&](double m, const Eigen::MatrixXd &moves) { // 2 x n: of a point
-            M += m * moves.transpose() * moves;
-            G += 2 * speed * m * moves.transpose() * J * moves;
-            K -= speed * speed * m * moves.transpose() * moves;
+            const Eigen::MatrixXd square = linalg::transposed_times(moves, moves);
+            M += m * square;
+            G += 2 * speed * m * linalg::transposed_times(moves, linalg::times(J, moves));
+            K -= speed * speed * m * square;
         };
         Eigen::MatrixXd moves = Eigen::MatrixXd::Zero(2, n);
         moves.leftCols(2).setIdentity();
@@ -250,8 +252,9 @@ struct BallRotor {
         const Eigen::Index n = M.rows();
         Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n);
         A.topRightCorner(n, n).setIdentity();
-        A.bottomLeftCorner(n, n) = -M.inverse() * (K + N);
-        A.bottomRightCorner(n, n) = -M.inverse() * (C + G);
+        const Eigen::PartialPivLU<Eigen::MatrixXd> mass(M);
+        A.bottomLeftCorner(n, n) = -linalg::solved(mass, K + N);
+        A.bottomRightCorner(n, n) = -linalg::solved(mass, C + G);
         const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
         Eigen::Index best = 0;
         for (Eigen::Index i = 1; i < 2 * n; ++i)

@@ -239,7 +239,7 @@ struct Scaled {
           K(of(stiffness)) {}
 
   private:
-    [[nodiscard]] Sparse of(const Sparse &A) const { return d.asDiagonal() * A * d.asDiagonal(); }
+    [[nodiscard]] Sparse of(const Sparse &A) const { return linalg::scaled(A, d); }
 };
 
 } // namespace

@@ -3,9 +3,11 @@
 #include "assembly/assemble.h"
 #include "assembly/planes.h"
 #include "balancers/arrangement.h"
+#include "linalg/dense/products.h"
 #include "results/formulation.h"
 
-#include <Eigen/QR>
+#include <cmath>
+#include <limits>
 
 namespace whirl::modes {
 
@@ -162,8 +164,23 @@ Eigen::MatrixXcd group_motions(const balancers::SmallMotions &parts, const Eigen
         y.row(j) = of_rate * vector.segment(2 * (first + j), 2).transpose();
     }
     if (parts.groups.size() > 0)
-        return parts.groups * y;
+        return linalg::times(parts.groups.cast<Complex>(), y);
     return y;
+}
+
+/// Pseudo-inverse of v -> 1/2 (v - D conj v) over (Re v, Im v): along sqrt(D) v shrinks to
+/// (1 - |D|) / 2 of it, across to (1 + |D|) / 2.
+Eigen::Matrix2d drive_inverse(Complex D) {
+    constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
+    const double size = std::abs(D);
+    const double c = std::cos(std::arg(D) / 2);
+    const double s = std::sin(std::arg(D) / 2);
+    const double across = 2 / (1 + size);
+    const double along = std::abs(1 - size) <= rounding * (1 + size) ? 0 : 2 / (1 - size);
+    Eigen::Matrix2d out;
+    out << c * c * along + s * s * across, c * s * (along - across), c * s * (along - across),
+        s * s * along + c * c * across;
+    return out;
 }
 
 /// Product of the drag in a balancer with the motion of its parts. Groups of parts move along
@@ -174,18 +191,15 @@ Complex drag_product(const balancers::SmallMotions &parts, const Eigen::MatrixXc
     const Eigen::MatrixXd to_groups = parts.groups.size() > 0
                                           ? Eigen::MatrixXd(parts.groups.inverse())
                                           : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n));
-    const Eigen::MatrixXd drag = to_groups.transpose() * parts.damping * to_groups;
+    const Eigen::MatrixXd drag =
+        linalg::transposed_times(to_groups, linalg::times(parts.damping, to_groups));
     const Eigen::VectorXd pull = to_groups.transpose() * parts.pull;
     const Eigen::VectorXcd conjugate = to_groups.transpose().cast<Complex>() * parts.conjugate;
     Complex sum = 0;
     for (Eigen::Index g = 0; g < n; ++g) {
         const Eigen::Index of = pull(g) != 0 ? g : 0; // turning about themselves: as they move
         const Complex D = conjugate(of) / pull(of);
-        Eigen::Matrix2d driven;
-        driven << 1 - D.real(), -D.imag(), -D.imag(), 1 + D.real();
-        const Eigen::Matrix2d back =
-            Eigen::Matrix2d(driven / 2).completeOrthogonalDecomposition().pseudoInverse();
-        const Eigen::Vector2cd v = back * y.row(g).transpose();
+        const Eigen::Vector2cd v = drive_inverse(D) * y.row(g).transpose();
         for (Eigen::Index h = 0; h < n; ++h)
             sum += drag(g, h) * v.dot(y.row(h).transpose());
     }

@@ -1,5 +1,7 @@
 #include "modes/following/unmixed.h"
 
+#include "linalg/dense/products.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -90,9 +92,9 @@ Span span_of(const SymmetricProblem &problem, double speed, const std::vector<Sy
     }
     const Eigen::VectorXd scales = out.Y.colwise().norm().cwiseInverse();
     out.Y *= scales.asDiagonal();
-    out.M = out.Y.transpose() * MY * scales.asDiagonal();
-    out.D = out.Y.transpose() * DY * scales.asDiagonal();
-    out.K = out.Y.transpose() * KY * scales.asDiagonal();
+    out.M = linalg::transposed_times(out.Y, MY) * scales.asDiagonal();
+    out.D = linalg::transposed_times(out.Y, DY) * scales.asDiagonal();
+    out.K = linalg::transposed_times(out.Y, KY) * scales.asDiagonal();
     return out;
 }
 
@@ -104,7 +106,8 @@ bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pai
         mean += pairs[i].value / static_cast<double>(group.size());
     const Eigen::MatrixXcd there = mean * mean * span.M + mean * span.D + span.K;
     const Eigen::PartialPivLU<Eigen::MatrixXcd> slope(2.0 * mean * span.M + span.D);
-    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(-slope.solve(there));
+    const Eigen::MatrixXcd moves = -linalg::solved(slope, there);
+    const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(moves);
     if (solver.info() != Eigen::Success || !solver.eigenvectors().allFinite())
         return false;
     const std::vector<Eigen::Index> mine = columns_by_rows(solver.eigenvectors().cwiseAbs());
@@ -115,7 +118,8 @@ bool unmix(const Span &span, const Group &group, std::vector<SymmetricPair> &pai
         // Its own guess goes into it as it is: the sign is carried on by it.
         const auto mixture = solver.eigenvectors().col(mine[k]);
         const Complex own = mixture(static_cast<Eigen::Index>(k));
-        pair.vector = span.Y * (mixture * (std::conj(own) / std::abs(own)));
+        const Eigen::VectorXcd shares = mixture * (std::conj(own) / std::abs(own));
+        pair.vector = linalg::times(span.Y, shares);
         pair.value = mean + solver.eigenvalues()(mine[k]);
     }
     return true;

@@ -1,6 +1,7 @@
 #include "modes/hill/floquet_shapes.h"
 
 #include "assembly/hill_system.h"
+#include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "modes/hill/floquet_spectrum.h"
 #include "modes/hill/series_modes_near.h"
@@ -168,9 +169,9 @@ class Search {
         Eigen::MatrixXd energies =
             Eigen::MatrixXd::Zero(to_amplitudes.rows(), to_amplitudes.rows());
         for (const Wanted &one : _met) {
-            Eigen::MatrixXd parts = to_amplitudes * one.parts;
+            Eigen::MatrixXd parts = linalg::times(to_amplitudes, one.parts);
             parts /= std::max(parts.colwise().norm().maxCoeff(), 1e-300);
-            energies += parts * parts.transpose();
+            energies += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
         }
         const auto principal = linalg::symmetric_eigenpairs(energies);
         const Eigen::VectorXd &values = principal.eigenvalues();

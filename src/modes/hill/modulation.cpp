@@ -1,5 +1,7 @@
 #include "modes/hill/modulation.h"
 
+#include "linalg/dense/products.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -33,8 +35,9 @@ SeriesTerms without_modulation(const Eigen::SparseMatrix<double> &mass, double s
     VectorXcd exponents(2 * K + 1);
     for (Index k = -K; k <= K; ++k)
         exponents(k + K) = motion.value + Complex(0, 2 * speed * static_cast<double>(k));
-    const MatrixXcd u = motion.terms * over;
-    const MatrixXcd rate = motion.terms * exponents.asDiagonal() * over;
+    const MatrixXcd u = linalg::times(motion.terms, over);
+    const MatrixXcd rates = motion.terms * exponents.asDiagonal();
+    const MatrixXcd rate = linalg::times(rates, over);
     const MatrixXcd weighted = mass * u;
     const VectorXcd l =
         (weighted.conjugate().cwiseProduct(rate)).colwise().sum().transpose().array() /
@@ -43,19 +46,19 @@ SeriesTerms without_modulation(const Eigen::SparseMatrix<double> &mass, double s
         return motion;
     const Index wide = samples / 2 - 1;
     const MatrixXcd all = waves(wide, samples);
-    VectorXcd parts = all.conjugate() * l / static_cast<double>(samples);
+    VectorXcd parts = linalg::times(MatrixXcd(all.conjugate()), l) / static_cast<double>(samples);
     const Complex mean = parts(wide);
     parts(wide) = 0;
     for (Index m = -wide; m <= wide; ++m)
         if (m != 0)
             parts(m + wide) /= Complex(0, 2 * speed * static_cast<double>(m));
-    const VectorXcd logarithm = all.transpose() * parts;
+    const VectorXcd logarithm = linalg::times(MatrixXcd(all.transpose()), parts);
     const auto places = static_cast<Index>(std::lround((mean - motion.value).imag() / (2 * speed)));
     SeriesTerms out;
     out.value = motion.value + Complex(0, 2 * speed * static_cast<double>(places));
     const VectorXcd divided = (-logarithm.array()).exp();
-    const MatrixXcd spectrum =
-        u * divided.asDiagonal() * all.adjoint() / static_cast<double>(samples);
+    const MatrixXcd repeating = u * divided.asDiagonal() / static_cast<double>(samples);
+    const MatrixXcd spectrum = linalg::times(repeating, MatrixXcd(all.adjoint()));
     out.terms = MatrixXcd::Zero(u.rows(), 2 * K + 1);
     for (Index k = -K; k <= K; ++k)
         if (std::abs(k + places) <= wide)

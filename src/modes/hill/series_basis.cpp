@@ -2,6 +2,7 @@
 
 #include "assembly/hill_system.h"
 #include "assembly/planes.h"
+#include "linalg/dense/products.h"
 #include "modes/hill/modulation.h"
 
 #include <Eigen/Dense>
@@ -88,12 +89,13 @@ Eigen::MatrixXcd dual(const Eigen::MatrixXcd &right, const Eigen::MatrixXcd &wei
                       Eigen::Index count) {
     // Motions that stand still in the rotor are their own conjugates.
     constexpr double same = 1e-6;
-    const Eigen::MatrixXcd gram = weighted.adjoint() * right;
+    const Eigen::MatrixXcd gram = linalg::adjoint_times(weighted, right);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> solver;
     solver.setThreshold(same);
-    solver.compute(gram.adjoint());
+    solver.compute(Eigen::MatrixXcd(gram.adjoint()));
     const Eigen::MatrixXcd unit = Eigen::MatrixXcd::Identity(gram.rows(), count);
-    Eigen::MatrixXcd left = (weighted * solver.solve(unit)).conjugate();
+    const Eigen::MatrixXcd factors = solver.solve(unit);
+    Eigen::MatrixXcd left = linalg::times(weighted, factors).conjugate();
     for (Eigen::Index i = 0; i < count; ++i) {
         const Complex product = left.col(i).cwiseProduct(right.col(i)).sum();
         left.col(i) *= product != 0.0 ? 1.0 / product : 0.0;

@@ -3,14 +3,15 @@
 #include "assembly/frequency_scales.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
+#include "linalg/dense/cholesky.h"
+#include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "reduction/planar_pair.h"
 #include "reduction/planar_shapes.h"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace whirl::modes {
@@ -35,9 +36,8 @@ constexpr double large_share = 0.6;
 Eigen::MatrixXd metric_factor(const assembly::Discretization &d, double top) {
     const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
     const Eigen::MatrixXd H = pair.K + top * top * pair.M;
-    const Eigen::LLT<Eigen::MatrixXd> factors(H);
-    if (factors.info() == Eigen::Success)
-        return factors.matrixL();
+    if (std::optional<Eigen::MatrixXd> factor = linalg::cholesky(H))
+        return *std::move(factor);
     return H.diagonal().cwiseAbs().cwiseSqrt().asDiagonal();
 }
 
@@ -48,11 +48,13 @@ class Samples {
         : _L(metric_factor(d, top)), _sum(Eigen::MatrixXd::Zero(_L.rows(), _L.rows())) {}
 
     void add(const linalg::ComplexPair &pair) {
-        const Eigen::MatrixXd parts =
-            _L.transpose() * reduction::planar_parts(pair.vector, _L.rows(), pair.vector.size());
+        Eigen::MatrixXd parts = linalg::transposed_times(
+            _L, reduction::planar_parts(pair.vector, _L.rows(), pair.vector.size()));
         const double length = parts.colwise().norm().maxCoeff();
-        if (length > 0)
-            _sum += (parts / length) * (parts / length).transpose();
+        if (!(length > 0))
+            return;
+        parts /= length;
+        _sum += linalg::times(parts, Eigen::MatrixXd(parts.transpose()));
     }
 
     [[nodiscard]] Eigen::MatrixXd principal(double least) const {

@@ -75,7 +75,7 @@ struct Derivatives {
 
 Derivatives derivatives(const modes::QuadraticAt &p, double value, double scale) {
     const Eigen::VectorXd d = linalg::scales_at(scale, p.M.diagonal(), p.K.diagonal());
-    const auto of = [&d](const Sparse &A) { return Sparse(d.asDiagonal() * A * d.asDiagonal()); };
+    const auto of = [&d](const Sparse &A) { return linalg::scaled(A, d); };
     return {of(value * value * p.M + value * p.D + p.K),
             of(2 * value * p.M + p.D),
             of(2 * p.M),

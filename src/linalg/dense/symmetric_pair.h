@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace whirl::linalg {
+
+/// Eigenvalues l, ascending, of A x = l B x, both symmetric (n, n), of which the lower halves are
+/// read, B positive definite (LAPACK's sygv); nothing where B is not, or where the iteration does
+/// not converge.
+[[nodiscard]] std::optional<Eigen::VectorXd> symmetric_pair_values(Eigen::MatrixXd A,
+                                                                   Eigen::MatrixXd B);
+
+} // namespace whirl::linalg
