@@ -81,17 +81,15 @@ std::vector<stability::ZeroRootSpeed> inside(const std::vector<stability::ZeroRo
     std::vector<stability::ZeroRootSpeed> out;
     for (const double sense : {-1.0, 1.0})
         for (const stability::ZeroRootSpeed &at : standing)
-            if (sense * at.speed >= from && sense * at.speed <= to)
-                out.push_back({sense * at.speed, at.exact});
-    std::sort(out.begin(), out.end(),
-              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+            if (const double speed = sense * at.speed; speed >= from && speed <= to)
+                out.push_back({speed, at.exact});
+    std::ranges::sort(out, {}, &stability::ZeroRootSpeed::speed);
     return out;
 }
 
 std::vector<double> speeds_of(const std::vector<stability::ZeroRootSpeed> &standing) {
-    std::vector<double> out;
-    for (const stability::ZeroRootSpeed &at : standing)
-        out.push_back(at.speed);
+    std::vector<double> out(standing.size());
+    std::ranges::transform(standing, out.begin(), &stability::ZeroRootSpeed::speed);
     return out;
 }
 
@@ -100,10 +98,10 @@ std::vector<stability::ZeroRootSpeed>
 zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangement &arrangement,
                   bool frozen, const std::vector<double> &grid, bool &failed,
                   const Eigen::MatrixXd *shapes = nullptr) {
-    const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
+    const auto [from, to] = std::pair(grid.front(), grid.back());
+    const double top = std::max(std::abs(from), std::abs(to));
     try {
-        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes),
-                      grid.front(), grid.back());
+        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes), from, to);
     } catch (const linalg::SolverError &) {
         failed = true;
         return {};
@@ -116,11 +114,9 @@ void find_shapes(stability::BandFinder &finder, const std::vector<double> &grid)
         return;
     try {
         (void)finder.good_shapes(grid);
-    } catch (const stability::NotSettled &) { // which give_up_unsettled looks at
-    }
+    } catch (const stability::NotSettled &) {
+    } // which give_up_unsettled looks at
 }
-
-constexpr int sampled = 16;
 
 /// The bands of each arrangement, those of the first known already.
 /// @param first   unstable bands of the first arrangement
@@ -226,7 +222,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
     std::vector<double> grid = described(speeds, model);
     const std::vector<balancers::Arrangement> arrangements =
-        balancers::sampled_arrangements(model.rotor, sampled);
+        balancers::sampled_arrangements(model.rotor, 16);
     const balancers::Arrangement &arrangement = arrangements.front(); // as the case gives it
     stability::BandFinder finder(model, arrangement);
     const stability::MotionSolver &solver = finder.solver();
@@ -372,7 +368,7 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
 
 UnstableBands unstable_bands_of(const model::Case &scene, const balancers::Arrangement &arrangement,
                                 bool with_errors) {
-    const std::vector<double> grid = stability::search_speeds(model::required_speeds(scene));
+    const auto grid = stability::search_speeds(model::required_speeds(scene));
     return unstable_bands_of(stability::stability_model(scene, grid), grid, arrangement,
                              with_errors);
 }
