@@ -362,8 +362,8 @@ results::CampbellResult campbell(const model::Case &scene) {
         return result;
     // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
     // then these speeds are searched too.
-    const bool coarse =
-        !periodic && result.speeds.size() < tracking::naming_speeds(*scene.speeds).size();
+    const bool coarse = !results::in_rotating_axes(solver.form()) &&
+                        result.speeds.size() < tracking::naming_speeds(*scene.speeds).size();
     tracking::Crossings crossed;
     if (periodic)
         crossed = std::move(periodic->crossed);

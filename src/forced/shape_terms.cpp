@@ -99,13 +99,14 @@ void ShapeTerms::add_bearings(double bearing_speed, double share, QuadraticTerms
                 target(Eigen::seqN(p, _V.cols(), planes()), Eigen::seqN(q, _V.cols(), planes())) +=
                     block(p, q) * product;
     };
-    assembly::assemble_bearings(_discretization, bearing_speed,
-                                [&](assembly::Term term, int i, int j, Eigen::Matrix2d block) {
-                                    if (term == assembly::Term::stiffness)
-                                        add(out.P0, i, j, stiffness_block(block));
-                                    if (term == assembly::Term::damping)
-                                        add(out.P1, i, j, damping_block(block));
-                                });
+    assembly::assemble_bearings(
+        _discretization, bearing_speed,
+        [&](assembly::Term term, int i, int j, const Eigen::Matrix2d &block) {
+            if (term == assembly::Term::stiffness)
+                add(out.P0, i, j, stiffness_block(block));
+            if (term == assembly::Term::damping)
+                add(out.P1, i, j, damping_block(block));
+        });
 }
 
 QuadraticTerms ShapeTerms::at(double bearing_speed) const {

@@ -191,9 +191,9 @@ namespace {
 /// s - 2 i k speed - l of all modes, a column for each term.
 MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
     MatrixXcd out(steady.size(), terms);
+    const Index middle = terms / 2;
     for (Index k = 0; k < terms; ++k)
-        out.col(k) =
-            steady.array() - (l + Complex(0, 2 * speed * static_cast<double>(k - terms / 2)));
+        out.col(k) = steady.array() - (l + Complex(0, 2 * speed * static_cast<double>(k - middle)));
     // At a mode that the supports do not touch.
     const double least = 1e-14 * (std::abs(l) + std::abs(speed));
     return (out.array().abs() > least).select(out, least);

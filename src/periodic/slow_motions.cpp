@@ -53,7 +53,8 @@ SeriesMotion with_rates(const FloquetSeries &motion, const System &system, doubl
     q.colwise().norm().maxCoeff(&largest);
     const Index wide = std::min(largest, terms - 1 - largest);
     SeriesMotion out;
-    out.value = motion.value + Complex(0, 2 * speed * static_cast<double>(largest - terms / 2));
+    const Index middle = terms / 2;
+    out.value = motion.value + Complex(0, 2 * speed * static_cast<double>(largest - middle));
     out.right.resize(2 * n, 2 * wide + 1);
     for (Index k = -wide; k <= wide; ++k) {
         const Complex rate = out.value + Complex(0, 2 * speed * static_cast<double>(k));

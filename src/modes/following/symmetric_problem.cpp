@@ -81,35 +81,41 @@ void SymmetricProblem::set_everywhere() {
 }
 
 /// @param common  by entries of _Q
-void SymmetricProblem::set_rows(const std::vector<Everywhere> &common) {
+/// @param work    of each column of the row and what stands there
+template <class Work>
+void SymmetricProblem::for_row(const std::vector<Everywhere> &common, int row,
+                               const Work &work) const {
     // The column of a symmetric matrix is its row.
-    const auto for_row = [&](int row, const auto &work) {
-        for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p)
-            work(_Q.innerIndexPtr()[p], common[static_cast<std::size_t>(p)]);
-    };
-    const auto like = [&](int pair) { // both rows but for what is across
-        std::vector<std::pair<int, Everywhere>> of_p;
-        std::vector<std::pair<int, Everywhere>> of_q;
-        for_row(2 * pair, [&](int column, const Everywhere &entry) {
-            if (column % 2 == 0)
-                of_p.emplace_back(column / 2, entry);
-        });
-        for_row(2 * pair + 1, [&](int column, const Everywhere &entry) {
-            if (column % 2 == 1)
-                of_q.emplace_back(column / 2, entry);
-        });
-        return std::equal(of_p.begin(), of_p.end(), of_q.begin(), of_q.end(),
-                          [](const auto &p, const auto &q) {
-                              return p.first == q.first && p.second.M == q.second.M &&
-                                     p.second.K == q.second.K && p.second.G == -q.second.G;
-                          });
-    };
+    for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p)
+        work(_Q.innerIndexPtr()[p], common[static_cast<std::size_t>(p)]);
+}
+
+/// Whether both rows of a pair are alike, but for what is across.
+bool SymmetricProblem::in_pairs(const std::vector<Everywhere> &common, int pair) const {
+    std::vector<std::pair<int, Everywhere>> of_p;
+    std::vector<std::pair<int, Everywhere>> of_q;
+    for_row(common, 2 * pair, [&](int column, const Everywhere &entry) {
+        if (column % 2 == 0)
+            of_p.emplace_back(column / 2, entry);
+    });
+    for_row(common, 2 * pair + 1, [&](int column, const Everywhere &entry) {
+        if (column % 2 == 1)
+            of_q.emplace_back(column / 2, entry);
+    });
+    return std::equal(of_p.begin(), of_p.end(), of_q.begin(), of_q.end(),
+                      [](const auto &p, const auto &q) {
+                          return p.first == q.first && p.second.M == q.second.M &&
+                                 p.second.K == q.second.K && p.second.G == -q.second.G;
+                      });
+}
+
+void SymmetricProblem::set_rows(const std::vector<Everywhere> &common) {
     _rows.pairs = conjugates();
     for (int pair = 0; pair < _size / 2 && _rows.pairs; ++pair)
-        _rows.pairs = like(pair);
+        _rows.pairs = in_pairs(common, pair);
     const int each = _rows.pairs ? 2 : 1;
     for (int row = 0; row < _size; row += each) {
-        for_row(row, [&](int column, const Everywhere &entry) {
+        for_row(common, row, [&](int column, const Everywhere &entry) {
             if (column % each != 0)
                 return;
             if (entry.M != 0 || entry.K != 0) {
@@ -126,22 +132,25 @@ void SymmetricProblem::set_rows(const std::vector<Everywhere> &common) {
     }
     if (!_rows.pairs)
         return;
-    const auto set_across = [&](double Everywhere::*of, Rows &across) {
-        for (int row = 0; row < _size; ++row) {
-            for_row(row, [&](int column, const Everywhere &entry) {
-                if (column % 2 == row % 2 || entry.*of == 0)
-                    return;
-                across.column.push_back(column);
-                across.value.push_back(entry.*of);
-            });
-            if (static_cast<int>(across.column.size()) > across.start.back()) {
-                across.row.push_back(row);
-                across.start.push_back(static_cast<int>(across.column.size()));
-            }
+    set_across(common, &Everywhere::M, _M_across);
+    set_across(common, &Everywhere::K, _K_across);
+}
+
+/// What one unknown of a pair has to do with the others of other pairs, or of its own.
+void SymmetricProblem::set_across(const std::vector<Everywhere> &common, double Everywhere::*of,
+                                  Rows &across) {
+    for (int row = 0; row < _size; ++row) {
+        for_row(common, row, [&](int column, const Everywhere &entry) {
+            if (column % 2 == row % 2 || entry.*of == 0)
+                return;
+            across.column.push_back(column);
+            across.value.push_back(entry.*of);
+        });
+        if (static_cast<int>(across.column.size()) > across.start.back()) {
+            across.row.push_back(row);
+            across.start.push_back(static_cast<int>(across.column.size()));
         }
-    };
-    set_across(&Everywhere::M, _M_across);
-    set_across(&Everywhere::K, _K_across);
+    }
 }
 
 void SymmetricProblem::add_part(Part part, const Sparse &matrix) {

@@ -126,7 +126,11 @@ class SymmetricProblem {
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
                                                   const Eigen::VectorXd &scales, double sign) const;
     void set_everywhere();
+    template <class Work>
+    void for_row(const std::vector<Everywhere> &common, int row, const Work &work) const;
+    [[nodiscard]] bool in_pairs(const std::vector<Everywhere> &common, int pair) const;
     void set_rows(const std::vector<Everywhere> &common);
+    void set_across(const std::vector<Everywhere> &common, double Everywhere::*of, Rows &across);
     template <int each> void multiply_everywhere(const linalg::Vector4 &x, Products &out) const;
     void add_part(Part part, const Sparse &A);
     void add(Part part, double factor) const;
