@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace {
@@ -171,6 +172,31 @@ TEST(Crossings, ThroughBearingTablesAreTheSameOnEveryGrid) {
             EXPECT_NEAR(found[i], finest[i], 1e-8 * finest[i]) << count;
         }
     }
+}
+
+/// Eight stages on tables: a heavily damped line crosses 1x up and down within a step of three
+/// speeds.
+TEST(Crossings, OfFewSpeedsAreThoseOfMany) {
+    std::vector<double> many;
+    std::vector<std::string> names;
+    for (const int count : {11, 3}) {
+        const model::Case scene = input::load_case(WHIRL_ROOT "/cases/compressor_margins",
+                                                   {"speeds.count=" + std::to_string(count)});
+        const results::CampbellResult result = analyses::campbell(scene);
+        const std::vector<double> found = speeds_of(result);
+        std::vector<std::string> labels;
+        for (const results::Crossing &crossing : result.crossings)
+            labels.push_back(result.modes.at(static_cast<std::size_t>(crossing.mode)).label);
+        if (many.empty()) {
+            many = found;
+            names = labels;
+        }
+        ASSERT_EQ(found.size(), many.size());
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_NEAR(found[i], many[i], 1e-8 * many[i]);
+        EXPECT_EQ(labels, names);
+    }
+    EXPECT_GT(many.size(), 4U);
 }
 
 TEST(Crossings, AtASpeedOfTheGridAreFoundOnce) {
