@@ -45,7 +45,7 @@ struct GuessedSpeed {
     bool settled = true;
 };
 
-/// Pairs from guesses at one speed, those with products as they are; none where one does not
+/// Pairs from guesses at one speed, those refined before as they are; none where one does not
 /// settle, turns far away from its guess, or becomes another one. Real eigenvalues of a real
 /// problem stay real, of two conjugates the upper one is meant.
 /// @param slowest  so many of those that whirl are asked for; others are only counted

@@ -12,7 +12,7 @@ namespace whirl::modes {
 close_groups(const std::vector<SymmetricPair> &pairs);
 
 /// Where eigenvalues nearly meet the vectors mix: guesses whose values lie close together are
-/// replaced by the mixtures that the problem has in their span. Pairs with products stay.
+/// replaced by the mixtures that the problem has in their span. Refined pairs stay.
 /// @returns of each pair whether it was among such a group
 [[nodiscard]] std::vector<bool> unmix(const SymmetricProblem &problem, double speed,
                                       std::vector<SymmetricPair> &pairs);
