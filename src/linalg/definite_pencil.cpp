@@ -285,8 +285,7 @@ std::vector<RealPair> DefinitePencil::smallest_at_rest(int wanted) const {
     if (f.modal || 3 * (wanted + 2) > 2 * size())
         return smallest(0, wanted);
     const auto apply = [&](const double *z, double *y) {
-        const Eigen::Map<const Eigen::VectorXd> a(z, size());
-        const Eigen::VectorXd b = f.Ft * f.Lt.triangularView<Eigen::Upper>().solve(a);
+        const Eigen::VectorXd b = f.Ft * f.shape(Eigen::Map<const Eigen::VectorXd>(z, size()));
         Eigen::Map<Eigen::VectorXd>(y, size()) =
             f.L.triangularView<Eigen::Lower>().solve(Eigen::VectorXd(f.F * b));
     };
@@ -296,7 +295,7 @@ std::vector<RealPair> DefinitePencil::smallest_at_rest(int wanted) const {
          largest_magnitude({size(), apply, deterministic_vector(size())}, planes, {})) {
         Eigen::VectorXd z(2 * size());
         const double mu = std::sqrt(square);
-        z << a, f.Ft * f.Lt.triangularView<Eigen::Upper>().solve(a) / mu;
+        z << a, f.Ft * f.shape(a) / mu;
         pairs.push_back(pair_from(0, mu, z));
         pairs.push_back(pairs.back());
         pairs.back().value *= -1;

@@ -52,20 +52,31 @@ TEST(DefinitePencil, OneUnknownHasTheTwoRootsOfItsQuadraticEquation) {
     EXPECT_EQ(pencil.count_below(3, 6), 2);
 }
 
+/// Stiffness of unit masses between walls by unit springs.
+Eigen::MatrixXd chain(int n) {
+    Eigen::MatrixXd K = 2 * Eigen::MatrixXd::Identity(n, n);
+    K.diagonal(1).setConstant(-1);
+    K.diagonal(-1).setConstant(-1);
+    return K;
+}
+
+/// Modulus of the i-th of its eigenvalues +-w.
+double of_chain(int n, std::size_t i) {
+    return 2 * std::sin((std::floor(static_cast<double>(i) / 2) + 1) * std::numbers::pi /
+                        (2 * (n + 1)));
+}
+
 /// Chain of n unit masses between walls by unit springs: w_k = 2 sin(k pi / (2 (n + 1))).
 TEST(DefinitePencil, ChainOfMassesOfThreeSizes) {
     for (const int n : {10, 120, 400}) { // dense; iteration in modes; iteration by solves
-        Eigen::MatrixXd K = 2 * Eigen::MatrixXd::Identity(n, n);
-        K.diagonal(1).setConstant(-1);
-        K.diagonal(-1).setConstant(-1);
+        const Eigen::MatrixXd K = chain(n);
         const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
         const DefinitePencil pencil(tests::matrix_of(K), tests::matrix_of(I),
                                     tests::matrix_of(0 * I));
         const std::vector<RealPair> pairs = pencil.smallest(0, 8);
         ASSERT_GE(pairs.size(), 8U);
         for (std::size_t i = 0; i < 8; ++i) {
-            const double k = std::floor(static_cast<double>(i) / 2) + 1;
-            const double exact = 2 * std::sin(k * std::numbers::pi / (2 * (n + 1)));
+            const double exact = of_chain(n, i);
             EXPECT_NEAR(std::abs(pairs[i].value), exact, 1e-12 * exact) << n << " " << i;
         }
         EXPECT_NE(std::signbit(pairs[0].value), std::signbit(pairs[1].value));
@@ -75,17 +86,14 @@ TEST(DefinitePencil, ChainOfMassesOfThreeSizes) {
 /// The same chain at rest by half the size: w^2 is lost in rounding twice as fast as w.
 TEST(DefinitePencil, AtRestBySquaresOfTheFrequencies) {
     for (const int n : {10, 120, 400}) {
-        Eigen::MatrixXd K = 2 * Eigen::MatrixXd::Identity(n, n);
-        K.diagonal(1).setConstant(-1);
-        K.diagonal(-1).setConstant(-1);
+        const Eigen::MatrixXd K = chain(n);
         const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
         const DefinitePencil pencil(tests::matrix_of(K), tests::matrix_of(I),
                                     tests::matrix_of(0 * I));
         const std::vector<RealPair> pairs = pencil.smallest_at_rest(8);
         ASSERT_GE(pairs.size(), 8U);
         for (std::size_t i = 0; i < 8; ++i) {
-            const double k = std::floor(static_cast<double>(i) / 2) + 1;
-            const double exact = 2 * std::sin(k * std::numbers::pi / (2 * (n + 1)));
+            const double exact = of_chain(n, i);
             EXPECT_NEAR(std::abs(pairs[i].value), exact, 1e-11 * exact) << n << " " << i;
             const Eigen::VectorXd x = pairs[i].vector;
             EXPECT_LT((K * x - exact * exact * x).norm(), 1e-8 * x.norm()) << n << " " << i;

@@ -128,15 +128,7 @@ TEST(SupportMassesInTime, OnAFoundationThatMoves) {
 /// A flexible rotor that starts in its steady motion stays there, that of `response`.
 TEST(SupportMassesInTime, SteadyMotionIsTheResponse) {
     model::Case scene;
-    scene.rotor = tests::two_disc_rotor(1e7, 2e7, 0, 500);
-    scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-4)};
-    for (model::Bearing &bearing : scene.rotor.bearings) {
-        bearing.rows[0].m << 3, 0.5, 0.5, 4;
-        bearing.pedestal.emplace();
-        bearing.pedestal->mass << 20, 30;
-        bearing.pedestal->k << 5e7, 3e7;
-        bearing.pedestal->c << 100, 200;
-    }
+    scene.rotor = tests::rotor_on_unlike_masses();
     scene.reduction = false;
     scene.simulate.time = 0.2;
     scene.simulate.tolerance = 1e-10;

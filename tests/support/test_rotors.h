@@ -56,4 +56,19 @@ inline model::Rotor two_disc_rotor(double kxx, double kyy, double kxy = 0, doubl
     return rotor;
 }
 
+/// The rotor with two discs out of balance, on pedestals and in films whose masses differ in x and
+/// y.
+inline model::Rotor rotor_on_unlike_masses() {
+    model::Rotor rotor = two_disc_rotor(1e7, 2e7, 0, 500);
+    rotor.imbalances = {{"", 0.5, 1e-4, 0}};
+    for (model::Bearing &bearing : rotor.bearings) {
+        bearing.rows[0].m << 3, 0.5, 0.5, 4;
+        bearing.pedestal.emplace();
+        bearing.pedestal->mass << 20, 30;
+        bearing.pedestal->k << 5e7, 3e7;
+        bearing.pedestal->c << 100, 200;
+    }
+    return rotor;
+}
+
 } // namespace whirl::tests

@@ -5,6 +5,7 @@
 
 #include "modes/spectrum.h"
 #include "support/random.h"
+#include "support/random_discs.h"
 #include "support/scenes.h"
 #include "tracking/crossings.h"
 #include "tracking/followed_lines.h"
@@ -24,10 +25,8 @@ model::Rotor sample_rotor(tests::Random &random) {
     model::Rotor rotor;
     rotor.shaft = tests::uniform_shaft(random(0.8, 1.5), random(0.04, 0.08), tests::steel());
     rotor.shaft.segments[0].elements = 3;
+    tests::add_two_discs(random, rotor);
     const double length = rotor.shaft.length();
-    for (const double place : {random(0.1, 0.4), random(0.6, 0.9)})
-        rotor.discs.push_back(
-            tests::disc_at(place * length, random(5, 40), random(0.05, 0.2), random(0.1, 0.35)));
     for (const double z : {0.0, length}) {
         model::Bearing bearing =
             tests::isotropic_bearing(z, std::pow(10, random(6, 8)), std::pow(10, random(1, 4)));

@@ -175,15 +175,7 @@ TEST(Pedestals, MayDifferInXAndY) {
 
 TEST(Pedestals, ThatDifferAreSolvedElementByElementToo) {
     model::Case scene;
-    scene.rotor = tests::two_disc_rotor(1e7, 2e7, 0, 500);
-    scene.rotor.imbalances = {tests::imbalance_at(0.5, 1e-4)};
-    for (model::Bearing &bearing : scene.rotor.bearings) {
-        bearing.rows[0].m << 3, 0.5, 0.5, 4;
-        bearing.pedestal.emplace();
-        bearing.pedestal->mass << 20, 30;
-        bearing.pedestal->k << 5e7, 3e7;
-        bearing.pedestal->c << 100, 200;
-    }
+    scene.rotor = tests::rotor_on_unlike_masses();
     scene.speeds = model::SpeedRange{20, 400, 8};
     const auto result = analyses::unbalance_response(scene);
     // The error is a difference to a finer model, condensed: order 4 is good to some 1e-7 here.

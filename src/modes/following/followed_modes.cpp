@@ -115,8 +115,6 @@ ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followe
         if (close)
             separate(basis);
     };
-    if (close)
-        out.complete();
     return out;
 }
 
