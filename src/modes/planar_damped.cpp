@@ -90,19 +90,20 @@ class PlanarDamped::AtSpeed {
         return false;
     }
 
-    /// Argument of det Q(z) over that of the undamped rotor, without the eigenvalues given of both:
-    /// what is far from z is nearly the same in both and drops out.
-    [[nodiscard]] double phase(Complex z, const std::vector<Pair> &without) {
+    /// Argument of det Q(z) over that of the undamped rotor at another z, without the eigenvalues
+    /// given of both: what is far from them is nearly the same in both and drops out.
+    [[nodiscard]] double phase(Complex z, Complex undamped, const std::vector<Pair> &without) {
         set(z);
         _rotor._factor->factorize(_Q);
         double phase = _rotor._factor->determinant_phase();
-        const Complex turning = -imaginary * _speed * z;
+        const Complex turning = -imaginary * _speed * undamped;
         for (Eigen::Index p = 0; p < _D.size(); ++p)
-            _Q.valuePtr()[p] = z * z * _rotor._M(p) + turning * _rotor._G(p) + _rotor._K(p);
+            _Q.valuePtr()[p] =
+                undamped * undamped * _rotor._M(p) + turning * _rotor._G(p) + _rotor._K(p);
         _rotor._factor->factorize(_Q);
         phase -= _rotor._factor->determinant_phase();
         for (const Pair &pair : without)
-            phase += std::arg((z - imaginary * pair.undamped) / (z - pair.value));
+            phase += std::arg((undamped - imaginary * pair.undamped) / (z - pair.value));
         return phase;
     }
 
@@ -276,10 +277,21 @@ double PlanarDamped::complete_radius(AtSpeed &problem, const std::vector<Pair> &
     }
     if (radius == 0)
         return 0;
-    // What is left turns slowly around the circle.
-    const auto turned =
-        winding([&](double angle) { return problem.phase(std::polar(radius, angle), pairs); },
-                {0.1, 2 * std::numbers::pi, 12, true});
+    // What is left turns slowly around the circles.
+    std::vector<double> undamped;
+    for (const Pair &pair : pairs)
+        undamped.push_back(std::abs(pair.undamped));
+    const double known =
+        circle_of_known(undamped, *std::max_element(undamped.begin(), undamped.end()), radius);
+    const auto phases = [&](const std::vector<double> &angles) {
+        std::vector<double> out;
+        out.reserve(angles.size());
+        for (const double angle : angles)
+            out.push_back(
+                problem.phase(std::polar(radius, angle), std::polar(known, angle), pairs));
+        return out;
+    };
+    const auto turned = winding(phases, {0.1, 2 * std::numbers::pi, 24, true});
     return turned && std::abs(*turned) < 1 ? radius : 0;
 }
 

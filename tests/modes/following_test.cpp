@@ -3,6 +3,7 @@
 
 #include "assembly/discretization.h"
 #include "assembly/system.h"
+#include "modes/following/continuation.h"
 #include "modes/following/eigenpair_refinement.h"
 #include "modes/following/symmetric_problem.h"
 #include "modes/spectrum.h"
@@ -154,6 +155,83 @@ TEST(FollowedModes, OfManyUnknownsAreAllOfTheStateMatrix) {
         }
     }
     EXPECT_GT(speeds_followed, speeds_seen / 2); // else it is the other route that was tested
+}
+
+/// Supports that hardly differ: from rest on, motions in the planes turn into whirls within a few
+/// rad/s. Which is which need not be known of those that are only counted, until they are asked
+/// for.
+TEST(FollowedModes, OfSupportsThatHardlyDifferAreAllWhenMoreAreAskedFor) {
+    tests::Random random(15);
+    int speeds_followed = 0;
+    int speeds_seen = 0;
+    for (int draw = 0; draw < 12; ++draw) {
+        SCOPED_TRACE(draw);
+        model::Rotor rotor = sample_rotor(random, true);
+        for (model::Bearing &bearing : rotor.bearings)
+            bearing.rows[0].k(1, 1) *= 1 + std::pow(10, random(-5, -2));
+        const SpectrumSolver solver(rotor, Form::general, 4);
+        const std::vector<double> speeds = sweep(1500, 31);
+        for (const int wanted : {4, 6, 10}) {
+            SCOPED_TRACE(wanted);
+            solver.follow(speeds, wanted);
+            for (std::size_t k = 0; k < speeds.size(); k += 5) {
+                const double speed = speeds[k] + (k % 2 == 0 ? 0 : 7.3);
+                const Spectrum found = solver.at(std::min(speed, speeds.back()), wanted);
+                expect_complete(found, dense(solver.discretization(), found.speed));
+                speeds_followed += followed(found) ? 1 : 0;
+                ++speeds_seen;
+            }
+        }
+    }
+    EXPECT_GT(speeds_followed, speeds_seen / 2); // else it is the other route that was tested
+}
+
+/// The slowest eigenvalues of the state matrix, each conjugate pair once, by modulus.
+FollowedSpeed slowest(const assembly::Discretization &d, double speed, std::size_t count) {
+    std::vector<Complex> all = dense(d, speed);
+    std::erase_if(all, [](const Complex &value) { return value.imag() < 0; });
+    std::sort(all.begin(), all.end(),
+              [](const Complex &a, const Complex &b) { return std::abs(a) < std::abs(b); });
+    FollowedSpeed out;
+    out.speed = speed;
+    for (std::size_t i = 0; i < count; ++i)
+        out.pairs.emplace_back().value = all[i];
+    return out;
+}
+
+/// An eigenvalue just outside the circle at one speed and just inside at the other turns the ratio
+/// of both determinants by 2 pi there, which points before and behind do not show.
+TEST(FollowedModes, OneThatHasJustComeIntoTheCircleIsCounted) {
+    tests::Random random(16);
+    int seen = 0;
+    for (int draw = 0; draw < 60; ++draw) {
+        SCOPED_TRACE(draw);
+        const model::Rotor rotor = sample_rotor(random, false);
+        const assembly::Discretization d(rotor, 4);
+        const auto problem = SymmetricProblem::of(d, Form::general);
+        ASSERT_NE(problem, nullptr);
+        const double speed = random(0, 1000);
+        const FollowedSpeed a = slowest(d, speed, 12);
+        const FollowedSpeed b = slowest(d, speed + random(5, 60), 12);
+        for (std::size_t i = 4; i < 12; ++i) {
+            const double outside = std::abs(a.pairs[i].value);
+            const double inside = std::abs(b.pairs[i].value);
+            const double radius = std::sqrt(outside * inside);
+            // Not on a circle, to the rounding of the dense values, and no others in between.
+            if (outside < 1.0001 * inside || std::abs(a.pairs[i - 1].value) > 0.999 * radius ||
+                (i + 1 < 12 && std::abs(b.pairs[i + 1].value) < 1.001 * radius))
+                continue;
+            FollowedSpeed within_a = a;
+            FollowedSpeed within_b = b;
+            within_a.pairs.resize(i);
+            within_b.pairs.resize(i + 1);
+            EXPECT_TRUE(none_missing(*problem, within_a, radius, within_b, radius)) << i;
+            within_b.pairs.resize(i);
+            EXPECT_FALSE(none_missing(*problem, within_a, radius, within_b, radius)) << i;
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 60);
 }
 
 TEST(FollowedModes, AreThoseOfEachSpeedAlone) {

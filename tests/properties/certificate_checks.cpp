@@ -342,12 +342,11 @@ void check_winding(const model::Case &scene, int number, Findings &out) {
     const modes::FollowedSpeed second = slowest(DenseRotor(d, form, speeds[1]), speeds[1]);
     constexpr int tries = 6;
     for (int k = 0; k < tries; ++k) {
-        modes::FollowedSpeed a = first;
-        modes::FollowedSpeed b = second;
-        const bool equal = leave_out(draw, a) == leave_out(draw, b);
-        const bool same = modes::same_number(*problem, a, a.radius, b, b.radius);
+        modes::FollowedSpeed left = second;
+        const bool none = leave_out(draw, left) == 0;
+        const bool same = modes::none_missing(*problem, first, first.radius, left, left.radius);
         out.counts.push_back(
-            {"argument of the determinant", number, speeds[0], same ? 1 : 0, equal ? 1 : 0});
+            {"argument of the determinant", number, speeds[0], same ? 1 : 0, none ? 1 : 0});
     }
 }
 

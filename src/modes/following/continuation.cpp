@@ -32,6 +32,12 @@ bool mixed(const FollowedSpeed &at) {
                        [](const SymmetricPair &pair) { return pair.mixed; });
 }
 
+/// Whether the pairs in this place are the same motion at all speeds.
+bool one_motion(const std::map<double, FollowedSpeed> &at, std::size_t place) {
+    return std::none_of(at.begin(), at.end(),
+                        [place](const auto &node) { return node.second.pairs[place].either; });
+}
+
 /// Drops the pairs beyond the smallest that whirl.
 void drop_beyond(FollowedSpeed &at, int whirling) {
     std::vector<double> sizes;
@@ -95,7 +101,7 @@ std::optional<FollowedSpeed> Continuation::from_undamped(double speed, int wante
     undamped.radius = std::min(found.radius, widest_gap(undamped, wanted));
     std::optional<FollowedSpeed> out = refined(found, speed, wanted);
     if (!out || undamped.radius == 0 || out->radius == 0 ||
-        !same_number(_problem, undamped, undamped.radius, *out, out->radius, false))
+        !none_missing(_problem, undamped, undamped.radius, *out, out->radius, false))
         return std::nullopt;
     return out;
 }
@@ -177,7 +183,7 @@ bool Continuation::covered(const FollowedSpeed &counted, FollowedSpeed &at, int 
 
 bool Continuation::count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const {
     const double radius = widest_gap(at, wanted);
-    if (radius == 0 || !same_number(_problem, counted, counted.radius, at, radius))
+    if (radius == 0 || !none_missing(_problem, counted, counted.radius, at, radius))
         return false;
     at.radius = radius;
     at.counted = true;
@@ -268,7 +274,8 @@ Continuation::Run Continuation::joining(const FollowedSpeed &start) {
         for (std::size_t i = 0; i < start.pairs.size(); ++i)
             for (std::size_t j = 0; j < pairs.size(); ++j)
                 if (std::norm(pairs[j].value - start.pairs[i].value) <
-                    1e-20 * std::norm(pairs[j].value))
+                        1e-20 * std::norm(pairs[j].value) &&
+                    one_motion(other.at, j))
                     run.places[i] = j;
         run.before = std::move(other.at);
         other.at.clear();

@@ -25,11 +25,11 @@ struct StartingPairs {
 /// Where pairs are known at some speeds, polynomials through them (in the speed, entry by entry)
 /// guess the pairs at others; each guess is refined with the full matrices until the residual
 /// leaves nothing. That none is missing: eigenvalues are counted at the ends and at some speeds
-/// between by the argument of the determinant (same_number). From a speed where all within a radius
-/// are known none can come in from beyond faster than eigenvalues move with speed: without damping
-/// by less than twice the change of the speed, as Ip <= 2 Id (theory.md). So much smaller is the
-/// radius at speeds that are not counted; where fewer modes than wanted are left in it, there is a
-/// count.
+/// between by the argument of the determinant (none_missing). From a speed where all within a
+/// radius are known none can come in from beyond faster than eigenvalues move with speed: without
+/// damping by less than twice the change of the speed, as Ip <= 2 Id (theory.md). So much smaller
+/// is the radius at speeds that are not counted; where fewer modes than wanted are left in it,
+/// there is a count.
 class Continuation {
   public:
     using Start = std::function<StartingPairs(double speed, int wanted)>;
@@ -98,13 +98,14 @@ class Continuation {
     [[nodiscard]] bool count(const FollowedSpeed &counted, FollowedSpeed &at, int wanted) const;
 };
 
-/// Whether as many eigenvalues are missing within `radius` at one speed as within another at the
-/// other: the argument of the ratio of both determinants around the circles, with all eigenvalues
-/// known of both divided out, which turns slowly.
+/// Whether none of the eigenvalues within `radius_b` is missing at the second speed, where none
+/// within `radius_a` is at the first: the argument of the ratio of both determinants around two
+/// circles, with all eigenvalues known of both divided out, which turns slowly. (That of the first
+/// speed may be smaller: circle_of_known.)
 /// @param damped_a  false: the first are pairs of the rotor without damping
-[[nodiscard]] bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a,
-                               double radius_a, const FollowedSpeed &b, double radius_b,
-                               bool damped_a = true);
+[[nodiscard]] bool none_missing(const SymmetricProblem &problem, const FollowedSpeed &a,
+                                double radius_a, const FollowedSpeed &b, double radius_b,
+                                bool damped_a = true);
 
 /// A circle with at least `wanted` whirl modes in it, in the widest gap between moduli of pairs; 0
 /// where there is none.

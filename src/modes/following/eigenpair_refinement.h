@@ -25,6 +25,7 @@ struct SymmetricPair {
     bool counted_only = false;       ///< its error is that of a count
     /// Its motion is shared with a pair near by, so that it is not said which of them it is.
     bool mixed = false;
+    bool either = false;  ///< the same, of pairs that are only counted
     bool refined = false; ///< else a guess
     /// Of the value of a guess, relative: how far its polynomial moved it at last.
     double doubt = std::numeric_limits<double>::infinity();

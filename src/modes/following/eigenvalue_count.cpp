@@ -4,10 +4,12 @@
 #include "modes/whirl_mode.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace whirl::modes {
 
@@ -26,26 +28,34 @@ double without(const SymmetricProblem &problem, double phase, std::complex<doubl
 
 } // namespace
 
-bool same_number(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
-                 const FollowedSpeed &b, double radius_b, bool damped_a) try {
+bool none_missing(const SymmetricProblem &problem, const FollowedSpeed &a, double radius_a,
+                  const FollowedSpeed &b, double radius_b, bool damped_a) try {
     constexpr double turn = 2 * std::numbers::pi;
     // Eigenvalues in conjugate pairs: one half of the circle is the image of the other.
     const CircleWay way =
-        problem.conjugates() ? CircleWay{0, turn / 2, 6, false} : CircleWay{0.1, turn, 12, true};
+        problem.conjugates() ? CircleWay{0, turn / 2, 12, false} : CircleWay{0.1, turn, 24, true};
+    std::vector<double> sizes;
+    for (const SymmetricPair &pair : a.pairs)
+        sizes.push_back(std::abs(pair.value));
+    const double known_in_a = circle_of_known(sizes, radius_a, radius_b);
     const linalg::Real4 speeds{a.speed, b.speed, a.speed, b.speed};
     const double share = damped_a ? 1 : 0;
     const linalg::Real4 damped{share, 1, share, 1};
-    const auto phase = [&](double angle) {
-        const std::complex<double> at_a = std::polar(radius_a, angle);
-        const std::complex<double> at_b = std::polar(radius_b, angle);
-        linalg::Complex4 z{};
-        for (int lane = 0; lane < linalg::lanes; ++lane)
-            z.set(lane, lane % 2 == 0 ? at_a : at_b);
-        const auto phases = problem.factorize(z, speeds, damped).determinant_phases();
-        return without(problem, phases[1], at_b, b.pairs) -
-               without(problem, phases[0], at_a, a.pairs);
+    const auto phases = [&](const std::vector<double> &angles) {
+        std::vector<double> out;
+        for (std::size_t k = 0; k < angles.size(); k += 2) { // two angles in the lanes
+            linalg::Complex4 z{};
+            for (int lane = 0; lane < linalg::lanes; ++lane)
+                z.set(lane, std::polar(lane % 2 == 0 ? known_in_a : radius_b,
+                                       angles[std::min(k + lane / 2, angles.size() - 1)]));
+            const auto at = problem.factorize(z, speeds, damped).determinant_phases();
+            for (int lane = 0; lane < linalg::lanes && k + lane / 2 < angles.size(); lane += 2)
+                out.push_back(without(problem, at[lane + 1], z.at(lane + 1), b.pairs) -
+                              without(problem, at[lane], z.at(lane), a.pairs));
+        }
+        return out;
     };
-    const std::optional<double> turned = winding(phase, way);
+    const std::optional<double> turned = winding(phases, way);
     return turned && std::abs(*turned) < way.length / 4;
 } catch (const linalg::SolverError &) {
     return false; // a pivot that happens to be zero

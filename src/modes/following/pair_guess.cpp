@@ -220,6 +220,20 @@ void refine(const SymmetricProblem &problem, const std::vector<GuessedSpeed *> &
         refine(problem, again, slowest);
 }
 
+/// Which of two it is need not be known where both are only counted.
+void set_mixed(GuessedSpeed &at) {
+    bool asked_for = false;
+    for (std::size_t i = 0; i < at.pairs.size(); ++i) {
+        SymmetricPair &pair = at.pairs[i];
+        pair.mixed = !parallel(at.nearest[i]->vector, pair.vector, same_motion);
+        asked_for = asked_for || (pair.mixed && !pair.counted_only);
+    }
+    for (SymmetricPair &pair : at.pairs) {
+        pair.either = pair.mixed && !asked_for;
+        pair.mixed = pair.mixed && asked_for;
+    }
+}
+
 bool whirls(const SymmetricPair &pair) {
     return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
 }
@@ -316,8 +330,8 @@ void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &
     }
     refine(problem, all, slowest);
     for (GuessedSpeed &at : speeds)
-        for (std::size_t i = 0; i < at.pairs.size() && at.settled; ++i)
-            at.pairs[i].mixed = !parallel(at.nearest[i]->vector, at.pairs[i].vector, same_motion);
+        if (at.settled)
+            set_mixed(at);
 }
 
 void settle_single(const SymmetricProblem &problem, std::vector<SinglePair> &pairs) {
