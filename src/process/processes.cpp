@@ -52,6 +52,24 @@ struct SharedCounter::Window {
     std::int64_t step = 1;
     std::int64_t asked = 0; ///< arrives here
     MPI_Request request = MPI_REQUEST_NULL;
+    /// Where memory is shared nobody waits for an answer, and what was asked for early would be
+    /// left for longer than need be when others have nothing more to do.
+    bool ahead = true;
+
+    /// In memory that all processes share, where they do; false: it is not made yet.
+    [[nodiscard]] bool in_shared_memory(MPI_Aint size) {
+        MPI_Comm here = MPI_COMM_NULL;
+        linalg::check(
+            MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &here));
+        linalg::check(MPI_Comm_set_errhandler(here, MPI_ERRORS_RETURN));
+        int count = 0;
+        linalg::check(MPI_Comm_size(here, &count));
+        const bool made = count == process_count() &&
+                          MPI_Win_allocate_shared(size, sizeof(std::int64_t), MPI_INFO_NULL, here,
+                                                  &value, &window) == MPI_SUCCESS;
+        linalg::check(MPI_Comm_free(&here));
+        return made;
+    }
 
     /// Lets the library send and answer what waits: where the network cannot reach into memory by
     /// itself, it does so only while it is called.
@@ -73,15 +91,18 @@ SharedCounter::SharedCounter() {
         return;
     _window = std::make_unique<Window>();
     const MPI_Aint size = process_rank() == 0 ? sizeof(std::int64_t) : 0;
-    linalg::check(MPI_Win_allocate(size, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
-                                   &_window->value, &_window->window));
+    _window->ahead = !_window->in_shared_memory(size);
+    if (_window->ahead)
+        linalg::check(MPI_Win_allocate(size, sizeof(std::int64_t), MPI_INFO_NULL, MPI_COMM_WORLD,
+                                       &_window->value, &_window->window));
     linalg::check(MPI_Win_lock_all(MPI_MODE_NOCHECK, _window->window));
     if (process_rank() == 0) {
         *_window->value = 0;
         linalg::check(MPI_Win_sync(_window->window));
     }
     linalg::check(MPI_Barrier(MPI_COMM_WORLD));
-    _window->ask();
+    if (_window->ahead)
+        _window->ask();
 }
 
 SharedCounter::~SharedCounter() {
@@ -95,11 +116,15 @@ SharedCounter::~SharedCounter() {
 std::size_t SharedCounter::next() {
     if (!_window)
         return _alone++;
+    if (!_window->ahead)
+        _window->ask();
     linalg::check(MPI_Wait(&_window->request, MPI_STATUS_IGNORE));
     const auto number = static_cast<std::size_t>(_window->asked);
-    Window::let_messages_pass();
-    _window->ask();
-    Window::let_messages_pass();
+    if (_window->ahead) {
+        Window::let_messages_pass();
+        _window->ask();
+        Window::let_messages_pass();
+    }
     return number;
 }
 

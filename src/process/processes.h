@@ -16,10 +16,10 @@ namespace whirl::process {
 /// The bytes of process 0 on every process.
 void broadcast(std::vector<char> &bytes);
 
-/// Hands out 0, 1, 2, ..., each number once among all processes, to whoever asks next. Each process
-/// asks one number ahead: on networks that cannot reach into the memory of process 0 by themselves
-/// it answers between two pieces of its own work, and nobody should wait for that. Making and
-/// ending one is collective.
+/// Hands out 0, 1, 2, ..., each number once among all processes, to whoever asks next. Where they
+/// share no memory each process asks one number ahead: on networks that cannot reach into the
+/// memory of process 0 by themselves it answers between two pieces of its own work, and nobody
+/// should wait for that. Making and ending one is collective.
 class SharedCounter {
   public:
     SharedCounter();
