@@ -1,4 +1,5 @@
 #include "modes/following/continuation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
