@@ -25,6 +25,18 @@ TEST(PlotData, GrowingModesAreThoseBeyondTheirOwnError) {
     EXPECT_FALSE(grows(mode, 2)) << "within its error";
 }
 
+// Of two speeds, rounded to nine digits, the lower one lay below the axis and the upper one above:
+// nothing was left to draw, and the run ended.
+TEST(PlotData, EndsOfALineLieWithinAnAxisThatEndsThere) {
+    for (const double speed : {50., 51., 1. / 3, 8.1, 2e4 / 7}) {
+        std::istringstream block(data_block("line", {{{speed * rpm, 1}}}));
+        std::string text;
+        std::getline(block, text);
+        block >> text;
+        EXPECT_EQ(std::stod(text), speed * rpm);
+    }
+}
+
 // A line that springs between two speeds, from 100 to 30 and back, is two lines and a point
 // between.
 TEST(PlotData, SprungFrequenciesAreNotJoined) {

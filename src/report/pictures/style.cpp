@@ -52,7 +52,8 @@ std::string data_block(const std::string &name,
     std::string block = "$" + name + " << EOD\n";
     for (const auto &polyline : polylines) {
         for (const PlotPoint &point : polyline)
-            block += fmt::format("{:.9g} {}\n", point.x, plot_number(point.y));
+            // In full: rounded, the first and the last could lie outside of the axis.
+            block += fmt::format("{} {}\n", point.x, plot_number(point.y));
         block += "\n";
     }
     // gnuplot refuses an empty block; a point without a value draws nothing.
