@@ -1,11 +1,11 @@
 #include "analyses/campbell.h"
 
+#include "analyses/lines/drawn_lines.h"
 #include "analyses/notes/gaps.h"
 #include "analyses/notes/growing_lines.h"
 #include "analyses/notes/unconfirmed.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
-#include "model/errors.h"
 #include "modes/formulation.h"
 #include "process/processes.h"
 #include "process/progress.h"
@@ -97,73 +97,6 @@ results::CampbellMode mode_along(const tracking::Line &line,
                                                    : std::nullopt);
     }
     return out;
-}
-
-/// The speeds of the diagram and those between them that name its lines, ascending.
-std::vector<double> with_naming_speeds(const model::SpeedRange &range) {
-    const std::vector<double> own = range.values();
-    const std::vector<double> naming = tracking::naming_speeds(range);
-    std::vector<double> all;
-    std::set_union(own.begin(), own.end(), naming.begin(), naming.end(), std::back_inserter(all));
-    return all;
-}
-
-/// Places of some of these speeds.
-std::vector<std::size_t> places_of(const std::vector<double> &some,
-                                   const std::vector<modes::Spectrum> &spectra) {
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < spectra.size(); ++k)
-        if (std::binary_search(some.begin(), some.end(), spectra[k].speed))
-            places.push_back(k);
-    return places;
-}
-
-template <class Item>
-void keep_places(std::vector<Item> &items, const std::vector<std::size_t> &places) {
-    std::vector<Item> kept;
-    for (const std::size_t k : places)
-        kept.push_back(std::move(items[k]));
-    items = std::move(kept);
-}
-
-/// What is drawn: the lines that are among the `modes` lowest at some speed of the diagram, there.
-struct Drawn {
-    std::vector<std::string> labels;
-    std::vector<int> places; ///< of the lines that were found among these, or -1
-};
-
-/// Leaves the lines that are drawn, at the speeds of the diagram.
-/// @param all  lines that are among the lowest at other speeds are drawn too
-Drawn keep_lowest(tracking::FollowedLines &found, const model::SpeedRange &range, int modes,
-                  bool all) {
-    std::vector<tracking::Line> &lines = found.tracking.lines;
-    const std::vector<tracking::LineName> names = tracking::line_names(
-        lines, found.spectra, places_of(tracking::naming_speeds(range), found.spectra), modes);
-    const std::vector<std::size_t> own = places_of(range.values(), found.spectra);
-    keep_places(found.spectra, own);
-    keep_places(found.tracking.rates, own);
-    std::vector<tracking::Line> lowest;
-    Drawn out;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool anywhere = all && tracking::among_lowest(lines[i], modes);
-        keep_places(lines[i].place, own);
-        keep_places(lines[i].absence, own);
-        const bool drawn = anywhere || tracking::among_lowest(lines[i], modes);
-        out.places.push_back(drawn ? static_cast<int>(lowest.size()) : -1);
-        if (!drawn)
-            continue;
-        out.labels.push_back(names[i].label);
-        lowest.push_back(std::move(lines[i]));
-    }
-    lines = std::move(lowest);
-    return out;
-}
-
-/// Of crossings and intervals of all lines those of the lines drawn.
-template <class Item> void keep_drawn(std::vector<Item> &items, const Drawn &drawn) {
-    for (Item &item : items)
-        item.mode = drawn.places[static_cast<std::size_t>(item.mode)];
-    std::erase_if(items, [](const Item &item) { return item.mode < 0; });
 }
 
 /// What the absence of modes at some speeds means.
@@ -337,13 +270,11 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
 } // namespace
 
 results::CampbellResult campbell(const model::Case &scene) {
-    if (!scene.speeds)
-        throw model::BadInput("speeds: expected a table [speeds] with from, to and count for a "
-                              "Campbell diagram, got none");
+    const model::SpeedRange &range = model::required_speeds(scene);
     results::CampbellResult result;
     result.model.formulation = modes::choose_formulation(scene);
     result.model.order = mesh_error::resolve_order(scene, result.model.formulation);
-    result.speeds = scene.speeds->values();
+    result.speeds = range.values();
     const modes::SpectrumSolver solver(scene.rotor, result.model.formulation.form,
                                        result.model.order);
     result.model.unknowns = solver.unknowns();
@@ -351,36 +282,36 @@ results::CampbellResult campbell(const model::Case &scene) {
     std::optional<process::Stage> stage(std::in_place, "whirl speeds", 0.0, 0.5);
     std::optional<tracking::PeriodicDiagram> periodic;
     if (scene.reduction && solver.form() == results::Form::hill)
-        periodic = tracking::periodic_diagram(solver, result.speeds,
-                                              tracking::naming_speeds(*scene.speeds),
+        periodic = tracking::periodic_diagram(solver, result.speeds, tracking::naming_speeds(range),
                                               scene.campbell.modes, scene.campbell.multiples);
     tracking::FollowedLines found =
         periodic ? std::move(periodic->found)
-                 : tracking::followed_lines(solver, with_naming_speeds(*scene.speeds),
-                                            scene.campbell.modes, scene.reduction);
+                 : tracking::followed_lines(solver, with_naming_speeds(range), scene.campbell.modes,
+                                            scene.reduction);
     if (process::process_rank() != 0)
         return result;
     // Steps longer than those between the speeds that name lines hide crossings and exchange lines:
     // then these speeds are searched too.
-    const bool coarse = !results::in_rotating_axes(solver.form()) &&
-                        result.speeds.size() < tracking::naming_speeds(*scene.speeds).size();
+    const bool coarse = result.speeds.size() < tracking::naming_speeds(range).size();
+    const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
+    const Drawn drawn = keep_lowest(found, range, own, scene.campbell.modes, periodic || coarse);
     tracking::Crossings crossed;
-    if (periodic)
+    const auto search = [&] {
+        return tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
+    };
+    if (periodic) {
         crossed = std::move(periodic->crossed);
-    else if (coarse)
-        crossed =
-            tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
-    const Drawn drawn = keep_lowest(found, *scene.speeds, scene.campbell.modes, periodic || coarse);
+        keep_drawn(crossed.found, drawn);
+        keep_drawn(crossed.locked, drawn);
+    } else if (coarse) {
+        crossed = search();
+    }
+    keep_own(found, own);
     stage.emplace("errors of the whirl speeds", 0.5, 0.75);
     add_modes(scene, solver, found, drawn, result);
     stage.emplace("crossings", 0.75, 1.0);
-    if (periodic || coarse) {
-        keep_drawn(crossed.found, drawn);
-        keep_drawn(crossed.locked, drawn);
-    } else {
-        crossed =
-            tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
-    }
+    if (!periodic && !coarse)
+        crossed = search();
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     add_notes(result, scene.campbell, found, crossed, !periodic);

@@ -223,7 +223,7 @@ std::ptrdiff_t standing(const modes::SpectrumSolver &solver, double speed) {
 TEST(Crossings, OfMotionsThatTurnWithTheRotorAreTheEndsOfTheirBands) {
     // Balls make damped motions stand still over most of the range: at every grid speed one does.
     std::vector<double> coarse;
-    for (const int count : {8, 36}) {
+    for (const int count : {3, 8, 36}) {
         model::Case scene = input::load_case(WHIRL_ROOT "/cases/extractor_two_plane");
         scene.speeds = model::SpeedRange{50, 400, count};
         scene.campbell.modes = 4;

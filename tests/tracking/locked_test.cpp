@@ -305,7 +305,7 @@ TEST(Locked, CoversEverySpeedAsOftenAsMotionsStandStillThere) {
 TEST(Locked, OfBallsIsTheSameOnEveryGrid) {
     for (const char *name : {"extractor_two_plane", "centrifuge_two_balls"}) {
         std::vector<results::Locked> coarse;
-        for (const int count : {8, 36}) {
+        for (const int count : {3, 8, 36}) {
             model::Case scene = input::load_case(std::string(WHIRL_ROOT "/cases/") + name);
             scene.speeds = model::SpeedRange{50, 400, count};
             scene.campbell.modes = 4;
