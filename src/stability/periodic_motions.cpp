@@ -268,9 +268,11 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
         // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
         if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
             continue;
-        const auto root = _whole->next_to(speed, motion.value, one.frequency);
-        if (!root)
+        const auto root = whole_root(speed, one);
+        if (!root) {
+            _unconfirmed = matters ? std::max(_unconfirmed, size) : _unconfirmed;
             continue;
+        }
         const double off = std::abs(root->value - motion.value);
         const double allowed = agreement * std::max(size, std::abs(motion.value));
         if (off > allowed + 10 * motion.noise)
