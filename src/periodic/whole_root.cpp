@@ -60,6 +60,11 @@ constexpr int usual = 80;
 /// How many harmonics more than so many are tried next.
 int more_of(int harmonics) { return harmonics < usual ? 2 : harmonics / 12; }
 
+/// The larger of its first and last n entries.
+double end_of(const Eigen::VectorXcd &x, Eigen::Index n) {
+    return std::max(x.head(n).norm(), x.tail(n).norm());
+}
+
 /// |x|^2 of so many terms in the middle.
 double with_terms(const Eigen::VectorXcd &x, Eigen::Index n, Eigen::Index terms) {
     const Eigen::Index kept = std::min(x.size(), n * terms);
@@ -346,7 +351,9 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
     constexpr double mostly = 0.3;
     const double near = guided ? 1e-2 * std::abs(speed) : std::numeric_limits<double>::infinity();
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
-    const auto known = static_cast<int>(terms.cols() / 2);
+    auto known = static_cast<int>(terms.cols() / 2);
+    if (known > 0 && end_of(start_vector(terms, d, known), n) > nothing)
+        ++known; // one more than that is not nothing
     if (!(turns <= most - margin))
         return std::nullopt; // it would end before the largest term, and find something else
     for (int N =
@@ -361,7 +368,7 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();
-        const double end = std::max(x.head(n).norm(), x.tail(n).norm());
+        const double end = end_of(x, n);
         if (end > nothing) {
             if (N > known && N <= usual)
                 _beyond += more_of(N);
