@@ -262,7 +262,9 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
     const Eigen::Index shapes = _planar->matrix().cols();
     for (Listed &one : list) {
         Motion &motion = one.motion;
-        const bool neutral = std::abs(motion.value.real()) <= motion.noise; // and stays so
+        // And stays so, where nothing damps; else it is next to an end of growth.
+        const bool neutral =
+            !_discretization.rotor().damped() && std::abs(motion.value.real()) <= motion.noise;
         const bool matters = motion.value.real() > motion.noise ||
                              (!neutral && motion.value.real() >= most - 10 * agreement * size);
         // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.

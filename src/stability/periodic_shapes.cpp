@@ -31,9 +31,10 @@ std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double spe
             for (Eigen::Index k = 0; k < terms.cols(); ++k)
                 terms.col(k) = few.lifted(series->terms.col(k));
             auto root = _whole->next_to(speed, series->value, 0, terms);
-            if (root)
+            if (root) {
                 root->value += motion.value - series->value;
-            return root;
+                return root;
+            }
         }
     }
     return _whole->next_to(speed, one.motion.value, one.frequency);
