@@ -207,7 +207,7 @@ void find_growth(stability::BandFinder &finder, const stability::StabilityModel 
                  const std::vector<double> &grid, std::optional<ends::AllMotions> &all,
                  results::StabilityResult &result) {
     if (model.form == results::Form::hill) {
-        add_hill_growth(at, model, result);
+        add_hill_growth(at, model, finder.solver(), result);
         return;
     }
     all.emplace(finder.solver().discretization(), model.form, arrangement, finder.good_shapes(grid),

@@ -6,6 +6,7 @@
 #include "linalg/check.h"
 #include "stability/band_errors.h"
 #include "stability/hill/hill_motions.h"
+#include "stability/periodic_motions.h"
 
 #include <fmt/format.h>
 
@@ -126,7 +127,7 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
 } // namespace
 
 void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     results::StabilityResult &result) {
+                     const stability::MotionSolver &solver, results::StabilityResult &result) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const double speed : result.speeds) {
         const bool known = std::abs(speed) >= model.from;
@@ -135,6 +136,13 @@ void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityM
         result.growth.push_back(known ? stability::growth_of(motions) : unknown);
         result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
     }
+    const stability::PeriodicMotions *periodic = solver.by_monodromy();
+    if (periodic != nullptr && periodic->unconfirmed() > 0)
+        result.model.notes.push_back(fmt::format(
+            "up to {:.6g} rad/s, but not at rest, growth at some speeds is that of the rotor on "
+            "few shapes: the motion of the rotor with all unknowns was not found with as many "
+            "terms as a Hill series may have",
+            periodic->unconfirmed()));
 }
 
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {

@@ -17,8 +17,9 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result);
 
 /// The same of the speeds that a Hill series describes.
+/// @param solver  that `at` asks
 void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     results::StabilityResult &result);
+                     const stability::MotionSolver &solver, results::StabilityResult &result);
 
 /// Unstable bands, and the motions at their ends that are known as roots.
 struct BandsBetween {

@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/quadratic/quadratic_problem.h"
+#include "modes/hill/seen_whirl.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"
 
@@ -174,9 +175,11 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
         out.pairs.emplace_back();
         std::swap(out.pairs.back(), pair);
     }
-    if (_harmonics > 0 && keep == Keep::best && speed != 0)
+    if (_harmonics > 0 && keep == Keep::best && speed != 0) {
         for (linalg::ComplexPair &pair : out.pairs)
             take_standing_copy(speed, found.pairs, pair);
+        drop_copies_of_straight(_stations, _system.M.size(), speed, out.pairs);
+    }
     std::sort(out.pairs.begin(), out.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
     return out;
@@ -255,43 +258,29 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::copies(double speed, double radi
     return up_to(speed, radius, least, Keep::accurate, Reach::asked);
 }
 
-/// The mode of an eigenpair in rotating axes as seen from the fixed frame: of its two whirls, at
-/// Im + speed and Im - speed backwards, the one with the larger deflections.
+/// The mode of an eigenpair in rotating axes as seen from the fixed frame.
 WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, double speed) const {
-    // x(t) + i y(t) in rotating axes = p exp(l t) + r exp(conj(l) t) for x = Re(X exp(l t)), ...
-    const Eigen::Index n = _system.M.size() / 2;
-    const Eigen::VectorXcd constant = pair.vector.head(2 * n);
-    const assembly::Planes planes(constant);
-    const Eigen::VectorXcd p = planes.towards() / 2;
-    const Eigen::VectorXcd r = planes.against().conjugate() / 2;
     const double nu = pair.value.imag();
     WhirlMode mode;
     mode.frequency_rotating = nu;
     mode.rotating_value = pair.value;
     mode.rotating_vector = pair.vector;
     mode.rotating_left = pair.left;
-    mode.shape.resize(2 * n);
     double turn = 0; // rad/s, of the dominant whirl, positive with the spin
     if (speed == 0) {
         turn = nu; // both whirls have this frequency: the whole motion
-        mode.shape = constant;
+        mode.shape = pair.vector.head(_system.M.size());
     } else {
-        const double towards = _stations.deflection_energy(p);
-        const double against = _stations.deflection_energy(r);
-        const bool first = towards >= against;
-        turn = speed + (first ? nu : -nu);
-        constexpr double seen = 0.01; // of the energy: a tenth of the deflections
-        if (nu != 0 && std::min(towards, against) >= seen * std::max(towards, against))
-            mode.other_frequency = std::abs(speed - (first ? nu : -nu));
-        // w exp(i turn t) = x + i y with x = Re(w exp(i turn t)), y = Im: for a turn against the
-        // positive sense x = Re(conj(w) exp(i |turn| t)), y = Re(i conj(w) exp(...)).
-        const Eigen::VectorXcd w = first ? p : r;
-        const Eigen::VectorXcd x = turn >= 0 ? w : Eigen::VectorXcd(w.conjugate());
-        mode.shape(Eigen::seqN(0, n, 2)) = x;
-        mode.shape(Eigen::seqN(1, n, 2)) =
-            turn >= 0 ? Eigen::VectorXcd(-i_unit * x) : Eigen::VectorXcd(i_unit * x);
-        mode.whirl = turn * speed >= 0 ? results::Whirl::forward : results::Whirl::backward;
-        mode.forward_fraction = mode.whirl == results::Whirl::forward ? 1 : 0;
+        const SeenWhirl whirl = seen_whirl(_stations, pair, _system.M.size(), speed);
+        turn = whirl.turn;
+        constexpr double shown = 0.01; // of the energy: a tenth of the deflections
+        if (nu != 0 && whirl.other_size >= shown * whirl.size)
+            mode.other_frequency = std::abs(whirl.other);
+        mode.shape = whirl.shape();
+        mode.whirl = whirl.straight      ? results::Whirl::mixed
+                     : turn * speed >= 0 ? results::Whirl::forward
+                                         : results::Whirl::backward;
+        mode.forward_fraction = whirl.straight ? 0.5 : turn * speed >= 0 ? 1 : 0;
     }
     mode.eigenvalue = {pair.value.real(), std::abs(turn)};
     const double size = std::max(std::abs(mode.eigenvalue), 1e-300);

@@ -89,13 +89,10 @@ class RotatingSpectrum {
     [[nodiscard]] WhirlMode in_fixed_frame(const linalg::ComplexPair &pair, double speed) const;
 
     [[nodiscard]] const assembly::RotatingSystem &system() const { return _system; }
+    [[nodiscard]] const Stations &stations() const { return _stations; }
     /// The constant terms of Hill's series at a speed.
     [[nodiscard]] assembly::SystemAtSpeed hill_system(double speed) const;
     [[nodiscard]] int harmonics() const { return _harmonics; }
-
-    /// Share of the largest term of a series that another one must have to be as large; equal ones
-    /// may differ by rounding.
-    static constexpr double equal_share = 1 - 1e-6;
 
   private:
     const assembly::Discretization &_discretization;

@@ -240,7 +240,8 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const
 }
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {
-    // At speed each mode in rotating axes comes with its dominant whirl, which is circular.
+    // At speed each mode in rotating axes comes with its dominant whirl, which is a
+    // circle, or a straight line (seen_whirl.h).
     if (results::is_planar(_data->form) ||
         (results::in_rotating_axes(_data->form) && spectrum.speed != 0))
         return;

@@ -102,4 +102,63 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
     return out;
 }
 
+namespace {
+
+/// The same, of terms from one number to another alone.
+MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool backwards) {
+    Eigen::VectorXcd circle(steps);
+    for (Eigen::Index j = 0; j < steps; ++j)
+        circle(j) = std::polar(1.0 / static_cast<double>(steps),
+                               (backwards ? 2 : -2) * std::numbers::pi * static_cast<double>(j) /
+                                   static_cast<double>(steps));
+    MatrixXcd out(steps, to - from + 1);
+    for (Eigen::Index k = from; k <= to; ++k)
+        for (Eigen::Index j = 0; j < steps; ++j)
+            out(j, k - from) = circle(((k * j) % steps + steps) % steps);
+    return out;
+}
+
+/// Number of the term that the motion turns with on average over the period.
+Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {
+    const Eigen::Index n = M.rows();
+    const MatrixXcd q = states.topRows(n);
+    const MatrixXcd weighted = linalg::times(M.cast<Complex>().eval(), q);
+    const MatrixXcd rates = states.bottomRows(n);
+    const Complex mean =
+        weighted.conjugate().cwiseProduct(rates).sum() / weighted.conjugate().cwiseProduct(q).sum();
+    return static_cast<Eigen::Index>(std::lround((mean - value).imag() / (2 * speed)));
+}
+
+} // namespace
+
+std::optional<FloquetSeries> centred_series(const System &system, double speed, int steps,
+                                            const FloquetMotion &motion) {
+    constexpr double nothing = 1e-10;
+    constexpr Eigen::Index first = 12;
+    constexpr Eigen::Index most = 400;
+    const MatrixXcd states = along_half_turn(system, speed, steps, motion);
+    if (!states.allFinite())
+        return std::nullopt;
+    const Eigen::Index middle = mean_term(system.steady(speed).M, states, motion.value, speed);
+    const MatrixXcd q = states.topRows(system.size());
+    for (Eigen::Index K = first; K <= std::min<Eigen::Index>(most, (steps - 1) / 2); K *= 2) {
+        const MatrixXcd terms = linalg::times(q, fourier(steps, middle - K, middle + K, speed < 0));
+        const Eigen::VectorXd sizes = terms.colwise().norm();
+        Eigen::Index largest = 0;
+        const double size = sizes.maxCoeff(&largest);
+        const Eigen::Index wide = std::min(largest, 2 * K - largest);
+        Eigen::Index kept = 2;
+        for (Eigen::Index k = 0; k <= 2 * K; ++k)
+            if (sizes(k) > nothing * size)
+                kept = std::max(kept, std::abs(k - largest));
+        if (kept >= wide)
+            continue;
+        const double places = static_cast<double>(middle + largest - K);
+        return FloquetSeries{motion.value + Complex(0, 2 * speed * places), motion.noise,
+                             system.scales().asDiagonal() *
+                                 terms.middleCols(largest - kept, 2 * kept + 1)};
+    }
+    return std::nullopt;
+}
+
 } // namespace whirl::periodic

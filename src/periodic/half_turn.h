@@ -21,6 +21,10 @@ namespace whirl::periodic {
 [[nodiscard]] Eigen::MatrixXd half_turn(const System &system, double speed, int steps,
                                         std::vector<linalg::Rows> *along);
 
+/// (q, q') of a motion without its growth and turn at the beginnings of the steps, a column each.
+[[nodiscard]] Eigen::MatrixXcd along_half_turn(const System &system, double speed, int steps,
+                                               const FloquetMotion &motion);
+
 /// As floquet_motions(), of that matrix.
 [[nodiscard]] std::vector<FloquetMotion> motions_of(const System &system, double speed,
                                                     const Eigen::MatrixXd &monodromy);

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace whirl::periodic {
@@ -52,6 +53,14 @@ struct FloquetSeries {
 /// @throws linalg::SolverError
 [[nodiscard]] std::vector<FloquetSeries> floquet_series(const System &system, double speed,
                                                         int steps, double fastest);
+
+/// One motion with its largest term in the middle, l at that, and as many terms to either side as
+/// leave nothing beyond: few where the largest one is far from the strip |Im l| <= |speed|.
+/// @param motion  of floquet_motions() with these steps, among those that grow most: along the
+///                period rounding brings in faster growing ones
+/// @returns nothing where its terms lie on both sides of the strip, or are too many
+[[nodiscard]] std::optional<FloquetSeries> centred_series(const System &system, double speed,
+                                                          int steps, const FloquetMotion &motion);
 
 /// As floquet_motions() of equations with constant coefficients: at rest (Im l of any size) that of
 /// the supports as they stand, else of what of them is the same from every direction.

@@ -54,6 +54,17 @@ Eigen::VectorXcd start_vector(const Eigen::MatrixXcd &terms, const Eigen::Vector
     return out.reshaped().normalized();
 }
 
+/// Harmonics that are tried at most, without terms of the motion to go by.
+constexpr int usual = 80;
+
+/// How many harmonics more than so many are tried next.
+int more_of(int harmonics) { return harmonics < usual ? 2 : harmonics / 12; }
+
+/// The larger of its first and last n entries.
+double end_of(const Eigen::VectorXcd &x, Eigen::Index n) {
+    return std::max(x.head(n).norm(), x.tail(n).norm());
+}
+
 /// |x|^2 of so many terms in the middle.
 double with_terms(const Eigen::VectorXcd &x, Eigen::Index n, Eigen::Index terms) {
     const Eigen::Index kept = std::min(x.size(), n * terms);
@@ -332,36 +343,40 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
         linalg::scales_at(std::max(scale, frequency), problem.M.diagonal(), problem.K.diagonal());
     problem.scale(d);
     const Eigen::Index n = d.size();
-    constexpr int most = 80;
+    const bool guided = terms.size() > 0;
+    const int most = guided ? 6 * usual : usual;
     constexpr int margin = 2;
-    constexpr int more = 2;
     constexpr double nothing = 1e-8; // its square is what the value is off by
     constexpr double far_too_many = 1e-11;
     constexpr double mostly = 0.3;
-    const double near =
-        terms.size() > 0 ? 1e-2 * std::abs(speed) : std::numeric_limits<double>::infinity();
+    const double near = guided ? 1e-2 * std::abs(speed) : std::numeric_limits<double>::infinity();
     const double turns = (frequency + std::abs(speed)) / (2 * std::abs(speed));
-    const auto known = static_cast<int>(terms.cols() / 2);
+    auto known = static_cast<int>(terms.cols() / 2);
+    if (known > 0 && end_of(start_vector(terms, d, known), n) > nothing)
+        ++known; // one more than that is not nothing
+    if (!(turns <= most - margin))
+        return std::nullopt; // it would end before the largest term, and find something else
     for (int N =
              std::max(known, static_cast<int>(std::min<double>(most - _beyond, turns)) + _beyond);
-         N <= most; N += more) {
+         N <= most; N += more_of(N)) {
         const Series series(problem, N);
         const Eigen::VectorXcd start = start_vector(terms, d, N);
+        Factor large(true); // too large to be kept
         Iteration iteration(series, guess, scale, near, start,
-                            _factors->with_harmonics.try_emplace(N, true).first->second);
+                            N <= usual ? _factors->with_harmonics.try_emplace(N, true).first->second
+                                       : large);
         if (!iteration.settle())
             return std::nullopt;
         const Eigen::VectorXcd &x = iteration.right();
-        const double end = std::max(x.head(n).norm(), x.tail(n).norm());
+        const double end = end_of(x, n);
         if (end > nothing) {
-            if (N > known)
-                _beyond += more;
+            if (N > known && N <= usual)
+                _beyond += more_of(N);
             continue;
         }
         if (end < far_too_many)
             _beyond = std::max(margin, _beyond - 1);
-        if (terms.size() > 0 &&
-            !(std::norm(start.dot(x)) > mostly * with_terms(x, n, terms.cols())))
+        if (guided && !(std::norm(start.dot(x)) > mostly * with_terms(x, n, terms.cols())))
             return std::nullopt;
         Root root{iteration.value(), x, iteration.left(), iteration.noise()};
         for (int k = 0; k <= 2 * N; ++k)

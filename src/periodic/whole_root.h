@@ -41,7 +41,8 @@ class WholeRotor {
     /// @param speed      not zero, rad/s
     /// @param frequency  that the motion is fastest at, rad/s: for the first N
     /// @param terms      q_-K, ..., q_K of the guess, a column each, any number of them, or none
-    /// @returns nothing where it does not converge, or not to a motion with these terms
+    /// @returns nothing where it does not converge, or not to a motion with these terms; without
+    ///          them nothing either where the largest term of such a motion lies beyond N = 80
     [[nodiscard]] std::optional<Root> next_to(double speed, std::complex<double> guess,
                                               double frequency,
                                               const Eigen::MatrixXcd &terms = {}) const;

@@ -262,15 +262,19 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
     const Eigen::Index shapes = _planar->matrix().cols();
     for (Listed &one : list) {
         Motion &motion = one.motion;
-        const bool neutral = std::abs(motion.value.real()) <= motion.noise; // and stays so
+        // And stays so, where nothing damps; else it is next to an end of growth.
+        const bool neutral =
+            !_discretization.rotor().damped() && std::abs(motion.value.real()) <= motion.noise;
         const bool matters = motion.value.real() > motion.noise ||
                              (!neutral && motion.value.real() >= most - 10 * agreement * size);
         // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
         if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
             continue;
-        const auto root = _whole->next_to(speed, motion.value, one.frequency);
-        if (!root)
+        const auto root = whole_root(speed, one);
+        if (!root) {
+            _unconfirmed = matters ? std::max(_unconfirmed, size) : _unconfirmed;
             continue;
+        }
         const double off = std::abs(root->value - motion.value);
         const double allowed = agreement * std::max(size, std::abs(motion.value));
         if (off > allowed + 10 * motion.noise)

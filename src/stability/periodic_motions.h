@@ -67,6 +67,10 @@ class PeriodicMotions {
     };
     [[nodiscard]] Fastest fastest_growing(double speed) const;
 
+    /// Up to this speed some motion that grows most is that of the reduced rotor, as the whole
+    /// one's was not found from it, rad/s; 0: none.
+    [[nodiscard]] double unconfirmed() const { return _unconfirmed; }
+
     /// The rotor with all its unknowns, once shapes were looked for; none where it is as small.
     [[nodiscard]] const periodic::WholeRotor *whole() const { return _whole.get(); }
 
@@ -110,6 +114,8 @@ class PeriodicMotions {
     /// At speeds that the shapes were found to be good for.
     mutable std::map<double, std::vector<Wanted>> _good_at;
 
+    mutable double _unconfirmed = 0;
+
     void set_top(double speed) const;
     void set_shapes() const;
     void use_planar() const;
@@ -121,6 +127,8 @@ class PeriodicMotions {
     [[nodiscard]] std::vector<periodic::FloquetMotion> settled(double speed, double reach) const;
     [[nodiscard]] List listed(double speed) const;
     [[nodiscard]] const List &known(double speed) const;
+    [[nodiscard]] std::optional<periodic::WholeRotor::Root> whole_root(double speed,
+                                                                       const Listed &one) const;
     [[nodiscard]] Eigen::MatrixXd planar_parts_above(double part,
                                                      const Eigen::VectorXcd &terms) const;
     /// @param wanted  where to say which of the whole rotor's motions were looked at, or none

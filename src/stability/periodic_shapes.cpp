@@ -2,6 +2,7 @@
 
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
+#include "reduction/projection.h"
 #include "stability/periodic_motions.h"
 
 #include <algorithm>
@@ -10,6 +11,34 @@
 #include <utility>
 
 namespace whirl::stability {
+
+/// The whole rotor's own motion on the strip. Far from its largest term it is found by the copy
+/// around that, which takes few terms.
+std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double speed,
+                                                                      const Listed &one) const {
+    constexpr double far = 3; // terms
+    if (one.frequency > far * 2 * std::abs(speed)) {
+        periodic::FloquetMotion motion;
+        motion.value = one.motion.value;
+        motion.shape = one.shape;
+        const auto series =
+            periodic::centred_series(system(speed), speed, steps(speed, reach(speed)), motion);
+        if (series) {
+            const reduction::Projection few(*_shapes);
+            Eigen::MatrixXcd terms(2 * _discretization.planar_size() +
+                                       2 * balancers::unknowns_of(_balancers),
+                                   series->terms.cols());
+            for (Eigen::Index k = 0; k < terms.cols(); ++k)
+                terms.col(k) = few.lifted(series->terms.col(k));
+            auto root = _whole->next_to(speed, series->value, 0, terms);
+            if (root) {
+                root->value += motion.value - series->value;
+                return root;
+            }
+        }
+    }
+    return _whole->next_to(speed, one.motion.value, one.frequency);
+}
 
 /// The reduced rotor has the motions of the whole one that were looked at.
 bool PeriodicMotions::has_wanted() const {

@@ -183,6 +183,23 @@ TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn)
 }
 
 // The band begins with the range: its end is the same as seen from both sides.
+/// Beside each end of the seven bands the numbers of growing motions differ, wherever the ends of
+/// the reduced rotor lie.
+TEST(HillSeries, EveryBandOfADampedElasticRotorBeginsAndEndsWithItsCount) {
+    model::Rotor rotor = flexible_rotor(34.45);
+    for (model::Segment &segment : rotor.shaft.segments)
+        segment.material = {"steel", 2.11e11, 2.11e11 / 2.6, 7810};
+    const auto found = analyses::stability(tests::scene_of(rotor, 50, 1300, 251), {});
+    EXPECT_EQ(found.unstable.size(), 7U);
+    ASSERT_EQ(found.ends.size(), 2 * found.unstable.size());
+    for (std::size_t i = 0; i < found.unstable.size(); ++i) {
+        EXPECT_EQ(found.ends[2 * i].speed, found.unstable[i].first);
+        EXPECT_EQ(found.ends[2 * i].growing_below, 0);
+        EXPECT_EQ(found.ends[2 * i + 1].speed, found.unstable[i].second);
+        EXPECT_EQ(found.ends[2 * i + 1].growing_above, 0);
+    }
+}
+
 TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
     const auto bands_from = [](double from) {
         return analyses::unstable_bands_of(tests::scene_of(flexible_rotor(0), from, 700, 11), {},

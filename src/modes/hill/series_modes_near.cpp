@@ -47,6 +47,10 @@ std::optional<linalg::ComplexPair> pair_near(const RotatingSpectrum &rotor,
     return pair;
 }
 
+bool opposite(results::Whirl a, results::Whirl b) {
+    return a != b && a != results::Whirl::mixed && b != results::Whirl::mixed;
+}
+
 /// Two that were apart have come to the same eigenvalue.
 bool one_met_twice(const std::vector<WhirlMode> &before, const std::vector<WhirlMode> &after) {
     const auto apart = [](Complex a, Complex b) { return std::abs(a - b) > 1e-8 * std::abs(a); };
@@ -88,7 +92,7 @@ std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
             return {};
         out.push_back(rotor.in_fixed_frame(*pair, speed));
         out.back().eigenvalue = determined_value(out.back());
-        if (out.back().whirl != guess.whirl)
+        if (opposite(out.back().whirl, guess.whirl))
             return {};
     }
     return one_met_twice(guesses, out) ? std::vector<WhirlMode>() : out;

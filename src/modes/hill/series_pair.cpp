@@ -1,5 +1,7 @@
 #include "modes/hill/series_pair.h"
 
+#include "modes/hill/seen_whirl.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,15 +63,32 @@ std::vector<Eigen::Index> shown_places(const RotatingSpectrum &rotor, std::compl
     for (Eigen::Index k = 0; k < terms.cols(); ++k)
         sizes(k) = rotor.motion_energy(terms.col(k));
     const auto frequency = [&](Eigen::Index place) {
-        return std::abs(value.imag() + 2 * speed * static_cast<double>(place - middle));
+        return value.imag() + 2 * speed * static_cast<double>(place - middle);
     };
-    std::vector<Eigen::Index> out;
+    std::vector<Eigen::Index> largest;
     for (Eigen::Index k = 0; k < terms.cols(); ++k)
-        if (sizes(k) >= RotatingSpectrum::equal_share * sizes.maxCoeff() &&
-            std::none_of(out.begin(), out.end(), [&](Eigen::Index other) {
-                return std::abs(frequency(k) - frequency(other)) <= 1e-9 * std::abs(speed);
-            }))
-            out.push_back(k);
+        if (sizes(k) >= equal_share * sizes.maxCoeff())
+            largest.push_back(k);
+    if (largest.size() == 1)
+        return largest;
+    std::vector<double> turns;
+    for (const Eigen::Index k : largest)
+        turns.push_back(seen_whirl(rotor.stations(), terms, k, frequency(k), speed).turn);
+    const auto alike = [&](double a, double b) {
+        return std::abs(a - b) <= 1e-9 * std::abs(speed);
+    };
+    // Conjugate terms turn alike; of two that turn against each other one stands for both, the one
+    // that never comes to stand in the rotor.
+    std::vector<Eigen::Index> out;
+    std::vector<double> taken;
+    for (const double sense : {-1.0, 1.0})
+        for (std::size_t i = 0; i < largest.size(); ++i)
+            if (sense * turns[i] * speed >= 0 && std::ranges::none_of(taken, [&](double other) {
+                    return alike(other, std::abs(turns[i]));
+                })) {
+                out.push_back(largest[i]);
+                taken.push_back(std::abs(turns[i]));
+            }
     return out;
 }
 

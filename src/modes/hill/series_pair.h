@@ -20,7 +20,8 @@ namespace whirl::modes {
                                               const Eigen::MatrixXcd &terms, Eigen::Index place);
 
 /// The places of the term that the motion is shown by: the largest as seen along the shaft, or
-/// several as large that are no conjugates; of one that stands still in the rotor (l real) its own
+/// several as large with other frequencies in the fixed frame; of a motion on straight lines the
+/// one of two that turns against the spin, of one that stands still in the rotor (l real) its own
 /// conjugate.
 [[nodiscard]] std::vector<Eigen::Index> shown_places(const RotatingSpectrum &rotor,
                                                      std::complex<double> value,
