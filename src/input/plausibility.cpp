@@ -108,6 +108,8 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
         if (operation->trip)
             speeds.emplace_back("operation.trip", *operation->trip);
     }
+    if (scene.modes.speed)
+        speeds.emplace_back("modes.speed", *scene.modes.speed);
     for (const auto &[key, speed] : speeds) {
         const Node *node = find_path(tree, key);
         const double surface = surface_speed(scene.rotor, std::abs(speed));

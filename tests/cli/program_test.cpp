@@ -226,13 +226,26 @@ TEST_F(Program, StationsWithoutNamesAreListedBesideNamedOnes) {
         EXPECT_TRUE(contains(result.output, station)) << station << result.output;
 }
 
-TEST_F(Program, FolderThatCannotBeMadeIsStatusOneInWords) {
+TEST_F(Program, FolderThatCannotBeMadeIsStatusTwoInWords) {
     // A file stands where the folder should be: refused for every user, root as well.
     const ProgramRun result = run({"critical", rotor, "--out", rotor + "/case.toml/results"});
-    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.status, 2); // an argument that is wrong
     EXPECT_EQ(result.output, "");
     EXPECT_EQ(lines(result.errors), 1) << result.errors;
     EXPECT_TRUE(contains(result.errors, "case.toml/results")) << result.errors;
+    EXPECT_TRUE(contains(result.errors, "case.toml is not a folder")) << result.errors;
+}
+
+TEST_F(Program, ASpeedWithoutAUnitIsSaidInTwo) {
+    const ProgramRun plain = run({"modes", rotor, "--quiet", "--speed", "30"});
+    EXPECT_EQ(plain.status, 0) << plain.errors;
+    EXPECT_TRUE(contains(plain.errors, "--speed 30 is in rad/s, 286.479 rpm")) << plain.errors;
+    const ProgramRun given = run({"modes", rotor, "--quiet", "--speed", "30 rpm"});
+    EXPECT_EQ(given.errors, "");
+    // As of the speeds of a case: where the surface would be faster than discs bear.
+    const ProgramRun fast = run({"modes", rotor, "--speed", "9000"});
+    EXPECT_TRUE(contains(fast.output, "modes.speed = 9000 is in rad/s")) << fast.output;
+    EXPECT_FALSE(contains(fast.errors, "--speed 9000")) << fast.errors;
 }
 
 TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {

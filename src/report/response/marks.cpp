@@ -130,9 +130,9 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
         }
     }
     if (unnamed > 0)
-        marks.before += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.04 "
+        marks.before += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.04 "
                                     "left font ',{}' textcolor '#555555'\n",
-                                    unnamed, label_size);
+                                    unnamed, unnamed == 1 ? "peak" : "peaks", label_size);
     if (tops.empty())
         return marks;
     const auto &of = result.nodes[station];
