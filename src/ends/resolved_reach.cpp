@@ -3,7 +3,6 @@
 #include "linalg/dense/symmetric_pair.h"
 #include "mesh_error/safety.h"
 #include "reduction/planar_pair.h"
-#include "reduction/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,8 @@ Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::Matr
                             double bearing_speed) {
     const reduction::PlanarPair pair = reduction::planar_pair(d, bearing_speed);
     const auto dense = [shapes](const Eigen::SparseMatrix<double> &A) {
-        return shapes != nullptr ? reduction::Projection(*shapes).of(A) : Eigen::MatrixXd(A);
+        const Eigen::MatrixXd all(A); // of one plane, as the shapes are
+        return shapes != nullptr ? Eigen::MatrixXd(shapes->transpose() * all * *shapes) : all;
     };
     const Eigen::MatrixXd K = dense(pair.K);
     const Eigen::MatrixXd M = dense(pair.M);

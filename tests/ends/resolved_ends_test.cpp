@@ -154,6 +154,33 @@ TEST(ResolvedEnds, TheReachKnowsUnknownsWithoutMass) {
     EXPECT_NEAR(without / with, 1, 0.1); // a slender shaft
 }
 
+/// A shaft on few shapes with a seal of negative damping: its resolved motions grow as those of
+/// the whole rotor; of faster ones it is only known where one was found to grow.
+TEST(ResolvedEnds, RotorsOnFewShapesHaveAReach) {
+    model::Case scene = twisted(4);
+    scene.rotor.shaft.axial_torque = 0;
+    for (model::Segment &segment : scene.rotor.shaft.segments)
+        segment.elements = 3;
+    scene.rotor.bearings.push_back(tests::isotropic_bearing(0.4, 1e5, -50));
+    scene.rotor.bearings.back().seal = true;
+    scene.speeds = model::SpeedRange{0, 600, 4};
+    const results::StabilityResult few = analyses::stability(scene, {});
+    scene.reduction = false;
+    const results::StabilityResult whole = analyses::stability(scene, {});
+    ASSERT_TRUE(few.resolved_up_to && whole.resolved_up_to);
+    EXPECT_NEAR(*few.resolved_up_to / *whole.resolved_up_to, 1, 0.01); // the next mode differs
+    EXPECT_GT(*few.resolved_up_to, 1200);
+    ASSERT_EQ(few.resolved_growth.size(), whole.resolved_growth.size());
+    EXPECT_EQ(few.resolved_verdict, whole.resolved_verdict);
+    for (std::size_t i = 0; i < few.growth.size(); ++i) {
+        EXPECT_NEAR(few.resolved_growth[i], whole.resolved_growth[i],
+                    1e-6 * std::abs(whole.resolved_growth[i]));
+        EXPECT_FALSE(std::isnan(whole.unresolved_growth[i])); // the whole rotor knows all
+        EXPECT_EQ(few.verdict[i],
+                  few.growth[i] > 0 ? results::Verdict::unstable : results::Verdict::unknown);
+    }
+}
+
 TEST(ResolvedEnds, AreAllWhereNothingDrivesEveryFrequency) {
     model::Case scene = twisted(4);
     scene.rotor.shaft.torque_kind = model::TorqueKind::semitangential;
