@@ -15,10 +15,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-model::BadInput no_folder(const fs::path &folder, const std::string &why) {
-    return model::BadInput(
-        fmt::format("whirl: cannot make the output folder {}: {}; --out names another one",
-                    folder.string(), why));
+std::string no_folder(const fs::path &folder, const std::string &why) {
+    return fmt::format("cannot make the output folder {}: {}; --out names another one",
+                       folder.string(), why);
 }
 
 } // namespace
@@ -29,9 +28,10 @@ void check_folder(const fs::path &folder) {
     while (!fs::exists(there, error) && there != there.root_path())
         there = there.parent_path();
     if (!fs::is_directory(there, error))
-        throw no_folder(folder, there.string() + " is not a folder");
+        throw model::BadInput("whirl: " + no_folder(folder, there.string() + " is not a folder"));
     if (access(there.c_str(), W_OK | X_OK) != 0)
-        throw no_folder(folder, "no permission to write in " + there.string());
+        throw model::BadInput("whirl: " +
+                              no_folder(folder, "no permission to write in " + there.string()));
 }
 
 OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {
@@ -45,7 +45,7 @@ OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {
             _made.insert(_made.begin(), part);
     fs::create_directories(_folder, error);
     if (error || !fs::is_directory(_folder))
-        throw no_folder(_folder, error ? error.message() : "not a folder");
+        throw model::AnalysisFailure(no_folder(_folder, error ? error.message() : "not a folder"));
 }
 
 OutputFiles::~OutputFiles() {

@@ -20,7 +20,7 @@ void check_folder(const std::filesystem::path &folder);
 class OutputFiles {
   public:
     /// Makes the folder, with its parents, where it does not exist.
-    /// @throws model::BadInput where that is not possible.
+    /// @throws model::AnalysisFailure where that is not possible.
     explicit OutputFiles(std::filesystem::path folder);
     ~OutputFiles();
     OutputFiles(const OutputFiles &) = delete;
