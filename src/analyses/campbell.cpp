@@ -189,9 +189,10 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
                         diverging, spectra.size(), worst, at));
     if (overdamped > 0)
         result.model.notes.push_back(
-            fmt::format("up to {} real eigenvalues (overdamped motion, no whirl) lie among the "
-                        "ones computed at a speed",
-                        overdamped));
+            fmt::format("up to {} overdamped motions, which do not whirl, lie among the ones "
+                        "computed at a speed: real eigenvalues, and pairs with a damping ratio "
+                        "above {:.4f}; they have no line and no crossings",
+                        overdamped, modes::overdamped_ratio));
 }
 
 /// Crossings that are no critical speeds: the damping of these beats every peak.

@@ -44,7 +44,8 @@ void note_damping(results::Form form, bool damped, results::ModelSummary &model)
                   "root is zero at the ends of the unstable ranges, which stability lists"
                 : "critical speeds of the damped rotor are Im of the synchronous eigenvalue; "
                   "crossings of a Campbell diagram differ from them by the order of the damping "
-                  "ratio squared");
+                  "ratio squared. Those with a damping ratio above 1/sqrt(2) make no peak and are "
+                  "not listed: `campbell` has their crossings");
 }
 
 void note_balls_held(results::Form form, results::ModelSummary &model) {

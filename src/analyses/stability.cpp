@@ -14,8 +14,6 @@
 #include "model/errors.h"
 #include "model/variants.h"
 #include "operation/level1.h"
-#include "process/parallel.h"
-#include "process/processes.h"
 #include "process/progress.h"
 #include "results/formulation.h"
 #include "stability/band_finder.h"
@@ -98,24 +96,23 @@ std::vector<stability::ZeroRootSpeed>
 zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangement &arrangement,
                   bool frozen, const std::vector<double> &grid, bool &failed,
                   const Eigen::MatrixXd *shapes = nullptr) {
-    const auto [from, to] = std::pair(grid.front(), grid.back());
-    const double top = std::max(std::abs(from), std::abs(to));
+    const double top = std::max(std::abs(grid.front()), std::abs(grid.back()));
     try {
-        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes), from, to);
+        return inside(stability::zero_root_speeds(d, arrangement, frozen, top, shapes),
+                      grid.front(), grid.back());
     } catch (const linalg::SolverError &) {
         failed = true;
         return {};
     }
 }
 
-/// Of a periodic rotor before all else: more shapes later would mean to begin anew.
 void find_shapes(stability::BandFinder &finder, const std::vector<double> &grid) {
     if (finder.solver().by_monodromy() == nullptr || grid.size() < 2)
         return;
     try {
         (void)finder.good_shapes(grid);
     } catch (const stability::NotSettled &) {
-    } // which give_up_unsettled looks at
+    } // which give_up_unsettled looks at; more shapes later would mean to begin anew
 }
 
 /// The bands of each arrangement, those of the first known already.
@@ -201,7 +198,6 @@ void search_zero_roots(const stability::StabilityModel &model,
                                         "beside the other roots: they are not listed");
 }
 
-/// Growth at the speeds, and all motions over the range: none in form hill.
 void find_growth(stability::BandFinder &finder, const stability::StabilityModel &model,
                  const balancers::Arrangement &arrangement, const stability::MotionsAt &at,
                  const std::vector<double> &grid, std::optional<ends::AllMotions> &all,
@@ -212,8 +208,7 @@ void find_growth(stability::BandFinder &finder, const stability::StabilityModel 
     }
     all.emplace(finder.solver().discretization(), model.form, arrangement, finder.good_shapes(grid),
                 grid.front(), grid.back());
-    if (drives_every_frequency(model.rotor))
-        all->count_resolved();
+    count_resolved_if_driven(*all, model.rotor);
     add_growth(*all, result);
 }
 
@@ -229,9 +224,11 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     if (stability::same_at_all_speeds(model, solver.discretization())) {
         result.model.unknowns = solver.unknowns();
-        add_growth_of_all_speeds(ends::AllMotions(solver.discretization(), model.form, arrangement,
-                                                  nullptr, grid.front(), grid.back()),
-                                 result);
+        ends::AllMotions motions(solver.discretization(), model.form, arrangement, nullptr,
+                                 grid.front(), grid.back());
+        count_resolved_if_driven(motions, model.rotor);
+        add_growth_of_all_speeds(motions, result);
+        tell_resolved_apart(motions, model, {}, result);
         return;
     }
     KeptMotions kept(solver, grid);
@@ -241,9 +238,9 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     std::optional<ends::AllMotions> all;
     std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
     find_growth(finder, model, arrangement, at, grid, all, result);
-    stage.emplace("unstable bands", 0.3, 0.6);
     std::vector<ends::WholeMotion> roots;
     if (grid.size() > 1) {
+        stage.emplace("unstable bands", 0.3, 0.6);
         roots = search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
         settle_rounding(result, model.rotor.damped());
     }
@@ -253,10 +250,13 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         search_zero_roots(model, arrangement, solver.discretization(), grid, result);
     if (grid.size() > 1) {
         stage.emplace("errors of the bands", 0.6, 0.65);
-        result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
-                                            {grid.front(), grid.back()}, roots);
-        if (all)
-            tell_resolved_apart(*all, model, roots, result);
+        if (!all || !std::isfinite(all->resolved_up_to()))
+            result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
+                                                {grid.front(), grid.back()}, roots);
+    }
+    if (all)
+        tell_resolved_apart(*all, model, roots, result);
+    if (grid.size() > 1) {
         stage.emplace("permissible anisotropy", 0.65, 0.8);
         result.permissible =
             stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);
@@ -298,14 +298,14 @@ void add_level1(const model::Case &scene, const stability::StabilityModel &model
 
 void add_notes(const model::Case &scene, const stability::StabilityModel &model,
                results::StabilityResult &result) {
-    auto &notes = result.model.notes;
+    std::vector<std::string> &notes = result.model.notes;
     if (model.conservative)
         notes.emplace_back("undamped with a positive definite stiffness: the energy is conserved "
                            "and bounds the motion at every speed");
     if (result.speeds.size() == 1)
         notes.emplace_back("one speed: stable or unstable there; bands need a range of [speeds]");
     if (model.form == results::Form::hill)
-        result.model.notes.push_back(
+        notes.emplace_back(
             "critical speeds are not listed: with bearings that differ between their directions "
             "nothing stands still in rotating axes");
     if (model.from > 0)
@@ -313,14 +313,14 @@ void add_notes(const model::Case &scene, const stability::StabilityModel &model,
             "below {:.6g} rad/s the {} at every speed: nothing is said of these speeds", model.from,
             model.harmonics > 0 ? "Hill series (its harmonics lie 2 x speed apart) does not settle"
                                 : "motion over half a turn could not be found"));
-    if (results::in_rotating_axes(model.form) && !scene.rotor.damped() &&
-        !scene.rotor.balancers.empty())
+    const bool has_balancers = !scene.rotor.balancers.empty();
+    if (results::in_rotating_axes(model.form) && !scene.rotor.damped() && has_balancers)
         notes.emplace_back("the bearings have no damping: the balls' drag acts as internal damping "
                            "and drives every motion slower than the rotor");
     if (result.family && result.family->incomplete)
         notes.emplace_back("for some arrangements critical or additional speeds could not be "
                            "resolved: their intervals may be too narrow");
-    if (scene.rotor.imbalances.size() > 0 && !scene.rotor.balancers.empty())
+    if (scene.rotor.imbalances.size() > 0 && has_balancers)
         notes.emplace_back("balls are placed against the imbalance of their own balancer; "
                            "[[imbalance]] entries move them in `simulate` only");
     if (result.neutral_pairs > 0)

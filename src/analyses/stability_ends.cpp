@@ -33,16 +33,10 @@ std::vector<double> looks(const std::vector<stability::SpeedInterval> &bands) {
 std::vector<stability::SpeedInterval> those_that_grow(std::vector<stability::SpeedInterval> bands,
                                                       const ends::AllMotions &motions) {
     const auto decays = [&motions](const stability::SpeedInterval &band) {
-        return motions.fastest_growing((band.first + band.second) / 2).real() < 0;
+        return motions.fastest_growing((band.first + band.second) / 2).value.real() < 0;
     };
     bands.erase(std::remove_if(bands.begin(), bands.end(), decays), bands.end());
     return bands;
-}
-
-results::Verdict verdict_of(std::complex<double> fastest) {
-    if (fastest.real() <= 0)
-        return fastest.real() < 0 ? results::Verdict::stable : results::Verdict::neutral;
-    return fastest.imag() == 0 ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
 /// Of one speed: the fastest growing decides.
@@ -124,6 +118,40 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
     return std::move(found.roots);
 }
 
+/// No answer where none was found to grow and not all are counted.
+double growth_of(const ends::FastestGrowing &fastest) {
+    return fastest.value.real() > 0 || fastest.counted ? fastest.value.real()
+                                                       : std::numeric_limits<double>::quiet_NaN();
+}
+
+results::Verdict verdict_of(const ends::FastestGrowing &fastest) {
+    const double growth = growth_of(fastest);
+    if (std::isnan(growth))
+        return results::Verdict::unknown;
+    if (growth <= 0)
+        return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
+    return fastest.value.imag() == 0 ? results::Verdict::diverges : results::Verdict::unstable;
+}
+
+/// At one of the speeds of the result; of the motions on either side of what the elements resolve,
+/// where they are told apart.
+void add_growth(const ends::AllMotions &motions, double speed, results::StabilityResult &result) {
+    const double top = motions.resolved_up_to();
+    ends::FastestGrowing all = motions.fastest_growing(speed, 0, top);
+    if (std::isfinite(top)) {
+        const ends::FastestGrowing faster = motions.fastest_growing(speed, top);
+        result.resolved_growth.push_back(growth_of(all));
+        result.resolved_verdict.push_back(verdict_of(all));
+        result.unresolved_growth.push_back(growth_of(faster));
+        // How slowly the fastest motions of a mesh die out says nothing.
+        if (faster.value.real() > std::max(0.0, all.value.real()))
+            all.value = faster.value;
+        all.counted = all.counted && faster.counted;
+    }
+    result.growth.push_back(growth_of(all));
+    result.verdict.push_back(verdict_of(all));
+}
+
 } // namespace
 
 void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
@@ -146,11 +174,8 @@ void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityM
 }
 
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result) {
-    for (const double speed : result.speeds) {
-        const std::complex<double> fastest = motions.fastest_growing(speed);
-        result.growth.push_back(fastest.real());
-        result.verdict.push_back(verdict_of(fastest));
-    }
+    for (const double speed : result.speeds)
+        add_growth(motions, speed, result);
 }
 
 BandsBetween bands_between_ends(stability::BandFinder &finder,
@@ -205,29 +230,40 @@ std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
 
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result) {
     const std::vector<double> &speeds = result.speeds;
-    const std::complex<double> fastest = motions.fastest_growing(speeds.back());
-    result.growth.assign(speeds.size(), fastest.real());
-    result.verdict.assign(speeds.size(), verdict_of(fastest));
-    if (speeds.size() > 1 && fastest.real() > 0) {
+    add_growth(motions, speeds.back(), result);
+    const auto same = [&speeds](auto &values) {
+        if (!values.empty())
+            values.resize(speeds.size(), values.front());
+    };
+    same(result.growth);
+    same(result.verdict);
+    same(result.resolved_growth);
+    same(result.resolved_verdict);
+    same(result.unresolved_growth);
+    if (speeds.size() > 1 && result.growth.front() > 0) {
         result.unstable = {{speeds.front(), speeds.back()}};
         result.unstable_error = {{0, 0}}; // borders of the range
     }
 }
 
-void settle_rounding(results::StabilityResult &result, bool damped) {
+void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
+                     const std::vector<stability::SpeedInterval> &bands, bool damped) {
     constexpr double hardly = 1e-8;
-    const double top = std::max(std::abs(result.speeds.front()), std::abs(result.speeds.back()));
-    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i) {
-        const bool inside =
-            std::any_of(result.unstable.begin(), result.unstable.end(), [&](const auto &band) {
-                return result.speeds[i] >= band.first && result.speeds[i] <= band.second;
-            });
-        double &growth = result.growth[i];
+    const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+    for (std::size_t i = 0; i < speeds.size() && i < of.growth.size(); ++i) {
+        const bool inside = std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
+            return speeds[i] >= band.first && speeds[i] <= band.second;
+        });
+        double &growth = of.growth[i];
         if (inside || !(std::abs(growth) <= hardly * top) || (damped && growth < 0))
             continue;
         growth = 0;
-        result.verdict[i] = results::Verdict::neutral;
+        of.verdict[i] = results::Verdict::neutral;
     }
+}
+
+void settle_rounding(results::StabilityResult &result, bool damped) {
+    settle_rounding({result.growth, result.verdict}, result.speeds, result.unstable, damped);
 }
 
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
@@ -236,11 +272,13 @@ void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &resu
     if (std::none_of(balancers.begin(), balancers.end(),
                      [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
         return;
-    for (std::size_t i = 0; i < result.growth.size(); ++i)
-        if (result.growth[i] < 0) {
-            result.growth[i] = 0;
-            result.verdict[i] = results::Verdict::neutral;
-        }
+    for (const GrowthAndVerdict &of : {GrowthAndVerdict{result.growth, result.verdict},
+                                       {result.resolved_growth, result.resolved_verdict}})
+        for (std::size_t i = 0; i < of.growth.size(); ++i)
+            if (of.growth[i] < 0) {
+                of.growth[i] = 0;
+                of.verdict[i] = results::Verdict::neutral;
+            }
 }
 
 std::vector<double> described(const std::vector<double> &speeds,

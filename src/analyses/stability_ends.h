@@ -10,7 +10,8 @@
 
 namespace whirl::analyses {
 
-/// Largest real part and verdict at the speeds of the result, of all motions of the rotor.
+/// Largest real part and verdict at the speeds of the result, of all motions of the rotor; of those
+/// that the elements resolve and of the others where they are told apart (count_resolved).
 void add_growth(const ends::AllMotions &motions, results::StabilityResult &result);
 
 /// The same, and bands, of motions that are the same at every speed: all of the range or nothing.
@@ -52,9 +53,18 @@ search_bands(stability::BandFinder &finder, const ends::AllMotions *motions, res
              const stability::MotionsAt &at, const std::vector<double> &grid,
              results::StabilityResult &result);
 
+/// Growth at the speeds of a result and what follows from it, to be changed together.
+struct GrowthAndVerdict {
+    std::vector<double> &growth;
+    std::vector<results::Verdict> &verdict;
+};
+
 /// Growth below 1e-8 of the highest speed outside of the unstable bands is what rounding leaves of
 /// none: the search for bands looks more sharply than the eigenvalues at a speed can. So is decay
 /// as slow of a rotor without damping.
+void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
+                     const std::vector<stability::SpeedInterval> &bands, bool damped);
+/// Of all motions.
 void settle_rounding(results::StabilityResult &result, bool damped);
 
 /// Balls on one diameter can roll on without any effect, which neither grows nor dies out.

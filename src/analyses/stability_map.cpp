@@ -52,7 +52,7 @@ std::vector<double> growth_at(
         const ends::AllMotions motions(d, model.form, arrangement, shapes, speeds.front(),
                                        speeds.back());
         for (const double speed : speeds)
-            out.push_back(motions.fastest_growing(speed).real());
+            out.push_back(motions.fastest_growing(speed).value.real());
         return out;
     }
     const stability::MotionSolver solver(model, arrangement);

@@ -39,6 +39,7 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
                           "--speed",
                           [&arguments](const std::string &speed) {
                               arguments.overrides.push_back("modes.speed=" + speed);
+                              arguments.speed = speed;
                           },
                           "spin speed of the shapes, e.g. \"3000 rpm\", in place of modes.speed "
                           "and speeds.from")

@@ -12,6 +12,7 @@ struct Arguments {
     std::string command;         ///< "show", "campbell", ...
     std::filesystem::path scene; ///< case folder or .toml file
     std::optional<std::filesystem::path> out;
+    std::string speed;  ///< of --speed, as it was written
     bool json = false;  ///< the JSON result alone on standard output
     bool quiet = false; ///< nothing on standard output
     bool map = false;   ///< balance: over plane positions; critical: over support stiffness as well

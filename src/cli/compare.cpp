@@ -4,6 +4,7 @@
 #include "linalg/session.h"
 #include "model/errors.h"
 #include "process/processes.h"
+#include "report/common/files.h"
 #include "report/common/json.h"
 #include "report/common/units.h"
 #include "report/compare/comparison.h"
@@ -93,15 +94,19 @@ model::OutputUnits units_of(const std::vector<std::string> &overrides) {
 
 void compare_results(const Arguments &arguments) {
     const linalg::Session session;
+    const std::filesystem::path folder =
+        arguments.out.value_or(std::filesystem::path("out") / "compare");
+    const bool writes = !arguments.json || arguments.out;
+    if (writes)
+        report::check_folder(folder);
     std::vector<report::ComparedResult> results = results_of(arguments);
     if (process::process_rank() != 0)
         return;
     const report::Comparison comparison = report::compare(std::move(results));
     report::write_in(units_of(arguments.overrides));
     std::vector<std::filesystem::path> files;
-    if (!arguments.json || arguments.out)
-        files = report::write_comparison(
-            comparison, arguments.out.value_or(std::filesystem::path("out") / "compare"));
+    if (writes)
+        files = report::write_comparison(comparison, folder);
     if (arguments.json)
         say(report::json_text(report::comparison_json(comparison)));
     else if (!arguments.quiet)

@@ -6,9 +6,11 @@
 #include "input/case_file.h"
 #include "linalg/session.h"
 #include "model/errors.h"
+#include "model/rpm.h"
 #include "process/memory.h"
 #include "process/processes.h"
 #include "process/progress.h"
+#include "report/common/files.h"
 #include "report/common/units.h"
 #include "report/report.h"
 
@@ -81,6 +83,20 @@ void note_idle_map(const Arguments &arguments) {
                          fmt::join(names, " and ")));
 }
 
+/// A number alone on the command line, of which the case has no remark of its own.
+void note_plain_speed(const Arguments &arguments, const model::Case &scene) {
+    const bool told =
+        std::any_of(scene.remarks.begin(), scene.remarks.end(),
+                    [](const std::string &remark) { return remark.starts_with("modes.speed = "); });
+    const std::string &text = arguments.speed;
+    if (told || text.empty() || text.find_first_not_of("0123456789.eE+-_ ") != std::string::npos ||
+        !scene.modes.speed || *scene.modes.speed == 0)
+        return;
+    complain(fmt::format("note: --speed {0} is in rad/s, {1:.6g} rpm; with a unit, \"{0} rpm\", it "
+                         "is that speed",
+                         text, *scene.modes.speed * model::rpm));
+}
+
 } // namespace
 
 std::filesystem::path Run::folder() const {
@@ -92,6 +108,10 @@ void run(const Arguments &arguments) {
         return comparison()(arguments);
     const model::Case scene = input::load_case(arguments.scene, arguments.overrides);
     note_idle_map(arguments);
+    note_plain_speed(arguments, scene);
+    const Run checked{arguments, scene, {}};
+    if (!arguments.json || arguments.out)
+        report::check_folder(checked.folder());
     const report::Provenance provenance = provenance_of(arguments);
     report::write_in(scene.units);
     process::use_huge_pages();

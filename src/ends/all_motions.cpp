@@ -42,6 +42,14 @@ bool is_lost(const Root &root, double shift, double fast) {
     return root.noise >= std::abs(root.value) && distance / (1 + root.noise / distance) > fast;
 }
 
+/// A motion of the whole rotor that was found from another root is this one.
+bool is_that(const WholeMotion &found, const Root &root) {
+    constexpr double parallel = 1 - 1e-6;
+    return std::abs(found.value - root.value) <= found.noise + root.noise &&
+           std::abs(found.right.dot(root.right)) >
+               parallel * found.right.norm() * root.right.norm();
+}
+
 /// Numbers in all spectra that are remembered: some 60 MB.
 constexpr double most_remembered = 8e6;
 
@@ -108,14 +116,54 @@ WholeMotion AllMotions::lifted(const Root &root, double speed) const {
 
 void AllMotions::count_resolved() {
     _resolved = ends::resolved_up_to(_discretization, _shapes.get(), (_from + _to) / 2);
+    _drives_all = true;
 }
 
-std::complex<double> AllMotions::fastest_growing(double speed, double up_to) const {
-    std::vector<Root> roots = at(speed).roots;
-    std::erase_if(roots, [up_to](const Root &root) { return std::abs(root.value) > up_to; });
+const Spectrum &AllMotions::told_at(double speed) const {
+    if (_told && _told->speed == speed)
+        return *_told;
+    _told = at(speed);
+    if (!_shapes) // on few shapes they are no motions of this mesh
+        tell_signs(*_told);
+    return *_told;
+}
+
+void AllMotions::tell_signs(Spectrum &spectrum) const {
+    for (Root &root : spectrum.roots) {
+        const std::complex<double> before = root.value;
+        if (root.sign() != 0 || before.imag() < 0 || within_reach(std::abs(before)))
+            continue;
+        const auto found = at_its_speed(_whole, lifted(root, spectrum.speed));
+        if (!found || std::abs(found->value - before) > root.noise ||
+            std::any_of(spectrum.roots.begin(), spectrum.roots.end(), [&](const Root &other) {
+                return &other != &root && is_that(*found, other);
+            }))
+            continue;
+        for (Root &both : spectrum.roots)
+            if (both.value == before || both.value == std::conj(before)) {
+                both.value = {found->value.real(), both.value.imag() < 0
+                                                       ? -std::abs(found->value.imag())
+                                                       : std::abs(found->value.imag())};
+                both.noise = found->noise;
+                both.sharp = true;
+            }
+    }
+}
+
+FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
+    std::vector<Root> roots = (_drives_all ? told_at(speed) : at(speed)).roots;
+    std::erase_if(roots, [above, up_to](const Root &root) {
+        return std::abs(root.value) > up_to || std::abs(root.value) <= above;
+    });
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     bool neutral = false;
+    // Few shapes have few of the motions that are faster than what the elements resolve.
+    const bool all_there = !_drives_all || !_shapes || up_to <= _resolved;
+    bool counted = all_there && std::all_of(roots.begin(), roots.end(), [this](const Root &root) {
+                       return !_drives_all || root.sign() != 0 || root.sharp ||
+                              within_reach(std::abs(root.value));
+                   });
     constexpr double none = 1e-6; // at rest, of the motions on the supports: a ball that lies still
     const double zero = std::max(least_reach(), none * _slow);
     for (const Root &root : roots) {
@@ -127,16 +175,20 @@ std::complex<double> AllMotions::fastest_growing(double speed, double up_to) con
         if (root.value.imag() < 0 || root.sign() == 0 || !counts)
             continue; // a zero that rounding blurs must not hide one that grows
         if (root.sign() < 0 && neutral)
-            return 0;
+            return {0, counted};
         const auto found = at_its_speed(_whole, lifted(root, speed));
         // What the whole rotor does not have is a motion of the shapes alone.
-        if (!found || std::abs(found->value - root.value) > same_root * size)
+        if (!found || std::abs(found->value - root.value) > same_root * size) {
+            counted = counted && (!_drives_all || root.sign() < 0);
             continue;
+        }
         if (std::abs(found->value.real()) > found->noise)
-            return found->value;
+            return {found->value, counted};
         neutral = neutral || within_reach(size);
     }
-    return roots.empty() || neutral ? 0 : roots.front().value;
+    const auto told =
+        std::find_if(roots.begin(), roots.end(), [](const Root &root) { return root.sign() != 0; });
+    return {told == roots.end() || neutral ? 0 : told->value, counted};
 }
 
 } // namespace whirl::ends

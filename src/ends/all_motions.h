@@ -16,6 +16,12 @@
 
 namespace whirl::ends {
 
+/// The motion that grows most of those of some |l|.
+struct FastestGrowing {
+    std::complex<double> value; ///< Im >= 0, 1/s; 0 where rounding hides the real part
+    bool counted = true;        ///< of each of them it is known whether it grows
+};
+
 /// All free motions of a rotor over a range of speeds, forms general and rotating: those of the
 /// rotor on few planar shapes, or of the whole rotor where it is small, and single ones of them as
 /// the whole rotor has them.
@@ -55,15 +61,18 @@ class AllMotions {
 
     /// |l| up to which the motions that grow are counted as resolved, 1/s: infinite unless set.
     [[nodiscard]] double resolved_up_to() const { return _resolved; }
-    /// Sets it from the mesh (resolved_reach.h) and the shapes.
+    /// Sets it from the mesh (resolved_reach.h) and the shapes. From then on
+    /// fastest_growing() tells of every motion whether it grows, however fast it is.
     void count_resolved();
 
-    /// The eigenvalue of largest real part at a speed, as the whole rotor has it, Im >= 0, 1/s, of
-    /// the motions with |l| up to reach() and of those that grow, however fast they are; 0 where
-    /// rounding hides the real part. The fastest motions of a mesh are no motions of the rotor:
-    /// how little they are damped says nothing.
-    [[nodiscard]] std::complex<double>
-    fastest_growing(double speed, double up_to = std::numeric_limits<double>::infinity()) const;
+    /// The eigenvalue of largest real part at a speed, as the whole rotor has it, of the motions
+    /// with |l| up to reach() and of those that grow, however fast they are. The fastest motions of
+    /// a mesh are no motions of the rotor: how little they are damped says nothing, but for rotors
+    /// in which something drives all of them (count_resolved).
+    /// @param above,up_to  |l| of the motions asked for, 1/s
+    [[nodiscard]] FastestGrowing
+    fastest_growing(double speed, double above = 0,
+                    double up_to = std::numeric_limits<double>::infinity()) const;
 
     [[nodiscard]] const assembly::Discretization &discretization() const { return _discretization; }
     [[nodiscard]] results::Form form() const { return _form; }
@@ -75,13 +84,19 @@ class AllMotions {
     modes::FormMatrices _whole;
     std::unique_ptr<RotorPieces> _rotor;
     double _resolved = std::numeric_limits<double>::infinity();
-    double _slow = 0; ///< of the order of the motions on the supports, 1/s
+    bool _drives_all = false; ///< something drives motions of every frequency
+    double _slow = 0;         ///< of the order of the motions on the supports, 1/s
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
+    mutable std::optional<Spectrum> _told;                          ///< the last one
     mutable std::map<std::pair<int, double>, Spectrum> _remembered; ///< of a piece and a speed
 
     [[nodiscard]] double least_reach() const;
+    /// As at(); of fast motions that rounding of the decomposition hides it is told by the whole
+    /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
+    [[nodiscard]] const Spectrum &told_at(double speed) const;
+    void tell_signs(Spectrum &spectrum) const;
 };
 
 } // namespace whirl::ends

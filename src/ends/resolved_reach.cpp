@@ -3,7 +3,6 @@
 #include "linalg/dense/symmetric_pair.h"
 #include "mesh_error/safety.h"
 #include "reduction/planar_pair.h"
-#include "reduction/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +13,23 @@ namespace whirl::ends {
 
 namespace {
 
-/// Frequencies at rest, ascending, rad/s; none where a mass matrix is not positive definite.
+/// Frequencies at rest, ascending, rad/s; none where neither matrix is positive definite. By the
+/// inverse problem, where it can be: unknowns without mass are its zeros.
 Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::MatrixXd *shapes,
                             double bearing_speed) {
     const reduction::PlanarPair pair = reduction::planar_pair(d, bearing_speed);
     const auto dense = [shapes](const Eigen::SparseMatrix<double> &A) {
-        return shapes != nullptr ? reduction::Projection(*shapes).of(A) : Eigen::MatrixXd(A);
+        const Eigen::MatrixXd all(A); // of one plane, as the shapes are
+        return shapes != nullptr ? Eigen::MatrixXd(shapes->transpose() * all * *shapes) : all;
     };
-    const std::optional<Eigen::VectorXd> squares =
-        linalg::symmetric_pair_values(dense(pair.K), dense(pair.M));
+    const Eigen::MatrixXd K = dense(pair.K);
+    const Eigen::MatrixXd M = dense(pair.M);
+    if (const auto inverse = linalg::symmetric_pair_values(M, K); inverse && inverse->allFinite()) {
+        const double least = 1e-14 * inverse->maxCoeff(); // below: rounding of zero
+        const auto massless = (inverse->array() <= least).count();
+        return inverse->tail(inverse->size() - massless).reverse().cwiseInverse().cwiseSqrt();
+    }
+    const auto squares = linalg::symmetric_pair_values(K, M);
     if (!squares || !squares->allFinite())
         return {};
     return squares->cwiseMax(0).cwiseSqrt();

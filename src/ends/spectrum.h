@@ -14,6 +14,7 @@ struct Root {
     std::complex<double> value;   ///< l, 1/s
     std::complex<double> rate;    ///< dl/dspeed
     double noise = 0;             ///< how far rounding can move Re l, 1/s
+    bool sharp = false;           ///< no more than that of the matrix entries: by inverse iteration
     Eigen::VectorXcd right, left; ///< Q(l) right = 0, left^H Q(l) = 0
     std::complex<double> slope;   ///< left^H Q'(l) right
 

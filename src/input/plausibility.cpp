@@ -97,6 +97,21 @@ double surface_speed(const model::Rotor &rotor, double speed) {
     return radius * speed;
 }
 
+/// Whether a speed is given with a unit, and another one than rad/s.
+bool in_other_unit(const Node *speed) {
+    if (speed == nullptr || speed->kind != Node::Kind::text)
+        return false;
+    const std::size_t unit = speed->text.find_first_not_of("0123456789.eE+-_ ");
+    return unit != std::string::npos && !speed->text.substr(unit).starts_with("rad");
+}
+
+/// The speeds of the case are in another unit than rad/s: a number alone beside them has a remark
+/// of its own.
+bool in_other_units(const Node &tree) {
+    return in_other_unit(find_path(tree, "speeds.from")) ||
+           in_other_unit(find_path(tree, "speeds.to"));
+}
+
 void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) {
     constexpr double fastest = 500; // m/s: where discs of steel burst
     std::vector<std::pair<const char *, double>> speeds;
@@ -108,6 +123,8 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
         if (operation->trip)
             speeds.emplace_back("operation.trip", *operation->trip);
     }
+    if (scene.modes.speed && !in_other_units(tree))
+        speeds.emplace_back("modes.speed", *scene.modes.speed);
     for (const auto &[key, speed] : speeds) {
         const Node *node = find_path(tree, key);
         const double surface = surface_speed(scene.rotor, std::abs(speed));
@@ -119,20 +136,10 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
     }
 }
 
-/// Whether a speed is given with a unit, and another one than rad/s.
-bool in_other_unit(const Node *speed) {
-    if (speed == nullptr || speed->kind != Node::Kind::text)
-        return false;
-    const std::size_t unit = speed->text.find_first_not_of("0123456789.eE+-_ ");
-    return unit != std::string::npos && !speed->text.substr(unit).starts_with("rad");
-}
-
 /// A number alone beside speeds in another unit.
 void check_mode_speed(const Node &tree, Remarks &remarks) {
     const Node *node = find_path(tree, "modes.speed");
-    if (node && node->is_number() && node->number != 0 &&
-        (in_other_unit(find_path(tree, "speeds.from")) ||
-         in_other_unit(find_path(tree, "speeds.to"))))
+    if (node && node->is_number() && node->number != 0 && in_other_units(tree))
         remarks.add(fmt::format("modes.speed = {:.6g} is in rad/s, {:.6g} rpm, where [speeds] have "
                                 "another unit; with a unit, \"{:.6g} rpm\", it is that speed",
                                 node->number, node->number * model::rpm, node->number));
@@ -185,8 +192,13 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
 
 double largest_radius(const model::Rotor &rotor) { return surface_speed(rotor, 1); }
 
-/// An imbalance that puts the centre of mass outside of the rotor: one in g mm without its unit.
+/// Imbalances that are all nothing; one that puts the centre of mass outside of the rotor: one in g
+/// mm without its unit.
 void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
+    const auto &all = rotor.imbalances;
+    if (!all.empty() &&
+        std::all_of(all.begin(), all.end(), [](const auto &one) { return one.mr == 0; }))
+        remarks.add("every imbalance is 0: nothing excites the rotor, its response is 0");
     const double mass = model::mass_of_shaft_and_discs(rotor);
     for (std::size_t i = 0; mass > 0 && i < rotor.imbalances.size(); ++i) {
         const double mr = std::abs(rotor.imbalances[i].mr);

@@ -13,8 +13,13 @@ namespace whirl::modes {
 /// An eigenvalue whose imaginary part is below this share of its modulus is no whirl: the damping
 /// ratio is above 0.9998, the motion dies out by a factor of 1e130 within one turn of it. (Real
 /// eigenvalues that nearly meet are moved off the axis by rounding, and gyroscopic coupling gives
-/// overdamped motion of an isotropic rotor a minute frequency.)
+/// overdamped motion of an isotropic rotor a minute frequency.) `campbell` draws no line of such
+/// motions and lists no crossings of theirs, and says so (docs/theory.md, Real eigenvalues).
 inline constexpr double real_axis = 0.02;
+/// The damping ratio above which a motion counts as overdamped, sqrt(1 - real_axis^2).
+inline constexpr double overdamped_ratio = 0.99979998;
+static_assert(overdamped_ratio * overdamped_ratio + real_axis * real_axis > 1 - 1e-8 &&
+              overdamped_ratio * overdamped_ratio + real_axis * real_axis < 1 + 1e-8);
 
 /// Whether errors are judged by the left vectors too, a factorisation each: for those that are
 /// handed on, not for beginnings, names and what is followed.

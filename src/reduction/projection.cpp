@@ -4,6 +4,8 @@
 
 #include <Eigen/SparseCore>
 
+#include <stdexcept>
+
 namespace whirl::reduction {
 
 namespace {
@@ -16,6 +18,8 @@ Eigen::MatrixXd in_pairs(const Eigen::MatrixXd &shapes, Eigen::Index unknowns) {
     const Eigen::Index n = shapes.rows();
     const Eigen::Index r = shapes.cols();
     const Eigen::Index attached = unknowns - 2 * n;
+    if (attached < 0)
+        throw std::invalid_argument("a system over pairs of planar unknowns is to be projected");
     Eigen::MatrixXd W = Eigen::MatrixXd::Zero(unknowns, 2 * r + attached);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index j = 0; j < r; ++j)

@@ -18,6 +18,7 @@ class Projection {
     explicit Projection(const Eigen::MatrixXd &shapes) : _shapes(shapes) {}
 
     [[nodiscard]] linalg::Matrix of(const linalg::Matrix &A) const;
+    /// @throws std::invalid_argument for fewer rows than pairs of planar unknowns: a planar matrix
     [[nodiscard]] Eigen::MatrixXd of(const Eigen::SparseMatrix<double> &A) const;
     [[nodiscard]] assembly::FixedSystem of(const assembly::FixedSystem &system) const;
     [[nodiscard]] assembly::RotatingSystem of(const assembly::RotatingSystem &system) const;

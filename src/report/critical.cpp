@@ -133,9 +133,9 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
         unnamed += placed ? 0 : 1;
     }
     if (unnamed > 0)
-        script += fmt::format("set label '{} more numbers: see the table' at graph 0,1.06 left "
+        script += fmt::format("set label '{} more {}: see the table' at graph 0,1.06 left "
                               "font ',10' textcolor '#555555'\n",
-                              unnamed);
+                              unnamed, unnamed == 1 ? "number" : "numbers");
     return script;
 }
 

@@ -85,9 +85,11 @@ struct StabilityEnd {
 
 struct StabilityResult {
     ModelSummary model;
-    std::vector<double> speeds;   ///< rad/s
-    std::vector<double> growth;   ///< largest real part at each, 1/s; NaN: no answer
-    std::vector<Verdict> verdict; ///< at each speed
+    std::vector<double> speeds; ///< rad/s
+    /// Largest real part at each, 1/s; NaN: no answer, or none was found that grows, but not of
+    /// all motions it is known whether they do.
+    std::vector<double> growth;
+    std::vector<Verdict> verdict;                    ///< at each speed
     std::vector<std::pair<double, double>> unstable; ///< rad/s, open intervals
     /// Error of both ends of each, rad/s (band_errors.h).
     std::vector<std::pair<double, double>> unstable_error;
@@ -100,6 +102,12 @@ struct StabilityResult {
     std::optional<double> resolved_up_to;
     std::vector<StabilityEnd> unresolved_ends; ///< counted with all motions of this mesh
     std::vector<double> resolved_growth;       ///< as growth, of the motions up to there; or empty
+    std::vector<Verdict> resolved_verdict;     ///< as verdict, of these; or empty
+    std::vector<std::pair<double, double>> resolved_unstable; ///< as unstable, of these
+    std::vector<std::pair<double, double>> resolved_unstable_error;
+    /// As growth, of the motions above `resolved_up_to`, or empty. NaN: it is not known of all of
+    /// them whether they grow, and none was found that does.
+    std::vector<double> unresolved_growth;
     /// Forward critical speeds in the range, balls held in place and without damping, rad/s
     /// (rotating form): what critical lists.
     std::vector<double> critical_speeds;

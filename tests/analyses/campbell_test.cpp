@@ -5,13 +5,16 @@
 #include "results/critical.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
+#include "support/scenes.h"
 #include "support/test_rotors.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <string>
 
 namespace {
 
@@ -79,6 +82,51 @@ TEST(Campbell, FollowsEachModeOnceThroughCrossingsAndRefinement) {
                 EXPECT_LT(*mode.frequency[k], *mode.frequency[k - 1]);
             }
         }
+    }
+}
+
+/// A rigid rotor on two equal bearings, whose translation m x'' + 2 c x' + 2 k x = 0 does not know
+/// the speed.
+model::Case translating(double damping_ratio) {
+    model::Case scene;
+    scene.rotor.shaft = tests::uniform_shaft(1, 0.1, tests::steel());
+    scene.rotor.shaft.rigid = true;
+    const double mass = tests::steel().rho * 0.01 * std::numbers::pi / 4;
+    const double k = 1e6;
+    for (const double z : {0.3, 0.7}) // near enough for the rocking motion to whirl
+        scene.rotor.bearings.push_back(
+            tests::isotropic_bearing(z, k, damping_ratio * std::sqrt(2 * k * mass)));
+    scene.speeds = model::SpeedRange{0, 100, 11};
+    return scene;
+}
+
+bool noted(const results::ModelSummary &model, const std::string &part) {
+    return std::any_of(model.notes.begin(), model.notes.end(), [&part](const std::string &note) {
+        return note.find(part) != std::string::npos;
+    });
+}
+
+// Above a damping ratio of 1/sqrt(2) `campbell` alone has a crossing, above 0.9998 nobody has, and
+// each says so.
+TEST(Campbell, HeavyDampingIsToldTheSameWayAsInCritical) {
+    const double mass = tests::steel().rho * 0.01 * std::numbers::pi / 4;
+    for (const double ratio : {0.9990, 0.9997, 0.9999}) {
+        const model::Case scene = translating(ratio);
+        const double crossing = std::sqrt(2e6 / mass * (1 - ratio * ratio));
+        const results::CampbellResult sweep = analyses::campbell(scene);
+        const bool whirls = ratio < 0.9998;
+        const auto there = [&](const auto &speeds) {
+            return std::any_of(speeds.begin(), speeds.end(), [&](const auto &at) {
+                return std::abs(at.speed - crossing) < 1e-8 * crossing;
+            });
+        };
+        ASSERT_LT(crossing, 100) << ratio;
+        EXPECT_EQ(there(sweep.crossings), whirls) << ratio;
+        EXPECT_EQ(noted(sweep.model, "damping ratio above 0.9998"), !whirls) << ratio;
+        EXPECT_EQ(noted(sweep.model, "`critical` leaves them out"), whirls) << ratio;
+        const results::CriticalResult critical = analyses::critical_speeds(scene);
+        EXPECT_FALSE(there(critical.critical_speeds)) << ratio;
+        EXPECT_TRUE(noted(critical.model, "`campbell` has their crossings")) << ratio;
     }
 }
 

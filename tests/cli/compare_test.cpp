@@ -174,7 +174,9 @@ TEST_F(Compare, MistakesAreOneMessageAndStatusTwo) {
         {{"compare", "critical", (out / "show.json").string(), rotor},
          "expected results of one command, got show"},
         {{"compare", "critical", (folder / "other.json").string(), rotor},
-         "expected a result that whirl wrote"},
+         "expected a result that whirl wrote (JSON"},
+        {{"compare", (folder / "none.json").string(), (folder / "none.json").string()},
+         "there is no such file"},
         {{"compare", "rigid-limit", cases + "rigid_limit", cases + "rigid_limit"},
          "compare knows the results of"}};
     for (const auto &[arguments, message] : mistakes) {

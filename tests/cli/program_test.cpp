@@ -226,13 +226,26 @@ TEST_F(Program, StationsWithoutNamesAreListedBesideNamedOnes) {
         EXPECT_TRUE(contains(result.output, station)) << station << result.output;
 }
 
-TEST_F(Program, FolderThatCannotBeMadeIsStatusOneInWords) {
+TEST_F(Program, FolderThatCannotBeMadeIsStatusTwoInWords) {
     // A file stands where the folder should be: refused for every user, root as well.
     const ProgramRun result = run({"critical", rotor, "--out", rotor + "/case.toml/results"});
-    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.status, 2); // an argument that is wrong
     EXPECT_EQ(result.output, "");
     EXPECT_EQ(lines(result.errors), 1) << result.errors;
     EXPECT_TRUE(contains(result.errors, "case.toml/results")) << result.errors;
+    EXPECT_TRUE(contains(result.errors, "case.toml is not a folder")) << result.errors;
+}
+
+TEST_F(Program, ASpeedWithoutAUnitIsSaid) {
+    const std::string twisted = std::string(WHIRL_ROOT) + "/cases/twisted_shaft"; // in rad/s
+    const ProgramRun plain = run({"modes", twisted, "--quiet", "--speed", "30"});
+    EXPECT_EQ(plain.status, 0) << plain.errors;
+    EXPECT_TRUE(contains(plain.errors, "--speed 30 is in rad/s, 286.479 rpm")) << plain.errors;
+    EXPECT_EQ(run({"modes", twisted, "--quiet", "--speed", "30 rpm"}).errors, "");
+    // Beside speeds in another unit the case has a remark already.
+    const ProgramRun beside = run({"modes", rotor, "--speed", "30"});
+    EXPECT_TRUE(contains(beside.output, "modes.speed = 30 is in rad/s")) << beside.output;
+    EXPECT_FALSE(contains(beside.errors, "--speed")) << beside.errors;
 }
 
 TEST_F(Program, RigidLimitAnswersOrSaysWhyNot) {

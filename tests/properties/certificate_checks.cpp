@@ -171,7 +171,7 @@ void check_growing(const ends::AllMotions &motions, bool reduced, double speed,
     out.counts.push_back(
         {"growing motions", number, speed, counted,
          static_cast<int>(std::count_if(dense.values.begin(), dense.values.end(), grows))});
-    const Complex fastest = motions.fastest_growing(speed);
+    const Complex fastest = motions.fastest_growing(speed).value;
     const double size = std::max(std::abs(fastest), std::abs(speed));
     constexpr double solved = 1e-10; // a root of the whole rotor: nothing is left but rounding
     const Complex whole = dense.next_to(fastest, solved * size);

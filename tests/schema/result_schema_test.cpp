@@ -49,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         "campbell cases/compressor_margins --set speeds.count=3 --units us --json-units",
         "balance cases/disc_type_short --map --set speeds.count=5",
         "balance cases/ring_jeffcott --set balance.simulated=1 --set speeds.count=5",
+        "stability cases/twisted_shaft --set speeds.count=3 --set shaft.order=3",
         "stability cases/anisotropic_rotor --set speeds.count=5 --set map.x.path=speed "
         "--set map.x.from=1 --set map.x.to=50 --set map.x.count=2 "
         "--set map.y.path=anisotropy[0].dI --set map.y.from=0 --set map.y.to=0.01 "

@@ -39,7 +39,7 @@ double growth_at(const stability::StabilityModel &model, double speed) {
     const assembly::Discretization d(model.rotor, model.order);
     return ends::AllMotions(d, model.form, arrangement, nullptr, speed, speed)
         .fastest_growing(speed)
-        .real();
+        .value.real();
 }
 
 void note_torque(const stability::StabilityModel &model, results::StabilityResult &result) {

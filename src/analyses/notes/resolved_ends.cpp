@@ -1,12 +1,16 @@
 #include "analyses/notes/resolved_ends.h"
 
+#include "analyses/stability_ends.h"
 #include "balancers/arrangement.h"
+#include "ends/band_ends.h"
 #include "ends/finer_ends.h"
+#include "stability/unstable_bands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace whirl::analyses {
@@ -33,6 +37,85 @@ void add_errors(const ends::AllMotions &motions, const stability::StabilityModel
     }
 }
 
+/// Bands between the ends of resolved motions, with the errors of these.
+void add_resolved_bands(results::StabilityResult &result) {
+    const std::vector<double> &speeds = result.speeds;
+    ends::EndsFound found{result.ends, result.resolved_growth.front() > 0 ? 1 : 0, {}, {}, false};
+    if (!found.ends.empty())
+        found.growing_from = found.ends.front().growing_below;
+    result.resolved_unstable = ends::bands_of(found, {speeds.front(), speeds.back()});
+    const auto error_of = [&](double speed) {
+        for (const results::StabilityEnd &end : result.ends)
+            if (end.speed == speed)
+                return end.resolved.error.value_or(std::numeric_limits<double>::quiet_NaN());
+        return 0.0; // the border of the range
+    };
+    for (const auto &[from, to] : result.resolved_unstable)
+        result.resolved_unstable_error.emplace_back(error_of(from), error_of(to));
+}
+
+/// Where faster motions grow: between neighbouring speeds that differ in that, by halving. A band
+/// between two speeds at which none grows is not seen: of motions that hang on the mesh.
+struct FasterBands {
+    std::vector<stability::SpeedInterval> bands, errors;
+};
+FasterBands faster_bands(const ends::AllMotions &motions, double top,
+                         const results::StabilityResult &result) {
+    const std::vector<double> &speeds = result.speeds;
+    const auto grows = [](double growth) { return growth > 0; };
+    const std::vector<double> &at = result.unresolved_growth;
+    FasterBands out;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        if (i > 0 && grows(at[i]) != grows(at[i - 1])) {
+            double low = speeds[i - 1];
+            double high = speeds[i];
+            constexpr int halvings = 10;
+            for (int k = 0; k < halvings; ++k) {
+                const double middle = (low + high) / 2;
+                (grows(motions.fastest_growing(middle, top).value.real()) == grows(at[i]) ? high
+                                                                                          : low) =
+                    middle;
+            }
+            const double end = (low + high) / 2;
+            const double error = (high - low) / 2;
+            if (grows(at[i])) {
+                out.bands.emplace_back(end, speeds.back());
+                out.errors.emplace_back(error, 0);
+            } else {
+                out.bands.back().second = end;
+                out.errors.back().second = error;
+            }
+        } else if (i == 0 && grows(at[i])) {
+            out.bands.emplace_back(speeds.front(), speeds.back());
+            out.errors.emplace_back(0, 0);
+        }
+    }
+    return out;
+}
+
+/// All bands: of resolved motions, and of faster ones.
+void join_bands(const FasterBands &faster, results::StabilityResult &result) {
+    std::vector<stability::SpeedInterval> all = result.resolved_unstable;
+    all.insert(all.end(), faster.bands.begin(), faster.bands.end());
+    const auto error_of = [&](double end) {
+        for (std::size_t i = 0; i < result.resolved_unstable.size(); ++i)
+            for (const auto side :
+                 {&stability::SpeedInterval::first, &stability::SpeedInterval::second})
+                if (result.resolved_unstable[i].*side == end)
+                    return result.resolved_unstable_error[i].*side;
+        for (std::size_t i = 0; i < faster.bands.size(); ++i)
+            for (const auto side :
+                 {&stability::SpeedInterval::first, &stability::SpeedInterval::second})
+                if (faster.bands[i].*side == end)
+                    return faster.errors[i].*side;
+        return 0.0;
+    };
+    result.unstable = stability::joined(std::move(all));
+    result.unstable_error.clear();
+    for (const auto &[from, to] : result.unstable)
+        result.unstable_error.emplace_back(error_of(from), error_of(to));
+}
+
 } // namespace
 
 bool drives_every_frequency(const model::Rotor &rotor) {
@@ -46,6 +129,11 @@ bool drives_every_frequency(const model::Rotor &rotor) {
            });
 }
 
+void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rotor) {
+    if (drives_every_frequency(rotor))
+        motions.count_resolved();
+}
+
 void tell_resolved_apart(const ends::AllMotions &motions, const stability::StabilityModel &model,
                          const std::vector<ends::WholeMotion> &roots,
                          results::StabilityResult &result) {
@@ -53,8 +141,6 @@ void tell_resolved_apart(const ends::AllMotions &motions, const stability::Stabi
     if (!std::isfinite(top))
         return;
     result.resolved_up_to = top;
-    for (const double speed : result.speeds)
-        result.resolved_growth.push_back(motions.fastest_growing(speed, top).real());
     const auto fast = std::stable_partition(result.ends.begin(), result.ends.end(),
                                             [](const auto &end) { return end.resolved.motion; });
     result.unresolved_ends.assign(fast, result.ends.end());
@@ -65,15 +151,27 @@ void tell_resolved_apart(const ends::AllMotions &motions, const stability::Stabi
             end.growing_above = end.resolved.above;
         }
     add_errors(motions, model, roots, result.ends);
+    if (result.speeds.size() > 1) {
+        add_resolved_bands(result);
+        join_bands(faster_bands(motions, top, result), result);
+    }
+    settle_rounding({result.resolved_growth, result.resolved_verdict}, result.speeds,
+                    result.resolved_unstable, model.rotor.damped());
     result.model.notes.push_back(fmt::format(
-        "growing motions are counted up to {:.6g} rad/s, at every speed: the modes at rest have "
-        "their frequencies to 1 % up to there with these elements. What drives the rotor drives "
-        "faster ones too, as many as there are elements for: the growth is that of all of them, "
-        "{}",
+        "growing motions are counted up to frequencies of {:.6g} rad/s, at every speed: the modes "
+        "at rest have their frequencies to 1 % up to there with these elements. What drives the "
+        "rotor drives faster ones too, as many as there are elements for, and other ones on other "
+        "elements: growth and verdict are of all of them, resolved_growth and resolved_verdict of "
+        "those up to there{}",
         top,
-        result.unresolved_ends.empty() ? "none of which begins or ceases to grow in the range"
-                                       : fmt::format("{} ends are listed apart (unresolved_ends)",
-                                                     result.unresolved_ends.size())));
+        result.unresolved_ends.empty()
+            ? ""
+            : fmt::format("; of faster ones {} where one begins or ceases to grow {} listed apart "
+                          "(unresolved_ends), others may be missing",
+                          result.unresolved_ends.size() == 1
+                              ? "the one speed"
+                              : fmt::format("{} speeds", result.unresolved_ends.size()),
+                          result.unresolved_ends.size() == 1 ? "is" : "are")));
 }
 
 } // namespace whirl::analyses

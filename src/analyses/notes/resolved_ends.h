@@ -14,6 +14,9 @@ namespace whirl::analyses {
 /// that grow is then that of the unknowns, and the fast ones are not those of the shaft.
 [[nodiscard]] bool drives_every_frequency(const model::Rotor &rotor);
 
+/// AllMotions::count_resolved of such a rotor.
+void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rotor);
+
 /// Where motions are counted up to a frequency (AllMotions::count_resolved): moves the ends of
 /// faster ones to `unresolved_ends`, counts in the others what is resolved, and finds their errors
 /// by finer elements and the growth of the resolved motions.

@@ -13,6 +13,27 @@ namespace whirl::report {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+std::string no_folder(const fs::path &folder, const std::string &why) {
+    return fmt::format("cannot make the output folder {}: {}; --out names another one",
+                       folder.string(), why);
+}
+
+} // namespace
+
+void check_folder(const fs::path &folder) {
+    std::error_code error;
+    fs::path there = fs::absolute(folder).lexically_normal();
+    while (!fs::exists(there, error) && there != there.root_path())
+        there = there.parent_path();
+    if (!fs::is_directory(there, error))
+        throw model::BadInput("whirl: " + no_folder(folder, there.string() + " is not a folder"));
+    if (access(there.c_str(), W_OK | X_OK) != 0)
+        throw model::BadInput("whirl: " +
+                              no_folder(folder, "no permission to write in " + there.string()));
+}
+
 OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {
     if (_folder.empty())
         _folder = ".";
@@ -24,9 +45,7 @@ OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {
             _made.insert(_made.begin(), part);
     fs::create_directories(_folder, error);
     if (error || !fs::is_directory(_folder))
-        throw model::AnalysisFailure(fmt::format("cannot make the output folder {}: {}",
-                                                 _folder.string(),
-                                                 error ? error.message() : "not a folder"));
+        throw model::AnalysisFailure(no_folder(_folder, error ? error.message() : "not a folder"));
 }
 
 OutputFiles::~OutputFiles() {

@@ -8,6 +8,11 @@
 
 namespace whirl::report {
 
+/// Says before a long run what would keep a folder from being made, or files from being put there;
+/// makes nothing.
+/// @throws model::BadInput
+void check_folder(const std::filesystem::path &folder);
+
 /// A set of output files that appears as a whole or not at all.
 ///
 /// Content goes to temporary names in the output folder; commit() renames all of them. Without

@@ -63,6 +63,9 @@ void add_notes(Comparison &out) {
 } // namespace
 
 ComparedResult read_result(const std::filesystem::path &file) {
+    if (!std::filesystem::exists(file))
+        throw model::BadInput(fmt::format(
+            "{}: expected a result that whirl wrote, there is no such file", file.string()));
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();

@@ -96,7 +96,8 @@ std::string curve_labels(const CriticalMap &map, Range y) {
     return labels;
 }
 
-/// Crossings as circles with their numbers in the table, where there is room for these.
+/// Crossings as circles with their numbers in the table, where there is room for these, and lines
+/// that lead to them.
 std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string &data) {
     std::vector<PlotPoint> points;
     LabelPlacer placer;
@@ -111,14 +112,20 @@ std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string
         const auto &at = map.crossings[i];
         const auto box = placer.place(along(at.stiffness * newtons_per_metre, x),
                                       along(at.speed * rpm, y), i < 9 ? 0.013 : 0.022, 0.032);
-        // One that found room only far away would name another ring.
-        if (box &&
-            std::abs(box->x + box->width / 2 - along(at.stiffness * newtons_per_metre, x)) <
-                0.025 &&
-            std::abs(box->y + box->height / 2 - along(at.speed * rpm, y)) < 0.045)
-            labels += fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' "
-                                  "front\n",
-                                  i + 1, box->x + box->width / 2, box->y + box->height / 2);
+        if (!box)
+            continue;
+        const double u = along(at.stiffness * newtons_per_metre, x);
+        const double v = along(at.speed * rpm, y);
+        const double across = box->x + box->width / 2;
+        const double up = box->y + box->height / 2;
+        labels += fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' "
+                              "front\nset arrow from graph {:.5g},graph {:.5g} to graph "
+                              "{:.5g},graph {:.5g} nohead front lw 0.7 lc rgb '#777777'\n",
+                              i + 1, across, up,
+                              // from the nearest place of the box
+                              std::clamp(u, box->x, box->x + box->width),
+                              std::clamp(v, box->y + 0.2 * box->height, box->y + 0.8 * box->height),
+                              u, v);
     }
     data += data_block("crossings", {points});
     return labels;

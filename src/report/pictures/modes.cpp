@@ -98,7 +98,7 @@ std::string critical_heading(const ModeShape &mode) {
 namespace {
 
 constexpr double head = 120;   // pixels: above the first panels
-constexpr double pitch = 230;  // from a row of panels to the next
+constexpr double pitch = 238;  // from a row of panels to the next
 constexpr double between = 45; // what says that critical speeds follow
 
 /// One shape in a panel whose upper edge is `top` pixels above the bottom of the figure.

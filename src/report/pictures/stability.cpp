@@ -100,6 +100,8 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
             low = std::min(low, growth);
             high = std::max(high, growth);
         }
+    if (low > high) // none has
+        low = high = 0;
     constexpr double rounding = 1e-9;
     const bool flat = high - low <= rounding * std::max(std::abs(low), std::abs(high));
     const double centre = flat ? low : 0; // of a growth that does not change
@@ -110,13 +112,23 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     if (flat)
         text += fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
                             std::max(0.0, centre) + reach);
+    std::string curves;
+    if (result.resolved_up_to) {
+        std::vector<PlotPoint> resolved;
+        for (std::size_t i = 0; i < result.speeds.size(); ++i)
+            resolved.push_back({result.speeds[i] * rpm, result.resolved_growth[i]});
+        text += data_block("resolved", {resolved});
+        curves = fmt::format(", $resolved using 1:2 with {} lw 2 lc rgb '#009E73' title 'growth of "
+                             "motions that the elements resolve'",
+                             one ? "points pt 7" : "lines dt 2");
+    }
     return text +
            "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
            fmt::format("plot $growth using 1:2 with {} lw 2 lc rgb '#222222' title 'growth'",
                        one ? "points pt 7" : "lines") +
-           keys + operation_key(scene, x) +
+           curves + keys + operation_key(scene, x) +
            "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\nset format "
            "y\n";
 }

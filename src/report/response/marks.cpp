@@ -130,9 +130,9 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
         }
     }
     if (unnamed > 0)
-        marks.before += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.04 "
+        marks.before += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.04 "
                                     "left font ',{}' textcolor '#555555'\n",
-                                    unnamed, label_size);
+                                    unnamed, unnamed == 1 ? "peak" : "peaks", label_size);
     if (tops.empty())
         return marks;
     const auto &of = result.nodes[station];
@@ -274,16 +274,23 @@ std::string rings(double largest) {
     return script + data_block("rings", circles);
 }
 
-/// Peaks of a curve with their speeds, where there is room.
-std::string polar_peaks(const ResponseResult &result, const PolarLine &line, double range,
-                        double pixels) {
+/// Peaks of a curve with their speeds, where there is room beside all curves and the marks.
+std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLine> &lines,
+                        const PolarLine &line, double range, double pixels) {
     LabelPlacer placer;
     std::vector<PlotPoint> tops;
     std::string script;
     int unnamed = 0;
-    for (const PlotPoint &point : polar_points(result, line.curve))
-        placer.block({(point.x / range + 1) / 2 - 3 / pixels,
-                      (*point.y / range + 1) / 2 - 3 / pixels, 6 / pixels, 6 / pixels});
+    const auto block = [&](double x, double y, double half) {
+        placer.block({(x / range + 1) / 2 - half / pixels, (y / range + 1) / 2 - half / pixels,
+                      2 * half / pixels, 2 * half / pixels});
+    };
+    for (const PolarLine &other : lines)
+        for (const PlotPoint &point : smooth(polar_points(result, other.curve)))
+            block(point.x, *point.y, 3);
+    for (const ResponsePeak *peak : line.peaks)
+        block(peak->value * micrometres * std::cos(peak->phase),
+              peak->value * micrometres * std::sin(peak->phase), 9);
     for (const ResponsePeak *peak : line.peaks) {
         const double size = peak->value * micrometres;
         const PlotPoint top{size * std::cos(peak->phase), size * std::sin(peak->phase)};
@@ -301,9 +308,9 @@ std::string polar_peaks(const ResponseResult &result, const PolarLine &line, dou
                                   plot_text(text), box->x, box->y + box->height / 2, label_size);
     }
     if (unnamed > 0)
-        script += fmt::format("set label '{} more peaks: see the table' at graph 0.01,0.025 left "
+        script += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.025 left "
                               "font ',{}' textcolor '#555555'\n",
-                              unnamed, label_size);
+                              unnamed, unnamed == 1 ? "peak" : "peaks", label_size);
     return script + data_block("tops", {tops});
 }
 
@@ -351,7 +358,7 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
                     "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
                     -range, range, result.probes.empty() ? "x" : "in phase",
                     result.probes.empty() ? "y" : "a quarter ahead") +
-        rings(most) + polar_peaks(result, *largest, range, pixels) + data + "plot " + plots +
+        rings(most) + polar_peaks(result, lines, *largest, range, pixels) + data + "plot " + plots +
         "\nunset multiplot\n";
     return figure;
 }

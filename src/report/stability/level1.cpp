@@ -1,4 +1,4 @@
-#include "report/level1.h"
+#include "report/stability/level1.h"
 
 #include "report/common/csv.h"
 #include "report/common/table.h"

@@ -3,11 +3,14 @@
 #include "results/stability.h"
 
 #include "report/common/csv.h"
+#include "report/common/empty_columns.h"
 #include "report/common/table.h"
 #include "report/common/words.h"
-#include "report/level1.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
+#include "report/stability/band_lines.h"
+#include "report/stability/headline.h"
+#include "report/stability/level1.h"
 
 #include <fmt/format.h>
 
@@ -20,93 +23,6 @@ using results::StabilityResult;
 using results::Verdict;
 
 namespace {
-
-using Pairs = std::vector<std::pair<double, double>>;
-
-/// A line of the file. Of a band from and to are its ends; of a map they are its two entries.
-struct BandLine {
-    std::string kind;
-    double from = 0, to = 0;
-    std::optional<double> growth{};
-    std::string verdict{};
-    std::optional<std::pair<double, double>> errors{};
-};
-
-template <class Pair> auto first(std::optional<Pair> BandLine::*of) {
-    return [of](const BandLine &line) { return line.*of ? Json((line.*of)->first) : Json(); };
-}
-template <class Pair> auto second(std::optional<Pair> BandLine::*of) {
-    return [of](const BandLine &line) { return line.*of ? Json((line.*of)->second) : Json(); };
-}
-double width(const BandLine &line) { return line.to - line.from; }
-
-/// Lines of the file, and of the tables of bands.
-const Columns<BandLine> band_line_columns{
-    {"", "kind", {}, {}, &BandLine::kind},
-    {"", "from", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &BandLine::from},
-    {"", "to", {"to (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &BandLine::to},
-    {"",
-     "",
-     {"from (rpm)", "{:.8g}"},
-     {"from rpm"},
-     [](const BandLine &line) { return line.from * rpm; }},
-    {"",
-     "",
-     {"to (rpm)", "{:.8g}"},
-     {"to rpm"},
-     [](const BandLine &line) { return line.to * rpm; }},
-    {"", "", {"width (rad/s)", "{:.4g}"}, {"width rad/s"}, width},
-    {"", "growth [1/s]", {}, {}, &BandLine::growth},
-    {"", "verdict", {}, {}, &BandLine::verdict}};
-
-/// The same with the errors of both ends.
-Columns<BandLine> with_errors() {
-    Columns<BandLine> more = band_line_columns;
-    more.push_back({"",
-                    "error of from",
-                    {"error of from (rad/s)", "{:.2g}"},
-                    {"error of from", rough},
-                    first(&BandLine::errors)});
-    more.push_back({"",
-                    "error of to",
-                    {"error of to (rad/s)", "{:.2g}"},
-                    {"error of to", rough},
-                    second(&BandLine::errors)});
-    return more;
-}
-
-std::vector<BandLine> lines(const std::string &kind, const Pairs &bands, const Pairs &errors = {}) {
-    std::vector<BandLine> all;
-    for (std::size_t i = 0; i < bands.size(); ++i) {
-        all.push_back({kind, bands[i].first, bands[i].second});
-        if (i < errors.size())
-            all.back().errors = errors[i];
-    }
-    return all;
-}
-
-std::vector<BandLine> lines(const std::string &kind, const std::vector<double> &speeds) {
-    std::vector<BandLine> all;
-    for (const double speed : speeds)
-        all.push_back({kind, speed, speed});
-    return all;
-}
-
-std::vector<BandLine> growth_lines(const StabilityResult &result) {
-    std::vector<BandLine> all;
-    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i)
-        all.push_back({"growth", result.speeds[i], result.speeds[i], result.growth[i],
-                       i < result.verdict.size() ? results::verdict_name(result.verdict[i]) : ""});
-    return all;
-}
-
-std::vector<BandLine> map_lines(const results::StabilityMap &map) {
-    std::vector<BandLine> all;
-    for (std::size_t j = 0; j < map.growth.size(); ++j)
-        for (std::size_t i = 0; i < map.growth[j].size(); ++i)
-            all.push_back({"map", map.x_values[i], map.y_values[j], map.growth[j][i]});
-    return all;
-}
 
 /// Ends of growth, and the lines of the file that they are.
 const Columns<results::StabilityEnd> end_columns{
@@ -200,20 +116,27 @@ Json map_json(const results::StabilityMap &map) {
             {"growth", map.growth}};
 }
 
+Json json_verdicts(const std::vector<Verdict> &verdicts) {
+    return json_list(verdicts, [](Verdict verdict) {
+        const std::string name = results::verdict_name(verdict);
+        return name.empty() ? Json() : Json(name);
+    });
+}
+
 Json json_of(const StabilityResult &result) {
     return {{"speeds", result.speeds},
             {"growth", result.growth},
-            {"verdict", json_list(result.verdict,
-                                  [](Verdict verdict) {
-                                      const std::string name = results::verdict_name(verdict);
-                                      return name.empty() ? Json() : Json(name);
-                                  })},
+            {"verdict", json_verdicts(result.verdict)},
             {"unstable", result.unstable},
             {"unstable_error", result.unstable_error},
             {"ends", json_rows(end_columns, result.ends)},
             {"resolved_up_to", result.resolved_up_to ? Json(*result.resolved_up_to) : Json()},
             {"unresolved_ends", json_rows(end_columns, result.unresolved_ends)},
             {"resolved_growth", result.resolved_growth},
+            {"resolved_verdict", json_verdicts(result.resolved_verdict)},
+            {"resolved_unstable", result.resolved_unstable},
+            {"resolved_unstable_error", result.resolved_unstable_error},
+            {"unresolved_growth", result.unresolved_growth},
             {"critical_speeds", result.critical_speeds},
             {"zero_root_speeds", result.zero_root_speeds},
             {"additional_speeds", result.additional_speeds},
@@ -226,47 +149,36 @@ Json json_of(const StabilityResult &result) {
 }
 
 std::string csv_of(const StabilityResult &result) {
-    const Columns<BandLine> all = with_errors();
+    const Columns<BandLine> all = file_columns(result);
     std::vector<std::string> head = csv_head(all);
     for (const std::string &heading : csv_head(end_columns))
         if (std::find(head.begin(), head.end(), heading) == head.end())
             head.push_back(heading);
     const auto rows = [&](const std::vector<BandLine> &of) { return csv_rows(head, all, of); };
     std::string csv = csv_line(head) + rows(growth_lines(result)) +
-                      rows(lines("unstable", result.unstable, result.unstable_error)) +
+                      rows(band_lines("unstable", result.unstable, result.unstable_error)) +
+                      rows(band_lines("unstable, resolved", result.resolved_unstable,
+                                      result.resolved_unstable_error)) +
                       csv_rows(head, end_columns, result.ends) +
-                      rows(lines("critical speed", result.critical_speeds)) +
-                      rows(lines("zero root", result.zero_root_speeds)) +
-                      rows(lines("additional speed", result.additional_speeds));
+                      rows(speed_lines("critical speed", result.critical_speeds)) +
+                      rows(speed_lines("zero root", result.zero_root_speeds)) +
+                      rows(speed_lines("additional speed", result.additional_speeds));
     if (const auto &family = result.family)
-        csv += rows(lines("unstable with some arrangement", family->unstable)) +
-               rows(lines("unstable with every arrangement", family->always_unstable)) +
-               rows(lines("critical speed over arrangements", family->critical_speeds)) +
-               rows(lines("additional speed over arrangements", family->additional_speeds));
+        csv += rows(band_lines("unstable with some arrangement", family->unstable)) +
+               rows(band_lines("unstable with every arrangement", family->always_unstable)) +
+               rows(band_lines("critical speed over arrangements", family->critical_speeds)) +
+               rows(band_lines("additional speed over arrangements", family->additional_speeds));
     return result.map ? csv + rows(map_lines(*result.map)) : csv;
-}
-
-std::string bands_section(const std::vector<BandLine> &bands,
-                          const Columns<BandLine> &shown_columns) {
-    return bands.empty() ? "<p>None in this range.</p>\n" : page_table(shown_columns, bands);
-}
-
-/// Of one speed: what becomes of a small motion there.
-std::string verdict_section(const StabilityResult &result) {
-    const std::string name = results::verdict_name(result.verdict.front());
-    if (name.empty())
-        return "<p>No answer at this speed.</p>\n";
-    return fmt::format("<p>{} at {:.5g} rad/s: largest growth {:.8g} 1/s.</p>\n", name,
-                       result.speeds.front(), result.growth.front());
 }
 
 /// Speeds at which something stands still in rotating axes.
 std::vector<BandLine> still_speeds(const StabilityResult &result) {
-    std::vector<BandLine> all = lines("critical, balls held, undamped", result.critical_speeds);
+    std::vector<BandLine> all =
+        speed_lines("critical, balls held, undamped", result.critical_speeds);
     for (const auto &more :
-         {lines("a root is zero: a motion stands still and neither grows nor dies out",
-                result.zero_root_speeds),
-          lines("additional: pinned at the balancers", result.additional_speeds)})
+         {speed_lines("a root is zero: a motion stands still and neither grows nor dies out",
+                      result.zero_root_speeds),
+          speed_lines("additional: pinned at the balancers", result.additional_speeds)})
         all.insert(all.end(), more.begin(), more.end());
     return all;
 }
@@ -277,19 +189,14 @@ const Columns<BandLine> still_columns{
     {"", "", {"rpm", "{:.8g}"}, {}, [](const BandLine &line) { return line.from * rpm; }}};
 
 std::vector<Section> sections_of(const StabilityResult &result) {
-    std::vector<Section> sections;
-    if (result.speeds.size() == 1)
-        sections.push_back({"Stability at this speed", verdict_section(result)});
-    else
-        sections.push_back(
-            {"Unstable spin speeds",
-             bands_section(lines("", result.unstable, result.unstable_error), with_errors())});
+    std::vector<Section> sections = headline_sections(result);
     if (!result.ends.empty())
         sections.push_back({"Speeds at which the number of growing motions changes",
-                            page_table(end_columns, result.ends)});
+                            page_table(without_empty(end_columns, result.ends), result.ends)});
     if (!result.unresolved_ends.empty())
         sections.push_back({"The same of motions that the elements do not resolve",
-                            page_table(end_columns, result.unresolved_ends)});
+                            page_table(without_empty(end_columns, result.unresolved_ends),
+                                       result.unresolved_ends)});
     if (const std::vector<BandLine> still = still_speeds(result); !still.empty())
         sections.push_back({"Speeds at which something stands still in rotating axes",
                             page_table(still_columns, still)});
@@ -309,31 +216,8 @@ std::vector<Section> sections_of(const StabilityResult &result) {
           std::pair(std::string("Critical speeds over the arrangements"), &family.critical_speeds),
           std::pair(std::string("Additional speeds over the arrangements"),
                     &family.additional_speeds)})
-        sections.push_back({title, bands_section(lines("", *bands), band_line_columns)});
+        sections.push_back({title, bands_section(band_lines("", *bands), band_line_columns())});
     return sections;
-}
-
-std::string verdict_text(const StabilityResult &result) {
-    const double growth = result.growth.front();
-    switch (result.verdict.front()) {
-    case Verdict::stable:
-        return fmt::format("Stable: every motion dies out, the slowest with {:.6g} 1/s\n", growth);
-    case Verdict::neutral:
-        return "Neither stable nor unstable: no motion grows, some do not die out either (no "
-               "damping)\n";
-    case Verdict::unstable:
-        return fmt::format("Unstable: a whirl grows with {:.6g} 1/s\n", growth);
-    case Verdict::diverges:
-        return fmt::format("Unstable: it diverges, a real root of +{:.6g} 1/s\n", growth);
-    default:
-        return "No answer at this speed\n";
-    }
-}
-
-std::string bands_text(const std::string &title, const std::vector<BandLine> &bands,
-                       const Columns<BandLine> &shown_columns) {
-    return bands.empty() ? title + ": none in this range\n"
-                         : title + ":\n" + text_table(shown_columns, bands);
 }
 
 std::string speeds_text(const std::string &title, const std::vector<double> &speeds) {
@@ -345,17 +229,16 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 
 std::string text_of(const model::Case &scene, const StabilityResult &result) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
-    text += result.speeds.size() == 1
-                ? verdict_text(result)
-                : bands_text("Unstable", lines("", result.unstable, result.unstable_error),
-                             with_errors());
+    text += headline_text(result);
     if (!result.ends.empty())
         text += "Speeds at which the number of growing motions changes:\n" +
-                text_table(end_columns, result.ends);
+                text_table(without_empty(end_columns, result.ends), result.ends);
     if (!result.unresolved_ends.empty())
-        text += fmt::format("Not resolved by the elements: {} more ends, of motions faster than "
-                            "{:.6g} rad/s\n",
-                            result.unresolved_ends.size(), *result.resolved_up_to);
+        text += fmt::format("Not resolved by the elements: {} more {}, of motions with frequencies "
+                            "above {:.6g} rad/s\n",
+                            result.unresolved_ends.size(),
+                            result.unresolved_ends.size() == 1 ? "end" : "ends",
+                            *result.resolved_up_to);
     text +=
         speeds_text("Critical speeds, balls held, undamped", result.critical_speeds) +
         speeds_text("A root is zero at", result.zero_root_speeds) +
@@ -364,11 +247,11 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
         text += "\n" +
                 bands_text(fmt::format("Unstable with some of {} arrangements of the balls",
                                        family->arrangements),
-                           lines("", family->unstable), band_line_columns) +
-                bands_text("Unstable with every arrangement", lines("", family->always_unstable),
-                           band_line_columns) +
+                           band_lines("", family->unstable), band_line_columns()) +
+                bands_text("Unstable with every arrangement",
+                           band_lines("", family->always_unstable), band_line_columns()) +
                 bands_text("Critical speeds over the arrangements",
-                           lines("", family->critical_speeds), band_line_columns);
+                           band_lines("", family->critical_speeds), band_line_columns());
     if (!result.permissible.empty())
         text += "\nPermissible inertial anisotropy over this range:\n" +
                 text_table(permissible_columns, result.permissible);
