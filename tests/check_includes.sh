@@ -16,7 +16,7 @@ declare -A allowed=(
   [input]="balancers model"
   [closed_form]=""
   [eigen]="" # comes with the precompiled header, not by name
-  [precompiled]="model report" # nobody includes from it
+  [precompiled]="assembly balancers linalg model report results" # nobody includes from it
 )
 for ((i = 0; i < ${#rooms[@]}; ++i)); do
   allowed["${rooms[i]}"]="${rooms[*]:0:i}"

@@ -4,6 +4,7 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/dense/products.h"
 #include "modes/support_damping.h"
 #include "reduction/orthonormal.h"
 
@@ -136,8 +137,8 @@ double PendulumStability::growth(double speed, const PendulumSteadyMotion &motio
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(M);
     Eigen::MatrixXd state = Eigen::MatrixXd::Zero(2 * size, 2 * size); // time in 1/W
     state.topRightCorner(size, size).setIdentity();
-    state.bottomLeftCorner(size, size) = -lu.solve(K) / (W * W);
-    state.bottomRightCorner(size, size) = -lu.solve(C) / W;
+    state.bottomLeftCorner(size, size) = -linalg::solved(lu, K) / (W * W);
+    state.bottomRightCorner(size, size) = -linalg::solved(lu, C) / W;
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(state, false);
     if (solver.info() == Eigen::Success)
         return W * solver.eigenvalues().real().maxCoeff();

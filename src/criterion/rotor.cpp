@@ -129,7 +129,9 @@ BalanceScene::BalanceScene(const model::Case &scene)
     model::Case bare = scene;
     bare.rotor = rotor;
     formulation = forced::response_formulation(bare);
-    order = mesh_error::resolve_order_in_best_form(bare); // it is judged by frequencies
+    // It is judged by frequencies; a rotor that is not axisymmetric has but the one form.
+    order = rotor.rotating_anisotropy() ? mesh_error::resolve_order(bare, formulation)
+                                        : mesh_error::resolve_order_in_best_form(bare);
 }
 
 std::vector<assembly::Combination> BalanceScene::places(const assembly::Discretization &d) const {

@@ -1,6 +1,7 @@
 #include "ends/refinement.h"
 
 #include "linalg/sparse_factor.h"
+#include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
 
 #include <cmath>
@@ -80,8 +81,7 @@ using Factors = linalg::SparseFactor<Complex>;
 bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu) {
     const Eigen::VectorXd d =
         linalg::scales_at(std::max(std::abs(l), 1e-300), p.M.diagonal(), p.K.diagonal());
-    const ComplexSparse whole =
-        l * l * p.M.cast<Complex>() + l * p.D.cast<Complex>() + p.K.cast<Complex>();
+    const ComplexSparse whole = linalg::sum(l * l, p.M, l, p.D, 1, p.K);
     ComplexSparse Q = d.asDiagonal() * whole * d.asDiagonal();
     Q.makeCompressed();
     if (!lu.factorize(Q))

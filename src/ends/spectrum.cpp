@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
+#include "linalg/dense/products.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/LU>
@@ -34,8 +35,8 @@ Companion decomposed(const DenseProblem &p, double shift) {
     const Eigen::Index n = p.M.rows();
     const Eigen::PartialPivLU<Eigen::MatrixXd> lu(shift * shift * p.M + shift * p.D + p.K);
     const Eigen::MatrixXd slope = 2 * shift * p.M + p.D;
-    const Eigen::MatrixXd A = lu.solve(slope);
-    const Eigen::MatrixXd B = lu.solve(p.M);
+    const Eigen::MatrixXd A = linalg::solved(lu, slope);
+    const Eigen::MatrixXd B = linalg::solved(lu, p.M);
     Companion out;
     out.s = std::sqrt(std::max(B.norm(), A.squaredNorm()));
     Eigen::MatrixXd C = Eigen::MatrixXd::Zero(2 * n, 2 * n);

@@ -187,7 +187,7 @@ std::optional<Complex> BentSupports::pole(const QuadraticTerms &lines, Complex g
             x = linalg::solved(lu, linalg::times(slope, x));
             x.normalize();
             const Eigen::VectorXcd forces = slope.adjoint() * y;
-            y = lu.adjoint().solve(forces);
+            y = linalg::adjoint_solved(lu, forces);
             y.normalize();
         }
         if (!x.allFinite() || !y.allFinite()) // at the pole itself

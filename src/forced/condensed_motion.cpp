@@ -4,6 +4,7 @@
 #include "forced/equal_chain.h"
 #include "forced/forced_motion.h"
 #include "forced/response_places.h"
+#include "linalg/dense/products.h"
 #include "results/formulation.h"
 
 #include <Eigen/LU>
@@ -30,7 +31,7 @@ template <class Dense> Dense condensed(const Dense &A, Eigen::Index kept = at_no
     const Dense inside = A.bottomRightCorner(inner, inner);
     const Dense across = A.topRightCorner(kept, inner);
     const Dense right = A.bottomLeftCorner(inner, kept);
-    const Dense moved = inside.partialPivLu().solve(right);
+    const Dense moved = linalg::solved(inside.partialPivLu(), right);
     Dense out = A.topLeftCorner(kept, kept);
     out.noalias() -= across * moved;
     return out;

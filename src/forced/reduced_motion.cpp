@@ -232,8 +232,8 @@ QuadraticResolvent::Solution ReducedMotion::quick(double speed, Eigen::Index fir
 double ReducedMotion::rounding(double speed) const {
     const auto [known, missing] = _piece->roundings.try_emplace(speed, 0.0);
     if (missing)
-        known->second =
-            std::numeric_limits<double>::epsilon() / std::max(factors(speed).P.rcond(), 1e-300);
+        known->second = std::numeric_limits<double>::epsilon() /
+                        std::max(linalg::reciprocal_condition(factors(speed).P), 1e-300);
     return known->second;
 }
 

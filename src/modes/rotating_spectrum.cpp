@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/quadratic/quadratic_problem.h"
+#include "linalg/sparse_sum.h"
 #include "modes/hill/seen_whirl.h"
 #include "reduction/projection.h"
 #include "results/whirl.h"
@@ -158,8 +159,8 @@ RotatingSpectrum::Eigenvalues RotatingSpectrum::solve(double speed, int wanted, 
         options.wanted = std::min(wanted, _system.M.size());
         options.method = _method;
         options.enough = radius + shift;
-        found = linalg::solve_quadratic(_M, _C + speed * _Cs,
-                                        _K + speed * _Ks + speed * speed * _Kss, options);
+        found = linalg::solve_quadratic(
+            _M, _C + speed * _Cs, linalg::sum(1, _K, speed, _Ks, speed * speed, _Kss), options);
     } else {
         found =
             solve_hill(speed, keep == Keep::best ? wanted * (2 * _harmonics + 1) : wanted, shift);
@@ -335,8 +336,9 @@ void RotatingSpectrum::judge(Eigenvalues &found, double speed, double highest) c
         std::stable_partition(found.pairs.begin(), found.pairs.end(),
                               [&](const auto &pair) { return asked_for(pair, speed, highest); });
     std::vector<linalg::ComplexPair> asked(found.pairs.begin(), rest);
-    linalg::assess_condition(_M, _C + speed * _Cs, _K + speed * _Ks + speed * speed * _Kss,
-                             found.shift, asked);
+    linalg::assess_condition(_M, _C + speed * _Cs,
+                             linalg::sum(1, _K, speed, _Ks, speed * speed, _Kss), found.shift,
+                             asked);
     std::move(asked.begin(), asked.end(), found.pairs.begin());
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });

@@ -37,7 +37,7 @@ struct ModeAt {
     }
 };
 
-template <class List> auto entry(List CampbellMode::*list) {
+template <class List> auto entry_of(List CampbellMode::*list) {
     return [list](const ModeAt &at) { return at.entry(at.mode->*list); };
 }
 
@@ -76,26 +76,26 @@ const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
       [](const auto &at) {
           return at.frequency() ? std::optional(*at.frequency() * rpm) : std::nullopt;
       }},
-     {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry(&CampbellMode::real)},
+     {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry_of(&CampbellMode::real)},
      {"damping_ratio",
       "damping_ratio",
       {"Damping ratio"},
       {"damping ratio"},
-      entry(&CampbellMode::damping_ratio)},
-     {"log_dec", "log_dec", {}, {}, entry(&CampbellMode::log_dec)},
-     {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry(&CampbellMode::whirl)},
+      entry_of(&CampbellMode::damping_ratio)},
+     {"log_dec", "log_dec", {}, {}, entry_of(&CampbellMode::log_dec)},
+     {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry_of(&CampbellMode::whirl)},
      {"forward_share",
       "forward_fraction",
       {"Forward share", "{:.4g}"},
       {},
-      entry(&CampbellMode::forward_fraction)},
-     {"forward_fraction", "", {}, {}, entry(&CampbellMode::forward_fraction)}, // its older name
+      entry_of(&CampbellMode::forward_fraction)},
+     {"forward_fraction", "", {}, {}, entry_of(&CampbellMode::forward_fraction)}, // its older name
      {"error",
       "error",
       {"Relative error", "{:.2g}"},
       {"error", rough},
-      entry(&CampbellMode::error)},
-     {"residual", "residual", {}, {}, entry(&CampbellMode::residual)}},
+      entry_of(&CampbellMode::error)},
+     {"residual", "residual", {}, {}, entry_of(&CampbellMode::residual)}},
     true, part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {

@@ -6,6 +6,7 @@
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/sparse_factor.h"
+#include "linalg/sparse_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +104,7 @@ class ZeroRootStiffness {
     linalg::SparseFactor<double> _factors;
 
     [[nodiscard]] bool factorize(double speed) {
-        Sparse K = _K + speed * _Ks + (speed * speed) * _Kss;
+        Sparse K = linalg::sum(1, _K, speed, _Ks, speed * speed, _Kss);
         K.makeCompressed();
         return _factors.factorize(K);
     }

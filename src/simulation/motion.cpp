@@ -1,5 +1,6 @@
 #include "simulation/motion.h"
 
+#include "linalg/dense/products.h"
 #include "linalg/lanes/directions.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void solve_many_planes(const Eigen::MatrixXd &products, const reduction::PlaneBl
             A.block<2, 4>(2 * i, block) +=
                 products(i, k) * coupling.block<2, 4>(2 * (k % 2), block);
         }
-    y.leftCols(columns) = A.partialPivLu().solve(y.leftCols(columns)).eval();
+    y.leftCols(columns) = linalg::solved(A.partialPivLu(), y.leftCols(columns));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "simulation/run.h"
 
+#include "linalg/dense/products.h"
 #include "process/interruption.h"
 #include "process/progress.h"
 #include "simulation/dry/dry_scene.h"
@@ -38,7 +39,7 @@ double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
     A.block(3 * r, 2 * r, r, r) += speed * rotor.gyroscopic;
     if (rotor.mass_beside.size() > 0) {
         const Eigen::MatrixXd M = Eigen::MatrixXd::Identity(2 * r, 2 * r) + rotor.mass_beside;
-        A.bottomRows(2 * r) = M.partialPivLu().solve(A.bottomRows(2 * r)).eval();
+        A.bottomRows(2 * r) = linalg::solved(M.partialPivLu(), A.bottomRows(2 * r));
     }
     return -A.eigenvalues().real().minCoeff();
 }

@@ -1,5 +1,6 @@
 #include "simulation/steady_start.h"
 
+#include "linalg/dense/products.h"
 #include "model/errors.h"
 
 #include <Eigen/LU>
@@ -35,9 +36,9 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
         load.tail(r) -= i * force * mass.row;
     }
     const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(A);
-    const Eigen::VectorXcd p = factors.solve(load);
+    const Eigen::VectorXcd p = linalg::solved(factors, load);
     constexpr double resonance = 1e-13; // of the condition: no digit is left
-    if (!p.allFinite() || factors.rcond() < resonance)
+    if (!p.allFinite() || linalg::reciprocal_condition(factors) < resonance)
         throw model::AnalysisFailure(fmt::format(
             "no steady motion to start from at {:.6g} rad/s: the rotor is at a resonance without "
             "damping, or free to move",

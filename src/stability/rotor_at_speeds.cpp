@@ -5,6 +5,7 @@
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/sparse_factor.h"
+#include "linalg/sparse_sum.h"
 #include "linalg/symmetric_eigen.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -78,7 +79,8 @@ constexpr double suspicious = 1e-3;
 
 /// Size of the inverse at a speed, by inverse iteration from a vector without zeros.
 double inverse_size(const ZeroRootSystem &system, double speed) {
-    Eigen::SparseMatrix<double> A = system.K + speed * system.Ks + speed * speed * system.Kss;
+    Eigen::SparseMatrix<double> A =
+        linalg::sum(1, system.K, speed, system.Ks, speed * speed, system.Kss);
     A.makeCompressed();
     linalg::SparseFactor<double> lu;
     if (!lu.factorize(A))
@@ -181,7 +183,7 @@ bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen:
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
         const Sparse slope = Ks + Scalar(2.0) * W * Kss;
-        Sparse Q = K + W * Ks + W * W * Kss;
+        Sparse Q = linalg::sum(Scalar(1), K, W, Ks, W * W, Kss);
         Q.makeCompressed();
         if (!lu.factorize(Q))
             return false;

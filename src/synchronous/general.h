@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "linalg/sparse_sum.h"
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
@@ -15,7 +16,9 @@ struct ComplexQuadratic {
     using Sparse = Eigen::SparseMatrix<std::complex<double>>;
     Sparse M, D, K;
 
-    [[nodiscard]] Sparse at(std::complex<double> l) const { return (l * l) * M + l * D + K; }
+    [[nodiscard]] Sparse at(std::complex<double> l) const {
+        return linalg::sum(l * l, M, l, D, 1, K);
+    }
     [[nodiscard]] Sparse slope(std::complex<double> l) const { return (2.0 * l) * M + D; }
 };
 

@@ -2,6 +2,7 @@
 
 #include "linalg/check.h"
 #include "linalg/quadratic/quadratic_eigen.h"
+#include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
 
 #include <Eigen/SparseCholesky>
@@ -29,7 +30,7 @@ struct Piece {
     Sparse size, absA; ///< of the entries, for rounding
 
     [[nodiscard]] double speed(double t) const { return origin + t * width; }
-    [[nodiscard]] Sparse at(double t) const { return K + t * D + (t * t) * M; }
+    [[nodiscard]] Sparse at(double t) const { return linalg::sum(1, K, t, D, t * t, M); }
 };
 
 /// The root of x^T Q(t) x near t: its error is the square of that of x.

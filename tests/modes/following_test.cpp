@@ -297,7 +297,7 @@ TEST(FollowedModes, ErrorOfARayleighQuotientIsStated) {
                 off.vector += size * length / other.vector.norm() * other.vector;
                 for (Complex &entry : off.vector)
                     entry += size * length * Complex(random(-0.1, 0.1), random(-0.1, 0.1));
-                refinement.assess(off, speed, distance_from_others(pairs, i));
+                refinement.take_good({{&off, speed, distance_from_others(pairs, i), HUGE_VAL}});
                 const double error = std::abs(off.value - pairs[i].value) / std::abs(off.value);
                 worse += error > 2 * off.error + pairs[i].rounding ? 1 : 0;
                 largest = std::max(largest, error / (off.error + pairs[i].rounding));

@@ -26,5 +26,10 @@ namespace whirl::linalg {
                                       const Eigen::MatrixXcd &B);
 [[nodiscard]] Eigen::VectorXcd solved(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A,
                                       const Eigen::VectorXcd &b);
+/// A^-H b
+[[nodiscard]] Eigen::VectorXcd adjoint_solved(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A,
+                                              const Eigen::VectorXcd &b);
+/// A lower bound of 1 / (|A| |A^-1|), norms of columns.
+[[nodiscard]] double reciprocal_condition(const Eigen::PartialPivLU<Eigen::MatrixXcd> &A);
 
 } // namespace whirl::linalg

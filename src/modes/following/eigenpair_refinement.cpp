@@ -198,13 +198,6 @@ void EigenpairRefinement::fill_turns(const InLanes &pairs, const linalg::Complex
     }
 }
 
-void EigenpairRefinement::assess(SymmetricPair &pair, double speed, double distance) {
-    const std::vector<Task> one{{&pair, speed, distance, 0}};
-    load(one, 0);
-    settle(one, 0);
-    pair.solved = false;
-}
-
 /// A step of those pairs in the lanes that are not good enough yet; what is not settled then is
 /// added to those open.
 /// @param at_last  no other step follows

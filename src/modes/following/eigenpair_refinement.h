@@ -48,14 +48,8 @@ class EigenpairRefinement {
   public:
     explicit EigenpairRefinement(const SymmetricProblem &problem) : _problem(problem) {}
 
-    /// The Rayleigh quotient of the vector next to the value, and its error. With the same left and
-    /// right vector the error is of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the residual
-    /// r = Q(l) x; (K + |l|^2 M)^-1 over the distance to the other eigenvalues takes the place of
-    /// Q^-1.
-    /// @param distance  to the next eigenvalues, relative (distance_from_others)
-    void assess(SymmetricPair &pair, double speed, double distance);
-
-    /// A guess, its speed, its distance from the others there, and the error to come down to.
+    /// A guess, its speed, its distance from the others there (distance_from_others), and the error
+    /// to come down to.
     struct Task {
         SymmetricPair *pair;
         double speed, distance, enough;
@@ -85,6 +79,10 @@ class EigenpairRefinement {
     static void sort(std::vector<Task> &tasks);
     void load(const std::vector<Task> &tasks, std::size_t first);
     void multiply();
+    /// The Rayleigh quotients of the vectors next to their values, and their errors. With the same
+    /// left and right vector the error is of second order, r^T Q(l)^-1 r / (x^T Q'(l) x) with the
+    /// residual r = Q(l) x; (K + |l|^2 M)^-1 over the distance to the other eigenvalues takes the
+    /// place of Q^-1.
     void settle(const std::vector<Task> &tasks, std::size_t first);
     [[nodiscard]] static bool rough(const std::vector<Task> &tasks, std::size_t first);
     void take_good(const std::vector<Task> &tasks, std::size_t first, bool looked_at,

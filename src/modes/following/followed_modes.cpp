@@ -1,10 +1,10 @@
 #include "modes/following/followed_modes.h"
 
 #include "linalg/lanes/vector_products.h"
+#include "modes/following/each_product.h"
 #include "modes/following/sorted_modes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace whirl::modes {
@@ -30,33 +30,27 @@ void set_states(const SymmetricProblem &problem, double speed, const Eigen::Vect
     const Eigen::Index n = problem.size();
     basis.complex_left.resize(2 * n, values.size());
     basis.complex_right.resize(2 * n, values.size());
-    SymmetricProblem::Products of;
-    linalg::Vector4 x;
-    for (Eigen::Index first = 0; first < values.size(); first += linalg::lanes) {
-        std::array<Eigen::VectorXcd, linalg::lanes> vectors;
-        std::array<const Eigen::VectorXcd *, linalg::lanes> in_lanes{};
-        for (std::size_t lane = 0; lane < linalg::lanes; ++lane) {
-            vectors[lane] = basis.alike.col(
-                std::min(first + static_cast<Eigen::Index>(lane), values.size() - 1));
-            in_lanes[lane] = &vectors[lane];
-        }
-        linalg::set(x, in_lanes);
-        problem.multiply(x, linalg::Real4{speed, speed, speed, speed}, of);
-        for (Eigen::Index i = first; i < std::min(first + linalg::lanes, values.size()); ++i) {
-            const auto lane = static_cast<int>(i - first);
-            const Eigen::VectorXcd &vector = vectors[static_cast<std::size_t>(lane)];
-            const Eigen::VectorXcd Mx = linalg::vector_of(of.M, lane);
-            const Eigen::VectorXcd Kx = linalg::vector_of(of.K, lane);
-            const std::complex<double> l = values(i);
-            // x^T (K - l^2 M) x
-            const std::complex<double> norm =
-                linalg::dot(vector.conjugate(), Kx) - l * l * linalg::dot(vector.conjugate(), Mx);
-            basis.complex_left.col(i) << problem.covector_to_form(Kx) / norm,
-                problem.covector_to_form(Mx) * (-l / norm);
-            const Eigen::VectorXcd shape = problem.to_form(vector);
-            basis.complex_right.col(i) << shape, shape * l;
-        }
-    }
+    std::vector<Eigen::VectorXcd> vectors;
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        vectors.emplace_back(basis.alike.col(i));
+    std::vector<const Eigen::VectorXcd *> each;
+    for (const Eigen::VectorXcd &vector : vectors)
+        each.push_back(&vector);
+    multiply_each(problem, speed, each,
+                  [&](std::size_t i, const SymmetricProblem::Products &of, int lane) {
+                      const Eigen::VectorXcd Mx = linalg::vector_of(of.M, lane);
+                      const Eigen::VectorXcd Kx = linalg::vector_of(of.K, lane);
+                      const auto column = static_cast<Eigen::Index>(i);
+                      const std::complex<double> l = values(column);
+                      const Eigen::VectorXcd conjugate = vectors[i].conjugate();
+                      // x^T (K - l^2 M) x
+                      const std::complex<double> norm =
+                          linalg::dot(conjugate, Kx) - l * l * linalg::dot(conjugate, Mx);
+                      basis.complex_left.col(column) << problem.covector_to_form(Kx) / norm,
+                          problem.covector_to_form(Mx) * (-l / norm);
+                      const Eigen::VectorXcd shape = problem.to_form(vectors[i]);
+                      basis.complex_right.col(column) << shape, shape * l;
+                  });
 }
 
 } // namespace

@@ -71,11 +71,12 @@ class SymmetricProblem {
                                                                    const linalg::Real4 &speed,
                                                                    const linalg::Vector4 &x) const;
 
+    static constexpr linalg::Real4 ones{1, 1, 1, 1};
     /// L D L^T of four Q(l), each at a speed; the same object each time.
     /// @param damped  1, or 0 for a rotor without damping and what drives motions
     /// @throws linalg::SolverError where a pivot is zero, on an eigenvalue beside it too
     linalg::SymmetricFactors &factorize(linalg::Complex4 l, const linalg::Real4 &speed,
-                                        const linalg::Real4 &damped = {1, 1, 1, 1}) const;
+                                        const linalg::Real4 &damped = ones) const;
     /// b^H (K + s^2 M)^-1 b with the real part of K and s the power of two below a size (1/s).
     [[nodiscard]] std::array<double, linalg::lanes>
     energies(const linalg::Vector4 &b, const std::array<double, linalg::lanes> &sizes) const;

@@ -1,6 +1,7 @@
 #include "modes/following/unmixed.h"
 
 #include "linalg/dense/products.h"
+#include "modes/following/each_product.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -73,23 +74,17 @@ Span span_of(const SymmetricProblem &problem, double speed, const std::vector<Sy
     Eigen::MatrixXcd MY(n, count);
     Eigen::MatrixXcd DY(n, count);
     Eigen::MatrixXcd KY(n, count);
-    linalg::Vector4 x;
-    SymmetricProblem::Products of;
-    for (std::size_t first = 0; first < group.size(); first += linalg::lanes) {
-        std::array<const Eigen::VectorXcd *, linalg::lanes> vectors{};
-        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
-            vectors[lane] = &pairs[group[std::min(first + lane, group.size() - 1)]].vector;
-        linalg::set(x, vectors);
-        problem.multiply(x, linalg::Real4{speed, speed, speed, speed}, of);
-        for (std::size_t i = first; i < std::min(first + linalg::lanes, group.size()); ++i) {
-            const auto lane = static_cast<int>(i - first);
-            const auto column = static_cast<Eigen::Index>(i);
-            out.Y.col(column) = *vectors[i - first];
-            MY.col(column) = linalg::vector_of(of.M, lane);
-            DY.col(column) = linalg::vector_of(of.D, lane);
-            KY.col(column) = linalg::vector_of(of.K, lane);
-        }
-    }
+    std::vector<const Eigen::VectorXcd *> vectors;
+    for (const std::size_t i : group)
+        vectors.push_back(&pairs[i].vector);
+    multiply_each(problem, speed, vectors,
+                  [&](std::size_t i, const SymmetricProblem::Products &of, int lane) {
+                      const auto column = static_cast<Eigen::Index>(i);
+                      out.Y.col(column) = *vectors[i];
+                      MY.col(column) = linalg::vector_of(of.M, lane);
+                      DY.col(column) = linalg::vector_of(of.D, lane);
+                      KY.col(column) = linalg::vector_of(of.K, lane);
+                  });
     const Eigen::VectorXd scales = out.Y.colwise().norm().cwiseInverse();
     out.Y *= scales.asDiagonal();
     out.M = linalg::transposed_times(out.Y, MY) * scales.asDiagonal();

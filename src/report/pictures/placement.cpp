@@ -99,7 +99,7 @@ std::string best_marks(const std::vector<double> &z, double low, double high) {
     return out;
 }
 
-std::string place_text(const results::BestPlace &place) {
+std::string best_place_text(const results::BestPlace &place) {
     std::string text;
     for (const double z : place.z)
         text += (text.empty() ? "z = " : " and ") + readable(z, 4);
@@ -119,7 +119,7 @@ std::string two_planes(const results::Placement &map, double length, double pixe
                plot_text(fmt::format("two planes at {} rpm", readable(map.pair_speed * rpm))),
                plot_text(map.best_pair.share > 0 ? "cross: best two over all speeds,"
                                                  : "no two balance at any of the speeds; cross:"),
-               1 - 665 * pixel, plot_text(place_text(map.best_pair)), 1 - 685 * pixel) +
+               1 - 665 * pixel, plot_text(best_place_text(map.best_pair)), 1 - 685 * pixel) +
            (map.best_pair.z.size() == 2
                 ? fmt::format("set label 3 '' at first {0:.9g},{1:.9g} point pt 7 ps 2.6 lc rgb "
                               "'#FFFFFF' front\nset label 5 '' at first {0:.9g},{1:.9g} point pt 2 "
@@ -159,7 +159,7 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
         fmt::format("set yrange [{}:{}]\nset ylabel 'Spin speed (rpm)'\nset label 1 {} at graph "
                     "0,1.03 left\n",
                     speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
-                    plot_text("one plane; best (dashed) " + place_text(map.best))) +
+                    plot_text("one plane; best (dashed) " + best_place_text(map.best))) +
         best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
         operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) + heat_plot("one") +
         "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z "

@@ -102,7 +102,7 @@ std::string panel_of(const Figure &figure, const LegendedFigure &room, int top, 
     return panel_margins(room.left, room.right, 1 - bottom * pixel, 1 - top * pixel);
 }
 
-std::string axes(const std::string &label, const std::string &below) {
+std::string station_axes(const std::string &label, const std::string &below) {
     return fmt::format("set ylabel {}\nset xlabel {}\nset key at graph 1.02,1 left top reverse "
                        "Left vertical samplen 3\n",
                        plot_text(label), plot_text(below));
@@ -120,7 +120,7 @@ std::string amplitude_over_time(const SimulateResult &result) {
         lines.add(points, line_look(i, "1", 1.4), station_name(station));
         lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i), "");
     }
-    return axes("Amplitude (µm)", "Time (s)") +
+    return station_axes("Amplitude (µm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.text();
 }
 
@@ -173,7 +173,7 @@ std::string amplitude_over_speed(const SimulateResult &result) {
     }
     const auto [low, high] =
         std::minmax_element(result.series.speed.begin(), result.series.speed.end());
-    return axes("Amplitude (µm)", "Spin speed (rpm)") +
+    return station_axes("Amplitude (µm)", "Spin speed (rpm)") +
            fmt::format("set xrange [{}:{}]\n", *low * rpm, *high * rpm) + amplitude_range(result) +
            lines.text() + "unset logscale y\nset format y '%g'\n";
 }
@@ -190,7 +190,7 @@ std::string deflection_over_time(const SimulateResult &result) {
         lines.add(points, line_look(name == std::string("x") ? 0 : 1, "1", 1),
                   fmt::format("{} at {}", name, station_name(result.stations[largest])));
     }
-    return axes("Deflection (µm)", "Time (s)") +
+    return station_axes("Deflection (µm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.text();
 }
 
@@ -200,7 +200,7 @@ std::string speed_over_time(const SimulateResult &result) {
     for (std::size_t k = 0; k < result.series.time.size(); ++k)
         points.push_back({result.series.time[k], result.series.speed[k] * rpm});
     lines.add(points, line_look(0, "1", 1.4), "rotor");
-    return axes("Speed (rpm)", "Time (s)") +
+    return station_axes("Speed (rpm)", "Time (s)") +
            fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.text();
 }
 

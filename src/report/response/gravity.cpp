@@ -23,13 +23,13 @@ const Columns<At<GravityStation>> station_series{
     series("error", "error", &GravityStation::error),
     series("static_error", "static_error", &GravityStation::sag_error)};
 
-const Columns<At<GravityBearing>> bearing_series{
+const Columns<At<GravityBearing>> gravity_bearing_series{
     series("static", "static force [N]", &GravityBearing::carried),
     series("twice", "twice force [N]", &GravityBearing::twice),
     series("error", "error", &GravityBearing::error),
     series("static_error", "static_error", &GravityBearing::carried_error)};
 
-const std::vector<std::string> csv_headings{
+const std::vector<std::string> gravity_headings{
     "speed [rad/s]",   "kind",         "name",        "z [m]",       "static [m]",
     "static_x [m]",    "static_y [m]", "twice [m]",   "phase [rad]", "static force [N]",
     "twice force [N]", "error",        "static_error"};
@@ -111,19 +111,20 @@ Json gravity_json(const GravityResponse &response, const std::vector<double> &sp
     return {{"gravity", response.gravity},
             {"stations", json_of_kind(speeds, response.stations,
                                       place_columns<GravityStation>("station"), station_series)},
-            {"bearings", json_of_kind(speeds, response.bearings,
-                                      place_columns<GravityBearing>("bearing"), bearing_series)},
+            {"bearings",
+             json_of_kind(speeds, response.bearings, place_columns<GravityBearing>("bearing"),
+                          gravity_bearing_series)},
             {"peaks", json_rows(curve_peaks(), response.peaks)},
             {"curves", curves_json(response)}};
 }
 
 std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds) {
-    std::string csv = csv_line(csv_headings);
+    std::string csv = csv_line(gravity_headings);
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        csv += csv_of_kind(csv_headings, speeds[i], i, response.stations,
+        csv += csv_of_kind(gravity_headings, speeds[i], i, response.stations,
                            place_columns<GravityStation>("station"), station_series) +
-               csv_of_kind(csv_headings, speeds[i], i, response.bearings,
-                           place_columns<GravityBearing>("bearing"), bearing_series);
+               csv_of_kind(gravity_headings, speeds[i], i, response.bearings,
+                           place_columns<GravityBearing>("bearing"), gravity_bearing_series);
     return csv;
 }
 

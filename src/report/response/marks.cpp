@@ -27,8 +27,8 @@ const std::vector<double> &phases_of(const ResponseResult &result, std::size_t i
     return i < result.curves.phases.size() ? result.curves.phases[i] : result.nodes[i].phase;
 }
 
-std::vector<const ResponsePeak *> peaks_of(const ResponseResult &result, std::size_t place,
-                                           const std::string &of = "station") {
+std::vector<const ResponsePeak *> labelled_peaks(const ResponseResult &result, std::size_t place,
+                                                 const std::string &of = "station") {
     std::vector<const ResponsePeak *> peaks;
     for (const ResponsePeak &peak : result.peaks)
         if (peak.of == of && peak.place == static_cast<int>(place) && std::isfinite(peak.value))
@@ -108,7 +108,7 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
     std::vector<PlotPoint> halves;
     int unnamed = 0;
     int arrow = 500;
-    for (const ResponsePeak *peak : peaks_of(result, station)) {
+    for (const ResponsePeak *peak : labelled_peaks(result, station)) {
         const double value = peak->value * micrometres;
         tops.push_back({peak->speed * rpm, value});
         for (const std::optional<double> &half : {peak->lower, peak->upper})
@@ -179,12 +179,12 @@ std::vector<PolarLine> polar_lines(const ResponseResult &result) {
         if (before + i < result.curves.values.size())
             lines.push_back({fmt::format("{} at {:.4g}°", place_text(probe.name, probe.z),
                                          probe.angle * degrees),
-                             before + i, peaks_of(result, i, "probe")});
+                             before + i, labelled_peaks(result, i, "probe")});
     }
     if (lines.empty())
         for (const std::size_t i : drawn_nodes(result))
-            lines.push_back(
-                {place_text(result.nodes[i].name, result.nodes[i].z), i, peaks_of(result, i)});
+            lines.push_back({place_text(result.nodes[i].name, result.nodes[i].z), i,
+                             labelled_peaks(result, i)});
     return lines;
 }
 

@@ -33,11 +33,11 @@ std::optional<double> percent(const std::optional<double> &share) {
 }
 
 /// Narrower than this share of its length an orbit is a line.
-constexpr double line = 1e-6;
+constexpr double narrowest = 1e-6;
 
 std::string sense(const OrbitRow &row) {
     const double minor = row.orbit.minor * (row.speed < 0 ? -1 : 1);
-    if (std::abs(minor) <= line * row.orbit.major)
+    if (std::abs(minor) <= narrowest * row.orbit.major)
         return "line";
     return minor > 0 ? "forward" : "backward";
 }
