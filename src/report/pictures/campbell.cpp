@@ -221,11 +221,7 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
         script += fmt::format("set label {} at graph {},{} left font ',10' textcolor '{}'\n",
                               plot_text(text), box->x, middle,
                               crossing.damping.heavy() ? heavy_colour : "#000000");
-        if (std::abs(middle - y) * panel.pixels_high > 22)
-            script += fmt::format("set arrow from graph {},{} to graph {},{} nohead lw 0.6 "
-                                  "lc rgb '#999999'\n",
-                                  x, y, std::clamp(x, box->x, box->x + box->width),
-                                  middle > y ? box->y : box->y + box->height);
+        script += leader(*box, x, y);
     }
     if (unnamed > 0)
         script +=

@@ -114,18 +114,10 @@ std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string
                                       along(at.speed * rpm, y), i < 9 ? 0.013 : 0.022, 0.032);
         if (!box)
             continue;
-        const double u = along(at.stiffness * newtons_per_metre, x);
-        const double v = along(at.speed * rpm, y);
-        const double across = box->x + box->width / 2;
-        const double up = box->y + box->height / 2;
-        labels += fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' "
-                              "front\nset arrow from graph {:.5g},graph {:.5g} to graph "
-                              "{:.5g},graph {:.5g} nohead front lw 0.7 lc rgb '#777777'\n",
-                              i + 1, across, up,
-                              // from the nearest place of the box
-                              std::clamp(u, box->x, box->x + box->width),
-                              std::clamp(v, box->y + 0.2 * box->height, box->y + 0.8 * box->height),
-                              u, v);
+        labels +=
+            fmt::format("set label '{}' at graph {:.5g},graph {:.5g} center font ',10' front\n",
+                        i + 1, box->x + box->width / 2, box->y + box->height / 2) +
+            leader(*box, along(at.stiffness * newtons_per_metre, x), along(at.speed * rpm, y));
     }
     data += data_block("crossings", {points});
     return labels;

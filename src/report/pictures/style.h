@@ -87,4 +87,7 @@ class LabelPlacer {
     std::vector<Box> _labels;
 };
 
+/// A line from a label to what it names, at (x, y); all in parts of the graph.
+[[nodiscard]] std::string leader(const LabelPlacer::Box &label, double x, double y);
+
 } // namespace whirl::report

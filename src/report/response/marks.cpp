@@ -300,12 +300,15 @@ std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLin
             ++unnamed;
             continue;
         }
-        const auto box = placer.place((top.x / range + 1) / 2, (*top.y / range + 1) / 2,
-                                      (text_width(text, label_size) + 8) / pixels, 15 / pixels);
+        const double u = (top.x / range + 1) / 2;
+        const double v = (*top.y / range + 1) / 2;
+        const auto box =
+            placer.place(u, v, (text_width(text, label_size) + 8) / pixels, 15 / pixels);
         unnamed += box ? 0 : 1;
         if (box)
             script += fmt::format("set label {} at graph {},{} left font ',{}' front\n",
-                                  plot_text(text), box->x, box->y + box->height / 2, label_size);
+                                  plot_text(text), box->x, box->y + box->height / 2, label_size) +
+                      leader(*box, u, v);
     }
     if (unnamed > 0)
         script += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.025 left "
