@@ -116,6 +116,27 @@ void join_bands(const FasterBands &faster, results::StabilityResult &result) {
         result.unstable_error.emplace_back(error_of(from), error_of(to));
 }
 
+/// Where some motion grows, or begins to: else all is said by that none does.
+void note_resolved(results::StabilityResult &result) {
+    if (result.unstable.empty() && result.ends.empty() && result.unresolved_ends.empty() &&
+        std::all_of(result.unresolved_growth.begin(), result.unresolved_growth.end(),
+                    [](double growth) { return growth <= 0; }))
+        return;
+    const std::size_t ends = result.unresolved_ends.size();
+    result.model.notes.push_back(fmt::format(
+        "growing motions are counted up to frequencies of {:.6g} rad/s, at every speed: the modes "
+        "at rest have their frequencies to 1 % up to there with these elements. What drives the "
+        "rotor drives faster ones too, as many as there are elements for, and other ones on other "
+        "elements: growth and verdict are of all of them, resolved_growth and resolved_verdict of "
+        "those up to there{}",
+        result.resolved_up_to.value(),
+        ends == 0 ? ""
+                  : fmt::format("; of faster ones {} where one begins or ceases to grow {} listed "
+                                "apart (unresolved_ends), others may be missing",
+                                ends == 1 ? "the one speed" : fmt::format("{} speeds", ends),
+                                ends == 1 ? "is" : "are")));
+}
+
 } // namespace
 
 bool drives_every_frequency(const model::Rotor &rotor) {
@@ -157,21 +178,7 @@ void tell_resolved_apart(const ends::AllMotions &motions, const stability::Stabi
     }
     settle_rounding({result.resolved_growth, result.resolved_verdict}, result.speeds,
                     result.resolved_unstable, model.rotor.damped());
-    result.model.notes.push_back(fmt::format(
-        "growing motions are counted up to frequencies of {:.6g} rad/s, at every speed: the modes "
-        "at rest have their frequencies to 1 % up to there with these elements. What drives the "
-        "rotor drives faster ones too, as many as there are elements for, and other ones on other "
-        "elements: growth and verdict are of all of them, resolved_growth and resolved_verdict of "
-        "those up to there{}",
-        top,
-        result.unresolved_ends.empty()
-            ? ""
-            : fmt::format("; of faster ones {} where one begins or ceases to grow {} listed apart "
-                          "(unresolved_ends), others may be missing",
-                          result.unresolved_ends.size() == 1
-                              ? "the one speed"
-                              : fmt::format("{} speeds", result.unresolved_ends.size()),
-                          result.unresolved_ends.size() == 1 ? "is" : "are")));
+    note_resolved(result);
 }
 
 } // namespace whirl::analyses
