@@ -33,6 +33,9 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
 
 /// How far a root of the reduced rotor may be from one of the whole rotor to be the same.
 constexpr double same_root = 1e-3;
+/// So near those of the whole rotor are fast motions on few shapes. (Any motion of the whole rotor
+/// is one, whatever led to it.)
+constexpr double nearby = 0.05;
 
 /// Nothing is known of a root but that it is faster than this: rounding does not tell its inverse
 /// from zero. So are motions of parts that hardly have mass, other ones at every speed: there is
@@ -150,11 +153,29 @@ void AllMotions::tell_signs(Spectrum &spectrum) const {
     }
 }
 
+/// Those of few shapes hit the fast motions of a driven rotor roughly: the whole rotor has them
+/// beside that.
+bool AllMotions::is_rough() const { return _drives_all && _shapes != nullptr; }
+
+/// Whether how a motion dies out says something, too.
+bool AllMotions::tells_decay(double size) const {
+    return within_reach(size) || (_drives_all && size <= (1 + nearby) * _resolved);
+}
+
+/// The motion of the whole rotor that a root stands for; none where it is one of the shapes alone.
+std::optional<WholeMotion> AllMotions::of_whole(const Root &root, double speed) const {
+    auto found = at_its_speed(_whole, lifted(root, speed));
+    const double away = (is_rough() ? nearby : same_root) * std::abs(root.value);
+    return found && std::abs(found->value - root.value) <= away ? std::move(found) : std::nullopt;
+}
+
 FastestGrowing AllMotions::fastest_growing(double speed, double above, double up_to) const {
     std::vector<Root> roots = (_drives_all ? told_at(speed) : at(speed)).roots;
-    std::erase_if(roots, [above, up_to](const Root &root) {
-        return std::abs(root.value) > up_to || std::abs(root.value) <= above;
-    });
+    const auto asked_for = [=](std::complex<double> value, double beside = 0) {
+        return std::abs(value) <= up_to * (1 + beside) && std::abs(value) > above * (1 - beside);
+    };
+    const double beside = is_rough() ? nearby : 0;
+    std::erase_if(roots, [&](const Root &root) { return !asked_for(root.value, beside); });
     std::sort(roots.begin(), roots.end(),
               [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
     bool neutral = false;
@@ -166,26 +187,31 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
                    });
     constexpr double none = 1e-6; // at rest, of the motions on the supports: a ball that lies still
     const double zero = std::max(least_reach(), none * _slow);
+    std::optional<std::complex<double>> best;
     for (const Root &root : roots) {
         const double size = std::abs(root.value);
         // A root that drowns in its noise altogether says nothing, but for one that may be zero.
         const bool known = size <= zero || root.noise < size;
         neutral = neutral || (root.sign() == 0 && known && within_reach(size));
-        const bool counts = root.sign() > 0 || within_reach(size);
-        if (root.value.imag() < 0 || root.sign() == 0 || !counts)
+        if (root.value.imag() < 0 || root.sign() == 0 || !(root.sign() > 0 || tells_decay(size)))
             continue; // a zero that rounding blurs must not hide one that grows
-        if (root.sign() < 0 && neutral)
+        constexpr double roughly = 0.5;
+        if (best && root.value.real() + roughly * std::abs(root.value.real()) < best->real())
+            break;
+        if (root.sign() < 0 && neutral && !best)
             return {0, counted};
-        const auto found = at_its_speed(_whole, lifted(root, speed));
-        // What the whole rotor does not have is a motion of the shapes alone.
-        if (!found || std::abs(found->value - root.value) > same_root * size) {
+        const auto found = of_whole(root, speed);
+        if (!found)
             counted = counted && (!_drives_all || root.sign() < 0);
-            continue;
-        }
-        if (std::abs(found->value.real()) > found->noise)
-            return {found->value, counted};
-        neutral = neutral || within_reach(size);
+        else if (std::abs(found->value.real()) <= found->noise)
+            neutral = neutral || within_reach(size);
+        else if (asked_for(found->value) && !(best && best->real() > found->value.real()))
+            best = found->value;
+        if (best && !is_rough())
+            break;
     }
+    if (best && (best->real() > 0 || !neutral))
+        return {*best, counted};
     const auto told =
         std::find_if(roots.begin(), roots.end(), [](const Root &root) { return root.sign() != 0; });
     return {told == roots.end() || neutral ? 0 : told->value, counted};

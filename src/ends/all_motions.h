@@ -68,7 +68,7 @@ class AllMotions {
     /// The eigenvalue of largest real part at a speed, as the whole rotor has it, of the motions
     /// with |l| up to reach() and of those that grow, however fast they are. The fastest motions of
     /// a mesh are no motions of the rotor: how little they are damped says nothing, but for rotors
-    /// in which something drives all of them (count_resolved).
+    /// in which something drives all of them (count_resolved), up to what the elements resolve.
     /// @param above,up_to  |l| of the motions asked for, 1/s
     [[nodiscard]] FastestGrowing
     fastest_growing(double speed, double above = 0,
@@ -97,6 +97,9 @@ class AllMotions {
     /// rotor, which knows each of them as sharply as the slow ones, whether they grow.
     [[nodiscard]] const Spectrum &told_at(double speed) const;
     void tell_signs(Spectrum &spectrum) const;
+    [[nodiscard]] bool is_rough() const;
+    [[nodiscard]] bool tells_decay(double size) const;
+    [[nodiscard]] std::optional<WholeMotion> of_whole(const Root &root, double speed) const;
 };
 
 } // namespace whirl::ends

@@ -48,7 +48,7 @@ double resolved_up_to(const assembly::Discretization &discretization, const Eige
     const Eigen::VectorXd better = frequencies(finer, nullptr, bearing_speed);
     for (Eigen::Index k = 0; k < std::min(own.size(), better.size()); ++k)
         if (mesh_error::estimate_safety * (own(k) - better(k)) > resolved * better(k))
-            return k > 0 ? std::sqrt(own(k - 1) * own(k)) : 0;
+            return k > 0 ? std::sqrt(better(k - 1) * better(k)) : 0; // amid what there is
     return std::numeric_limits<double>::infinity();
 }
 

@@ -110,10 +110,22 @@ void join_bands(const FasterBands &faster, results::StabilityResult &result) {
                     return faster.errors[i].*side;
         return 0.0;
     };
+    // Where it is not known whether faster ones grow, a band may go on.
+    const auto unknown = [&](double end) {
+        const std::vector<double> &speeds = result.speeds;
+        for (std::size_t i = 1; i < speeds.size(); ++i)
+            if (end > speeds[i - 1] && end < speeds[i] &&
+                std::isnan(result.unresolved_growth[i - 1] + result.unresolved_growth[i]))
+                return true;
+        return false;
+    };
     result.unstable = stability::joined(std::move(all));
     result.unstable_error.clear();
-    for (const auto &[from, to] : result.unstable)
-        result.unstable_error.emplace_back(error_of(from), error_of(to));
+    for (const auto &[from, to] : result.unstable) {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        result.unstable_error.emplace_back(unknown(from) ? none : error_of(from),
+                                           unknown(to) ? none : error_of(to));
+    }
 }
 
 /// Where some motion grows, or begins to: else all is said by that none does.

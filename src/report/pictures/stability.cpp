@@ -52,11 +52,13 @@ std::string bars(const Bands &bands, double row, const char *colour) {
 
 /// Growth at the given speeds, and 0 at the ends of the bands, which are exact: between the speeds
 /// the curve leaves zero where they are.
-std::vector<PlotPoint> growth_points(const StabilityResult &result) {
+std::vector<PlotPoint> growth_points(const StabilityResult &result,
+                                     const std::vector<double> &growth,
+                                     const std::vector<std::pair<double, double>> &bands) {
     std::vector<PlotPoint> points;
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        points.push_back({result.speeds[i] * rpm, result.growth[i]});
-    for (const auto &[from, to] : result.unstable)
+        points.push_back({result.speeds[i] * rpm, growth[i]});
+    for (const auto &[from, to] : bands)
         for (const double end : {from, to})
             if (end > result.speeds.front() && end < result.speeds.back())
                 points.push_back({end * rpm, 0.0});
@@ -71,16 +73,8 @@ int digits_between(double low, double high) {
     return std::max(6, 2 + static_cast<int>(std::ceil(std::log10(largest / (high - low)))));
 }
 
-std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
-    const std::vector<PlotPoint> points = growth_points(result);
-    const bool one = result.speeds.size() == 1; // a point amid its panel
-    const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
-    std::string text = data_block("growth", {points}) + operation_band(scene, x);
-    if (result.family)
-        text += shaded(result.family->unstable, shade_some);
-    text += shaded(result.unstable, shade) + operation_edges(scene, x);
-    text +=
-        marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
+/// What is shaded or marked beside the curves, for the key.
+std::string growth_keys(const model::Case &scene, const StabilityResult &result) {
     std::string keys;
     if (!result.unstable.empty())
         keys += fmt::format(", NaN with boxes fs solid fc rgb '{}' title 'unstable'", shade);
@@ -93,6 +87,11 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
                             scene.rotor.balancers.empty() ? "critical" : "critical, balls held");
     if (!result.additional_speeds.empty())
         keys += ", NaN with lines dt 4 lw 1.3 lc rgb '#D55E00' title 'additional speed'";
+    return keys;
+}
+
+/// Of the axis upwards.
+std::string growth_range(const StabilityResult &result) {
     double low = HUGE_VAL; // of the speeds with an answer
     double high = -HUGE_VAL;
     for (const double growth : result.growth)
@@ -106,18 +105,27 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
     const bool flat = high - low <= rounding * std::max(std::abs(low), std::abs(high));
     const double centre = flat ? low : 0; // of a growth that does not change
     const double reach = centre == 0 ? 1 : 0.5 * std::abs(centre);
-    text += fmt::format("set xrange [{}:{}]\n", x.low, x.high);
     if (!flat)
-        text += fmt::format("set format y '%.{}g'\n", digits_between(low, high));
-    if (flat)
-        text += fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
-                            std::max(0.0, centre) + reach);
+        return fmt::format("set format y '%.{}g'\n", digits_between(low, high));
+    return fmt::format("set yrange [{}:{}]\n", std::min(0.0, centre) - reach,
+                       std::max(0.0, centre) + reach);
+}
+
+std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
+    const std::vector<PlotPoint> points = growth_points(result, result.growth, result.unstable);
+    const bool one = result.speeds.size() == 1; // a point amid its panel
+    const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
+    std::string text = data_block("growth", {points}) + operation_band(scene, x);
+    if (result.family)
+        text += shaded(result.family->unstable, shade_some);
+    text += shaded(result.unstable, shade) + operation_edges(scene, x);
+    text +=
+        marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
+    text += fmt::format("set xrange [{}:{}]\n", x.low, x.high) + growth_range(result);
     std::string curves;
     if (result.resolved_up_to) {
-        std::vector<PlotPoint> resolved;
-        for (std::size_t i = 0; i < result.speeds.size(); ++i)
-            resolved.push_back({result.speeds[i] * rpm, result.resolved_growth[i]});
-        text += data_block("resolved", {resolved});
+        text += data_block(
+            "resolved", {growth_points(result, result.resolved_growth, result.resolved_unstable)});
         curves = fmt::format(", $resolved using 1:2 with {} lw 2 lc rgb '#009E73' title 'growth of "
                              "motions that the elements resolve'",
                              one ? "points pt 7" : "lines dt 2");
@@ -128,7 +136,7 @@ std::string growth_panel(const model::Case &scene, const StabilityResult &result
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
            fmt::format("plot $growth using 1:2 with {} lw 2 lc rgb '#222222' title 'growth'",
                        one ? "points pt 7" : "lines") +
-           curves + keys + operation_key(scene, x) +
+           curves + growth_keys(scene, result) + operation_key(scene, x) +
            "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\nset format "
            "y\n";
 }
