@@ -217,6 +217,17 @@ TEST_P(Units, ConvertBackToTheSameNumbers) {
     for (const auto &[key, unit] : units.items())
         EXPECT_TRUE(unit.is_string()) << key;
     expect_same_numbers(others, si, units);
+    if (!si.contains("peaks"))
+        return;
+    constexpr double mil = 25.4e-6;
+    constexpr double pound_force = 4.4482216152605;
+    for (std::size_t i = 0; i < si["peaks"].size(); ++i) {
+        const double value = si["peaks"][i]["value"];
+        const bool force = si["peaks"][i]["of"] == "bearing";
+        EXPECT_NEAR(others["peaks"][i]["value"].get<double>() / value,
+                    force ? 1 / pound_force : 2 / mil, force ? 1e-12 : 1e-7)
+            << i;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -124,6 +124,22 @@ void convert_row(Json &row) {
     }
 }
 
+/// The value of a peak of the response: a deflection, or the force in a bearing.
+void convert_peak(Json &peak, std::map<std::string, std::string> &names) {
+    const bool force = peak["of"] == "bearing";
+    const std::string quantity = force ? "force" : "amplitude";
+    const auto factor = written_factor(quantity);
+    if (!factor)
+        return;
+    scale(peak["value"], *factor);
+    names[force ? "value (of bearings)" : "value (of stations)"] = unit_name(quantity, "");
+}
+
+bool is_peak(const Json &json) {
+    return json.is_object() && json.contains("of") && json["of"].is_string() &&
+           json.contains("half_power") && json.contains("value") && json["value"].is_number();
+}
+
 bool says_its_unit(const Json &json) {
     return json.is_object() && json.contains("unit") && json["unit"].is_string();
 }
@@ -133,6 +149,8 @@ void convert(Json &json, std::map<std::string, std::string> &names) {
         return;
     if (says_its_unit(json))
         convert_row(json);
+    if (is_peak(json))
+        convert_peak(json, names);
     for (auto &[key, value] : json.items()) {
         if (json.is_object() &&
             (key == "notes" || key == "findings" || key == "evidence" || key == "sentence"))
