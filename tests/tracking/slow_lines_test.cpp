@@ -72,7 +72,7 @@ double off(std::complex<double> value, const modes::Spectrum &motions) {
 
 /// The frequencies from the fixed frame differ from those in rotating axes by the spin speed.
 void expect_errors_that_hold(bool reduction) {
-    constexpr int harmonics = 60;
+    constexpr int harmonics = 40;
     model::Case scene = tests::written_case(unlike);
     scene.reduction = reduction;
     const modes::SpectrumSolver many(scene.rotor, results::Form::hill, 1, 1, harmonics);
