@@ -91,7 +91,7 @@ results::CampbellMode mode_along(const tracking::Line &line,
         out.log_dec.push_back(damping.log_dec);
         out.whirl.push_back(mode.whirl);
         out.forward_fraction.push_back(mode.forward_fraction);
-        out.residual.emplace_back(mode.residual);
+        out.residual.push_back(mode.confirmed ? std::optional(mode.residual) : std::nullopt);
         out.error_parts.push_back(parts_of(errors[k], mode, followed));
         out.error.push_back(out.error_parts.back() ? std::optional(out.error_parts.back()->sum())
                                                    : std::nullopt);
@@ -316,7 +316,8 @@ results::CampbellResult campbell(const model::Case &scene) {
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
     add_notes(result, scene.campbell, found, crossed, !periodic);
-    note_unconfirmed(result.model, periodic ? periodic->unconfirmed : 0);
+    note_unconfirmed(result.model, found.spectra, periodic.has_value());
+    note_unconfirmed(result, crossed.unconfirmed);
     return result;
 }
 

@@ -378,7 +378,17 @@ RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors
     Lowest all = lowest(speed, wanted);
     if (errors == Errors::with_left_vectors)
         judge(all.found, speed, all.highest);
-    return modes_of(all.found, speed);
+    Modes out = modes_of(all.found, speed);
+    if (_harmonics > 0 && speed != 0)
+        for (WhirlMode &mode : out.modes)
+            mode.confirmed = !cut_off(mode.rotating_vector);
+    return out;
+}
+
+/// Of a series whose last terms are something its eigenvalue is off by their square.
+bool RotatingSpectrum::cut_off(const Eigen::VectorXcd &series) const {
+    constexpr double hardly = 1e-4;
+    return series.tail(2 * _system.M.size()).norm() > hardly * series.norm();
 }
 
 } // namespace whirl::modes

@@ -139,6 +139,7 @@ class RotatingSpectrum {
     [[nodiscard]] linalg::QuadraticResult solve_hill(double speed, int wanted, double shift) const;
     static void take_standing_copy(double speed, std::vector<linalg::ComplexPair> &all,
                                    linalg::ComplexPair &pair);
+    [[nodiscard]] bool cut_off(const Eigen::VectorXcd &series) const;
     /// Residual and rounding by left vectors of the motions up to a modulus as seen from the fixed
     /// frame, 1/s, and of all that grow: a factorisation each.
     void judge(Eigenvalues &found, double speed, double highest) const;

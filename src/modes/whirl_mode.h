@@ -47,6 +47,9 @@ struct WhirlMode {
     Eigen::VectorXcd rotating_left; ///< form rotating: left vector of that pair; empty: not known
     double residual = 0;
     double rounding = 0;
+    /// False in form hill: of a series cut off, or of a rotor on few shapes that was not found with
+    /// all unknowns. Such a value may be off by anything.
+    bool confirmed = true;
     int followed = -1; ///< place among the pairs of a Continuation at its speed, where it is one
 };
 

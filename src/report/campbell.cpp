@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace whirl::report {
 
@@ -110,6 +111,20 @@ std::vector<ModeAt> at_speed(const CampbellResult &result, std::size_t index) {
     for (const CampbellMode &mode : result.modes)
         rows.push_back({result.speeds[index], &mode, index});
     return rows;
+}
+
+/// By frequency, those without one last; none of what goes on as other lines.
+std::vector<ModeAt> at_last_speed(const CampbellResult &result) {
+    std::vector<ModeAt> modes = at_speed(result, result.speeds.size() - 1);
+    std::erase_if(modes, [](const ModeAt &at) {
+        return !at.frequency() && at.index < at.mode->absent.size() &&
+               at.mode->absent[at.index] == "not followed";
+    });
+    std::stable_sort(modes.begin(), modes.end(), [](const ModeAt &a, const ModeAt &b) {
+        constexpr double none = std::numeric_limits<double>::infinity();
+        return a.frequency().value_or(none) < b.frequency().value_or(none);
+    });
+    return modes;
 }
 
 std::string label_of(const CampbellResult &result, int mode) {
@@ -222,15 +237,11 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
     std::string text = heading(scene, "Campbell diagram, " + range_text(result.speeds));
     if (result.speeds.empty())
         return text + model_text(result.model);
-    std::vector<ModeAt> modes = at_speed(result, result.speeds.size() - 1);
-    std::stable_sort(modes.begin(), modes.end(), [](const ModeAt &a, const ModeAt &b) {
-        return a.frequency().value_or(0) < b.frequency().value_or(0);
-    });
     const double last = result.speeds.back();
     const std::string beside = // in the unit asked for it is the same once more
         written_factor("speed") ? "" : fmt::format(" ({:.6g} rad/s)", last);
     text += fmt::format("Whirl modes at {:.6g} rpm{}:\n{}", last * rpm, beside,
-                        text_table(mode_columns, modes));
+                        text_table(mode_columns, at_last_speed(result)));
     if (!result.crossings.empty())
         text += "\nCrossings with multiples of the spin speed:\n" +
                 text_table(crossing_columns(result), result.crossings);

@@ -113,6 +113,35 @@ std::vector<double> residuals(const mesh_error::ShapeResidual &residual, const L
     return out;
 }
 
+/// The line has a mode there that is one of this mesh, not of a rotor on few shapes alone.
+bool confirmed(const Line &line, const modes::Spectrum &spectrum, std::size_t k) {
+    return line.place[k] != Line::absent &&
+           spectrum.modes[static_cast<std::size_t>(line.place[k])].confirmed;
+}
+
+bool all_confirmed(const modes::Spectrum &spectrum) {
+    return std::ranges::all_of(spectrum.modes,
+                               [](const modes::WhirlMode &mode) { return mode.confirmed; });
+}
+
+void leave_confirmed(std::vector<std::optional<double>> &errors, const Line &line,
+                     const std::vector<modes::Spectrum> &spectra) {
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        if (!confirmed(line, spectra[k], k))
+            errors[k].reset();
+}
+
+/// Of the confirmed mode of a line alone, beside others that are not.
+std::optional<double> refined_error(const mesh_error::FinerModel &finer, const Line &line,
+                                    const modes::Spectrum &spectrum, std::size_t k) {
+    if (!confirmed(line, spectrum, k))
+        return std::nullopt;
+    modes::Spectrum one = spectrum;
+    one.modes = {spectrum.modes[static_cast<std::size_t>(line.place[k])]};
+    const std::vector<double> found = finer.errors_by_refinement(one);
+    return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
 /// Of the modes on lines, the finer ones found from them; infinite for others. None where they are
 /// not found.
 std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
@@ -155,6 +184,15 @@ bool many_terms(const modes::SpectrumSolver &solver, const modes::Spectrum &spec
            });
 }
 
+/// The first speed after rest where all modes are confirmed and have few terms, or the end.
+std::size_t slowest_probed(const modes::SpectrumSolver &solver,
+                           const std::vector<modes::Spectrum> &spectra) {
+    std::size_t k = 1;
+    while (k < spectra.size() && (many_terms(solver, spectra[k]) || !all_confirmed(spectra[k])))
+        ++k;
+    return k;
+}
+
 } // namespace
 
 LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &solver,
@@ -172,14 +210,16 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     const mesh_error::FinerModel finer(rotor, solver);
     const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
-    std::size_t slow = 1;
-    while (slow < spectra.size() && many_terms(solver, spectra[slow]))
-        ++slow;
-    if (series && slow < spectra.size()) // not at rest: needs most harmonics
-        probes.insert(slow);
+    if (const std::size_t slow = slowest_probed(solver, spectra); series && slow < spectra.size())
+        probes.insert(slow); // not at rest: needs most harmonics
     for (const std::size_t k : probes) {
         if (many_terms(solver, spectra[k]))
             continue;
+        if (!all_confirmed(spectra[k])) {
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                errors[i][k] = refined_error(finer, lines[i], spectra[k], k);
+            continue;
+        }
         // Without those found singly Hill's series of the finer mesh is large; at rest there is
         // none.
         const bool others = series && singly && k > 0 && spectra.front().speed == 0;
@@ -193,12 +233,12 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     }
     const mesh_error::ShapeResidual residual(solver.discretization(), solver.form());
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (probes.size() == spectra.size())
-            continue;
-        carry(errors[i], along(spectra.size(), [&](const std::vector<std::size_t> &places) {
-                  return series ? std::vector<double>(places.size(), 1.0)
-                                : residuals(residual, lines[i], spectra, places);
-              }));
+        if (series || probes.size() < spectra.size())
+            carry(errors[i], along(spectra.size(), [&](const std::vector<std::size_t> &places) {
+                      return series ? std::vector<double>(places.size(), 1.0)
+                                    : residuals(residual, lines[i], spectra, places);
+                  }));
+        leave_confirmed(errors[i], lines[i], spectra);
     }
     return errors;
 }

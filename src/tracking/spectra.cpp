@@ -54,6 +54,7 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.forward_fraction);
         bytes.put(mode.residual);
         bytes.put(mode.rounding);
+        bytes.put(mode.confirmed);
         bytes.put(mode.frequency_rotating);
         bytes.put(mode.other_frequency);
         bytes.put(mode.rotating_value);
@@ -80,6 +81,7 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.forward_fraction = bytes.get<double>();
         mode.residual = bytes.get<double>();
         mode.rounding = bytes.get<double>();
+        mode.confirmed = bytes.get<bool>();
         mode.frequency_rotating = bytes.get<double>();
         mode.other_frequency = bytes.get<std::optional<double>>();
         mode.rotating_value = bytes.get<std::complex<double>>();

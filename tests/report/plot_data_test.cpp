@@ -65,6 +65,25 @@ TEST(PlotData, SprungFrequenciesAreNotJoined) {
     EXPECT_EQ(stretches(panel, result, all).size(), 1U);
 }
 
+// Two motions of a Hill series exchange their larger parts; one of their lines began just before.
+TEST(PlotData, LinesThatExchangeMotionsAreNotJoined) {
+    results::CampbellResult result = sample_campbell();
+    result.model.formulation.form = results::Form::hill;
+    result.speeds = {400, 500, 600, 700};
+    results::CampbellMode mode = result.modes[0];
+    mode.whirl.assign(4, results::Whirl::backward);
+    mode.frequency = {684., 665., 646., 1914.};
+    results::CampbellMode late = mode;
+    late.frequency = {{}, {}, 1940., 626.};
+    result.modes = {mode, late};
+    const Panel panel{"p", false, {0, 700 * rpm}, {0, 400}};
+    const auto all = [](const auto &, std::size_t) { return true; };
+    ASSERT_EQ(stretches(panel, result, all).size(), 1U);
+    EXPECT_EQ(stretches(panel, result, all)[0].size(), 3U);
+    result.modes[0].frequency.back() = 630.; // a steep line alone
+    EXPECT_EQ(stretches(panel, result, all).size(), 2U);
+}
+
 // In rotating axes a motion at 7 rad/s is one at speed + 7 or speed - 7 in those that stand still:
 // the step from one to the other is no line, however small it is beside the highest frequency.
 TEST(PlotData, TheOtherOneOfTwoFrequenciesIsNotJoined) {

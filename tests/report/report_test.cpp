@@ -107,6 +107,20 @@ TEST_F(ReportTest, SingleSpeedStillMakesAReport) {
     EXPECT_EQ(table[2].rfind("0,1F,90,", 0), 0U) << table[2];
 }
 
+TEST_F(ReportTest, LinesWithoutAFrequencyStandLastInTheTextOrNotAtAll) {
+    results::CampbellResult result = sample_campbell();
+    result.modes[0].frequency.back().reset();
+    result.modes[0].absent.back() = "overdamped";
+    result.modes.push_back(result.modes[0]);
+    result.modes.back().label = "7M";
+    result.modes.back().absent.back() = "not followed";
+    const model::Case scene = sample_case();
+    const std::string text = describe(scene, result).text();
+    EXPECT_LT(text.find("\n  1F "), text.find("\n  1B "));
+    EXPECT_NE(text.find("\n  1B "), std::string::npos);
+    EXPECT_EQ(text.find("7M"), std::string::npos) << text;
+}
+
 TEST_F(ReportTest, ModesHaveAFileForParaView) {
     expect_complete(write_report(sample_case(), sample_modes(), folder));
     EXPECT_TRUE(fs::exists(folder / "modes.vtp"));

@@ -51,8 +51,9 @@ bool opposite(results::Whirl a, results::Whirl b) {
     return a != b && a != results::Whirl::mixed && b != results::Whirl::mixed;
 }
 
-/// Two that were apart have come to the same eigenvalue.
-bool one_met_twice(const std::vector<WhirlMode> &before, const std::vector<WhirlMode> &after) {
+} // namespace
+
+bool met_twice(const std::vector<WhirlMode> &before, const std::vector<WhirlMode> &after) {
     const auto apart = [](Complex a, Complex b) { return std::abs(a - b) > 1e-8 * std::abs(a); };
     for (std::size_t i = 0; i < after.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -62,8 +63,6 @@ bool one_met_twice(const std::vector<WhirlMode> &before, const std::vector<Whirl
             }
     return false;
 }
-
-} // namespace
 
 WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes, int unknowns) {
     if (shapes == nullptr)
@@ -95,7 +94,7 @@ std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
         if (opposite(out.back().whirl, guess.whirl))
             return {};
     }
-    return one_met_twice(guesses, out) ? std::vector<WhirlMode>() : out;
+    return met_twice(guesses, out) ? std::vector<WhirlMode>() : out;
 }
 
 } // namespace whirl::modes

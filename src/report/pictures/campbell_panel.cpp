@@ -1,6 +1,7 @@
 #include "report/pictures/campbell_panel.h"
 
 #include "report/common/gnuplot.h"
+#include "results/formulation.h"
 #include "results/whirl.h"
 
 #include <algorithm>
@@ -38,6 +39,24 @@ std::vector<bool> other_of_two(const CampbellMode &mode, const std::vector<doubl
     return out;
 }
 
+/// In a Hill series motions that resonate exchange their larger parts. Where a line begins or ends
+/// beside that, nothing before or after tells that its step is one to the other motion, but that
+/// the other line goes the opposite way.
+bool exchanged(const CampbellMode &mode, const CampbellResult &result, std::size_t i) {
+    constexpr double near = 0.1; // of the step
+    const auto here = entry(mode.frequency, i);
+    const auto next = entry(mode.frequency, i + 1);
+    if (result.model.formulation.form != results::Form::hill || !here || !next)
+        return false;
+    const double most = near * std::abs(*next - *here);
+    return std::ranges::any_of(result.modes, [&](const CampbellMode &other) {
+        const auto from = entry(other.frequency, i);
+        const auto to = entry(other.frequency, i + 1);
+        return &other != &mode && from && to && std::abs(*from - *next) < most &&
+               std::abs(*to - *here) < most;
+    });
+}
+
 /// Which steps between neighbouring speeds are no line of a motion: its frequency springs by far
 /// more than before and after. Of an anisotropic rotor a motion has two frequencies, whirl and
 /// twice the spin speed less whirl, of which the larger share is drawn; and between the given
@@ -64,6 +83,8 @@ std::vector<bool> springs(const CampbellMode &mode, const CampbellResult &result
         const double usual = std::max(before.value_or(0), after.value_or(0));
         for (std::size_t k = i; (before || after) && k < i + run; ++k)
             sprung[k] = sprung[k] || (!large(i + run) && *step(k) > more * usual);
+        if (!before && !after)
+            sprung[i] = sprung[i] || exchanged(mode, result, i);
     }
     return sprung;
 }

@@ -27,31 +27,50 @@ modes::WhirlMode OfWholeRotor::of_all_unknowns(const modes::WhirlMode &mode) con
     return modes::over_all_unknowns(mode, _few.shapes(), _few.unknowns());
 }
 
-bool OfWholeRotor::improve(modes::Spectrum &spectrum, const std::vector<int> &places) const {
+bool OfWholeRotor::improve(modes::Spectrum &spectrum, const std::vector<int> &places,
+                           bool all) const {
     std::vector<modes::WhirlMode> guesses;
     for (const int place : places)
         guesses.push_back(spectrum.modes[static_cast<std::size_t>(place)]);
-    std::vector<modes::WhirlMode> starts;
-    for (const modes::WhirlMode &guess : guesses)
-        starts.push_back(of_all_unknowns(guess));
-    const std::vector<modes::WhirlMode> found =
-        spectrum.speed == 0 ? at_rest(guesses) : _whole.near(spectrum.speed, starts);
+    const Found found =
+        spectrum.speed == 0 ? at_rest(guesses) : at_speed(spectrum.speed, guesses, all);
+    bool each = true;
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (!near(found[i].eigenvalue, guesses[i].eigenvalue, spectrum.speed)) {
-            return false;
-        }
-        spectrum.modes[static_cast<std::size_t>(places[i])] = found[i];
+        modes::WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(places[i])];
+        if (found[i] && near(found[i]->eigenvalue, mode.eigenvalue, spectrum.speed))
+            mode = *found[i];
+        else
+            mode.confirmed = each = false;
     }
-    return found.size() == places.size();
+    return each;
+}
+
+OfWholeRotor::Found
+OfWholeRotor::at_speed(double speed, const std::vector<modes::WhirlMode> &guesses, bool all) const {
+    Found found(guesses.size());
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+        const std::vector<modes::WhirlMode> one = _whole.near(speed, {of_all_unknowns(guesses[i])});
+        if (!one.empty() && near(one[0].eigenvalue, guesses[i].eigenvalue, speed))
+            found[i] = one[0];
+        else if (all)
+            return found;
+    }
+    Found out = found;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (found[i] && found[j] &&
+                modes::met_twice({guesses[i], guesses[j]}, {*found[i], *found[j]}))
+                out[i] = out[j] = std::nullopt;
+    return out;
 }
 
 /// Of the whole rotor's modes at rest, found at once, the nearest to each of the guesses.
-std::vector<modes::WhirlMode>
-OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &guesses) const {
+OfWholeRotor::Found OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &guesses) const {
     constexpr std::size_t more = 4;
     std::vector<modes::WhirlMode> all = _whole.at(0, static_cast<int>(guesses.size() + more)).modes;
-    std::vector<modes::WhirlMode> out;
-    for (const modes::WhirlMode &guess : guesses) {
+    Found out(guesses.size());
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+        const modes::WhirlMode &guess = guesses[i];
         const auto distance = [&](const modes::WhirlMode &mode) {
             return std::abs(mode.eigenvalue - guess.eigenvalue);
         };
@@ -60,8 +79,8 @@ OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &guesses) const {
                 return distance(a) < distance(b);
             });
         if (nearest == all.end())
-            return {};
-        out.push_back(*nearest);
+            return out;
+        out[i] = *nearest;
         all.erase(nearest);
     }
     return out;
@@ -114,17 +133,25 @@ std::optional<OfWholeRotor::Next> OfWholeRotor::of_whole(double multiple, const 
     return Next{few.speed, whole[0].eigenvalue.imag() - multiple * std::abs(few.speed), whole[0]};
 }
 
-/// The few shapes' root with what the whole rotor's distance is there, and its slope.
+/// The few shapes' root with what the whole rotor's distance is there, or just beside, and its
+/// slope: a motion on the multiple itself is taken for one that stays there.
 std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, double speed) const {
     constexpr double beside = 1e-6;
     const double step = beside * std::abs(speed);
-    const std::vector<Next> here = next_to(multiple, speed);
+    std::optional<Place> out = crossing(multiple, speed, speed, step);
+    return out ? out : crossing(multiple, speed, speed + step, step);
+}
+
+/// @param at  where distances are taken, and so far beyond, rad/s
+std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, double speed, double at,
+                                                          double step) const {
+    const std::vector<Next> here = next_to(multiple, at);
     if (here.empty())
         return std::nullopt;
     const auto distance = [&](const Next &other) {
         return std::abs(other.mode.eigenvalue - here[0].mode.eigenvalue);
     };
-    const std::vector<Next> all = next_to(multiple, speed + step);
+    const std::vector<Next> all = next_to(multiple, at + step);
     const auto there = std::min_element(all.begin(), all.end(), [&](const Next &a, const Next &b) {
         return distance(a) < distance(b);
     });
@@ -132,7 +159,7 @@ std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, doubl
     if (there == all.end() || !whole)
         return std::nullopt;
     const double slope = (there->distance - here[0].distance) / step;
-    const double change = -whole->distance / slope;
+    const double change = at - speed - whole->distance / slope;
     if (!(std::abs(change) <= farthest * std::abs(speed)))
         return std::nullopt;
     return Place{speed + change, whole->mode.eigenvalue.real()};
@@ -179,12 +206,9 @@ void OfWholeRotor::improve(Crossings &crossed, double low, double high) const {
                 ends.count({band.multiple, speed}) == 0)
                 ends[{band.multiple, speed}] =
                     band_end(band.multiple, speed, side * way(band.multiple, speed));
-    const auto unsettled = [&](double multiple, double speed) {
-        crossed.unsettled.push_back({speed, speed, multiple * std::abs(speed)});
-    };
     for (const auto &[end, place] : ends)
         if (!place)
-            unsettled(end.first, end.second);
+            crossed.unconfirmed.push_back(end.second);
     for (results::Locked &band : crossed.locked)
         for (double *speed : {&band.from, &band.to})
             if (const auto end = ends.find({band.multiple, *speed});
@@ -195,7 +219,7 @@ void OfWholeRotor::improve(Crossings &crossed, double low, double high) const {
         const auto place = end != ends.end() ? end->second : crossing(c.multiple, c.speed);
         if (!place) {
             if (end == ends.end())
-                unsettled(c.multiple, c.speed);
+                crossed.unconfirmed.push_back(c.speed);
             continue;
         }
         const bool undamped = c.damping.ratio == 0.0;

@@ -17,11 +17,14 @@ class OfWholeRotor {
     OfWholeRotor(const modes::SpectrumSolver &whole, const modes::SpectrumSolver &few, int wanted)
         : _whole(whole), _few(few), _wanted(wanted) {}
 
-    /// Some of the modes of a spectrum become those of the whole rotor.
+    /// Some of the modes of a spectrum become those of the whole rotor, each that is found; the
+    /// others are not confirmed (modes::WhirlMode).
+    /// @param all  no others are looked for once one is not found
     /// @returns false where one of them is not found
-    [[nodiscard]] bool improve(modes::Spectrum &spectrum, const std::vector<int> &places) const;
+    [[nodiscard]] bool improve(modes::Spectrum &spectrum, const std::vector<int> &places,
+                               bool all) const;
 
-    /// Crossings and ends of intervals. What is not found is said to be unsettled.
+    /// Crossings and ends of intervals. What is not found is said to be unconfirmed.
     /// @param low,high  ends of the range of speeds, which intervals may end at, rad/s
     void improve(Crossings &crossed, double low, double high) const;
 
@@ -51,9 +54,14 @@ class OfWholeRotor {
     [[nodiscard]] std::optional<std::pair<Next, Next>> leaving(double multiple, double speed,
                                                                double near, double far) const;
     [[nodiscard]] std::optional<Next> of_whole(double multiple, const Next &few) const;
-    [[nodiscard]] std::vector<modes::WhirlMode>
-    at_rest(const std::vector<modes::WhirlMode> &guesses) const;
+    using Found = std::vector<std::optional<modes::WhirlMode>>;
+    [[nodiscard]] Found at_rest(const std::vector<modes::WhirlMode> &guesses) const;
+    /// One by one: those next to their guesses, none of them met from two guesses.
+    [[nodiscard]] Found at_speed(double speed, const std::vector<modes::WhirlMode> &guesses,
+                                 bool all) const;
     [[nodiscard]] std::optional<Place> crossing(double multiple, double speed) const;
+    [[nodiscard]] std::optional<Place> crossing(double multiple, double speed, double at,
+                                                double step) const;
     [[nodiscard]] std::optional<Place> band_end(double multiple, double speed,
                                                 double outwards) const;
 };

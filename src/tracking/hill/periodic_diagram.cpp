@@ -48,8 +48,7 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
 /// On process 0. @returns nothing where a mode of the whole rotor is not found
 std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
                                    const modes::SpectrumSolver &few, const Speeds &speeds,
-                                   int modes, const Speeds &multiples, FollowedLines &found,
-                                   double &unconfirmed) try {
+                                   int modes, const Speeds &multiples, FollowedLines &found) try {
     const OfWholeRotor whole(solver, few, modes_to_follow(solver.discretization().rotor(), modes));
     const double low = found.spectra.front().speed;
     const double high = found.spectra.back().speed;
@@ -62,12 +61,10 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
         for (const Line &line : found.tracking.lines)
             if (line.place[k] != Line::absent && among_lowest(line, modes))
                 drawn.push_back(line.place[k]);
-        if (whole.improve(found.spectra[k], drawn))
-            continue;
+        const bool slow = std::abs(found.spectra[k].speed) <= few.slow();
         // Near rest copies of all motions lie so close that the one meant may not be found.
-        if (std::abs(found.spectra[k].speed) > few.slow())
+        if (!whole.improve(found.spectra[k], drawn, !slow) && !slow)
             return std::nullopt;
-        unconfirmed = std::max(unconfirmed, std::abs(found.spectra[k].speed));
     }
     return crossed;
 } catch (const model::AnalysisFailure &) {
@@ -84,11 +81,11 @@ std::optional<PeriodicDiagram> periodic_diagram(const modes::SpectrumSolver &sol
     const std::unique_ptr<modes::SpectrumSolver> few =
         solver.by_monodromy(own.front(), own.back(), wanted);
     const Speeds all = with_search_speeds(own, *few, wanted, multiples);
-    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}, 0};
+    PeriodicDiagram out{followed_lines(*few, all, modes, false), {}};
     std::vector<char> good(1, 1);
     if (process::process_rank() == 0) {
         std::optional<Crossings> crossed =
-            completed(solver, *few, speeds, modes, multiples, out.found, out.unconfirmed);
+            completed(solver, *few, speeds, modes, multiples, out.found);
         good[0] = crossed ? 1 : 0;
         if (crossed)
             out.crossed = *std::move(crossed);

@@ -11,14 +11,12 @@ namespace whirl::tracking {
 
 /// Lines and crossings of a rotor whose equations stay periodic in time.
 struct PeriodicDiagram {
-    /// At the speeds of the diagram modes of the whole rotor. At the others, where lines are
-    /// followed and named, those of the rotor on few shapes.
+    /// At the speeds of the diagram modes of the whole rotor; far below all frequencies
+    /// (modes::FloquetSpectrum::slow) those of few shapes stand where they are not found, not
+    /// confirmed. At the others, where lines are followed and named, those of the rotor on few
+    /// shapes.
     FollowedLines found;
     Crossings crossed;
-    /// Up to this speed some motions of the whole rotor were not found from those of few shapes,
-    /// which stand for them, rad/s; 0: all were. Only far below all frequencies
-    /// (modes::FloquetSpectrum::slow).
-    double unconfirmed = 0;
 };
 
 /// By the rotor on few shapes (modes/hill/floquet_spectrum.h), at the speeds of the diagram and at
