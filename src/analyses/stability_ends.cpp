@@ -90,12 +90,9 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
                                     "may be missing there",
                                     found.doubtful.size(), found.doubtful.front().first));
     for (const double edge : ends::reconcile(found, result.unstable, at, form, range))
-        if (std::none_of(found.ends.begin(), found.ends.end(), [edge](const auto &end) {
-                return std::abs(end.speed - edge) <= 1e-6 * std::abs(edge);
-            }))
-            notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of "
-                                        "the number of growing motions was found",
-                                        edge));
+        notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
+                                    "number of growing motions was found",
+                                    edge));
     if (motions != nullptr) {
         const std::vector<stability::SpeedInterval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);

@@ -119,6 +119,11 @@ std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &band
                 unexplained.push_back(edge);
     if (unexplained.empty())
         bands = all;
+    // The number may change there without growth ceasing: bands differ, the list does not.
+    std::erase_if(unexplained, [&](double edge) {
+        return std::any_of(found.ends.begin(), found.ends.end(),
+                           [edge](const auto &end) { return near(end.speed, edge); });
+    });
     return unexplained;
 }
 

@@ -16,7 +16,8 @@ namespace whirl::ends {
 /// so are ends of bands that only the search for bands knows: collisions of undamped motions.
 /// @param at    motions at a speed, for how many grow inside of such a band
 /// @param form  whose axes their frequencies are in
-/// @returns ends of bands that the ends do not explain: the bands then stay as they are
+/// Where ends do not explain those of the bands, the bands stay as they are.
+/// @returns ends of bands at which the number of growing motions is not known to change
 [[nodiscard]] std::vector<double> reconcile(EndsFound &found,
                                             std::vector<stability::SpeedInterval> &bands,
                                             const stability::MotionsAt &at, results::Form form,

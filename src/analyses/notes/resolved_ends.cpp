@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace whirl::analyses {
 
@@ -98,16 +99,17 @@ void join_bands(const FasterBands &faster, results::StabilityResult &result) {
     std::vector<stability::SpeedInterval> all = result.resolved_unstable;
     all.insert(all.end(), faster.bands.begin(), faster.bands.end());
     const auto error_of = [&](double end) {
-        for (std::size_t i = 0; i < result.resolved_unstable.size(); ++i)
-            for (const auto side :
-                 {&stability::SpeedInterval::first, &stability::SpeedInterval::second})
-                if (result.resolved_unstable[i].*side == end)
-                    return result.resolved_unstable_error[i].*side;
-        for (std::size_t i = 0; i < faster.bands.size(); ++i)
-            for (const auto side :
-                 {&stability::SpeedInterval::first, &stability::SpeedInterval::second})
-                if (faster.bands[i].*side == end)
-                    return faster.errors[i].*side;
+        using Intervals = const std::vector<stability::SpeedInterval> *;
+        for (const auto &[bands, errors] :
+             {std::pair<Intervals, Intervals>{&result.resolved_unstable,
+                                              &result.resolved_unstable_error},
+              {&faster.bands, &faster.errors}})
+            for (std::size_t i = 0; i < bands->size(); ++i) {
+                if ((*bands)[i].first == end)
+                    return (*errors)[i].first;
+                if ((*bands)[i].second == end)
+                    return (*errors)[i].second;
+            }
         return 0.0;
     };
     // Where it is not known whether faster ones grow, a band may go on.
