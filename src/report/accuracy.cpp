@@ -21,26 +21,17 @@ using results::AccuracyRow;
 namespace {
 
 const Columns<AccuracyRow> accuracy_columns{
-    {"family", "family", {"Family"}, {"family"}, &AccuracyRow::family},
-    {"order", "order", {"Order"}, {"order"}, &AccuracyRow::order},
-    {"elements", "elements", {"Elements"}, {"elements"}, &AccuracyRow::elements},
-    {"method", "method", {"Method"}, {"method"}, &AccuracyRow::method},
-    {"unknowns", "unknowns", {"Unknowns"}, {"unknowns"}, &AccuracyRow::unknowns},
-    {"seconds", "seconds [s]", {}, {}, &AccuracyRow::seconds},
-    {"",
-     "",
-     {"Wall time (ms)", "{:.4g}"},
-     {"ms", "{:.3g}"},
+    {"family", InCsv("family"), OnPage("Family"), InText("family"), &AccuracyRow::family},
+    {"order", InCsv("order"), OnPage("Order"), InText("order"), &AccuracyRow::order},
+    {"elements", InCsv("elements"), OnPage("Elements"), InText("elements"), &AccuracyRow::elements},
+    {"method", InCsv("method"), OnPage("Method"), InText("method"), &AccuracyRow::method},
+    {"unknowns", InCsv("unknowns"), OnPage("Unknowns"), InText("unknowns"), &AccuracyRow::unknowns},
+    {"seconds", InCsv("seconds [s]"), &AccuracyRow::seconds},
+    {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"),
      [](const auto &row) { return row.seconds * 1000; }},
-    {"error_estimate",
-     "error_estimate",
-     {"Estimate", "{:.3g}"},
-     {"estimate", rough},
-     &AccuracyRow::error_estimate},
-    {"true_error",
-     "true_error",
-     {"True error", "{:.3g}"},
-     {"true error", rough},
+    {"error_estimate", InCsv("error_estimate"), OnPage("Estimate", "{:.3g}"),
+     InText("estimate", rough), &AccuracyRow::error_estimate},
+    {"true_error", InCsv("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
      &AccuracyRow::true_error}};
 
 Json json_of(const AccuracyResult &result) {

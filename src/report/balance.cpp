@@ -76,9 +76,9 @@ std::vector<Planes> planes_and_joint(const BalanceResult &result) {
 }
 
 const Columns<Planes> band_columns{
-    {"", "", {"Planes"}, {}, &Planes::on_page},
-    {"", "", {"Flexible"}, {}, [](const Planes &p) { return page_bands(p.of->bands); }},
-    {"", "", {"Rigid closed form"}, {}, [](const Planes &p) {
+    {OnPage("Planes"), &Planes::on_page},
+    {OnPage("Flexible"), [](const Planes &p) { return page_bands(p.of->bands); }},
+    {OnPage("Rigid closed form"), [](const Planes &p) {
          return p.of->rigid_bands ? page_bands(*p.of->rigid_bands) : std::string("–");
      }}};
 
@@ -88,15 +88,15 @@ struct End : BandEnd {
 };
 
 const Columns<End> band_end_columns{
-    {"", "", {"Planes"}, {}, &End::planes},
-    {"speed", "", {}, {}, &End::speed},
-    {"end", "", {"End"}, {}, [](const End &end) { return end.upper ? "upper" : "lower"; }},
-    {"", "", {"rad/s", "{:.10g}"}, {}, &End::speed},
-    {"", "", {"rpm", "{:.8g}"}, {}, [](const End &end) { return end.speed * rpm; }},
-    {"error", "", {"Error (rad/s)", "{:.2g}"}, {}, &End::error},
-    {"pinned", "", {"Pinned critical speed (rad/s)", "{:.10g}"}, {}, &End::pinned},
-    {"rigid", "", {"Rigid (rad/s)", "{:.10g}"}, {}, &End::rigid},
-    {"relative_difference", "", {"Relative difference", "{:.3g}"}, {}, &End::relative_difference}};
+    {OnPage("Planes"), &End::planes},
+    {"speed", &End::speed},
+    {"end", OnPage("End"), [](const End &end) { return end.upper ? "upper" : "lower"; }},
+    {OnPage("rad/s", "{:.10g}"), &End::speed},
+    {OnPage("rpm", "{:.8g}"), in(rpm, &End::speed)},
+    {"error", OnPage("Error (rad/s)", "{:.2g}"), &End::error},
+    {"pinned", OnPage("Pinned critical speed (rad/s)", "{:.10g}"), &End::pinned},
+    {"rigid", OnPage("Rigid (rad/s)", "{:.10g}"), &End::rigid},
+    {"relative_difference", OnPage("Relative difference", "{:.3g}"), &End::relative_difference}};
 
 std::vector<End> ends_of(const std::string &planes, const BalanceBands &of) {
     std::vector<End> ends;
@@ -119,14 +119,14 @@ struct CsvLine {
     std::optional<double> speed{}, from{}, to{}, value{}, ratio{};
 };
 
-const Columns<CsvLine> line_columns{{"", "kind", {}, {}, &CsvLine::kind},
-                                    {"", "which", {}, {}, &CsvLine::which},
-                                    {"", "z [m]", {}, {}, &CsvLine::z},
-                                    {"", "speed [rad/s]", {}, {}, &CsvLine::speed},
-                                    {"", "from [rad/s]", {}, {}, &CsvLine::from},
-                                    {"", "to [rad/s]", {}, {}, &CsvLine::to},
-                                    {"", "value [1/kg]", {}, {}, &CsvLine::value},
-                                    {"", "ratio", {}, {}, &CsvLine::ratio}};
+const Columns<CsvLine> line_columns{{InCsv("kind"), &CsvLine::kind},
+                                    {InCsv("which"), &CsvLine::which},
+                                    {InCsv("z [m]"), &CsvLine::z},
+                                    {InCsv("speed [rad/s]"), &CsvLine::speed},
+                                    {InCsv("from [rad/s]"), &CsvLine::from},
+                                    {InCsv("to [rad/s]"), &CsvLine::to},
+                                    {InCsv("value [1/kg]"), &CsvLine::value},
+                                    {InCsv("ratio"), &CsvLine::ratio}};
 
 void add_band_lines(std::vector<CsvLine> &lines, const Planes &planes) {
     const auto add = [&](const char *kind, std::optional<double> from, std::optional<double> to) {
@@ -187,26 +187,22 @@ std::string csv_of(const BalanceResult &result) {
 }
 
 const Columns<SignaturePoint> signature_columns{
-    {"speed", "", {}, {}, &SignaturePoint::speed},
-    {"eigenvalues", "", {}, {}, &SignaturePoint::eigenvalues},
-    {"negative", "", {}, {}, &SignaturePoint::negative},
-    {"relative", "", {}, {}, &SignaturePoint::relative},
+    {"speed", &SignaturePoint::speed},
+    {"eigenvalues", &SignaturePoint::eigenvalues},
+    {"negative", &SignaturePoint::negative},
+    {"relative", &SignaturePoint::relative},
     {"worst_real",
-     "",
-     {},
-     {},
      [](const auto &point) {
          return json_list(point.worst, [](std::complex<double> s) { return s.real(); });
      }},
-    {"worst_imag", "", {}, {}, [](const auto &point) {
+    {"worst_imag", [](const auto &point) {
          return json_list(point.worst, [](std::complex<double> s) { return s.imag(); });
      }}};
 
-const Columns<SimulatedSpeed> simulated_columns{
-    {"speed", "", {}, {}, &SimulatedSpeed::speed},
-    {"outcome", "", {}, {}, &SimulatedSpeed::outcome},
-    {"residual_ratio", "", {}, {}, &SimulatedSpeed::residual_ratio},
-    {"growth", "", {}, {}, &SimulatedSpeed::growth}};
+const Columns<SimulatedSpeed> simulated_columns{{"speed", &SimulatedSpeed::speed},
+                                                {"outcome", &SimulatedSpeed::outcome},
+                                                {"residual_ratio", &SimulatedSpeed::residual_ratio},
+                                                {"growth", &SimulatedSpeed::growth}};
 
 Json rigid_json(const results::RigidEquivalent &of) {
     return {{"mass", of.mass},
@@ -240,16 +236,13 @@ struct Best : results::BestPlace {
 };
 
 const Columns<Best> best_columns{
-    {"", "", {"Best"}, {}, &Best::balancers},
-    {"z", "", {}, {}, &Best::z},
-    {"", "", {"z (m)"}, {}, [](const Best &best) { return best.places("{:.5g}", ", "); }},
-    {"",
-     "",
-     {"Share of the speeds (%)", "{:.4g}"},
-     {},
+    {OnPage("Best"), &Best::balancers},
+    {"z", &Best::z},
+    {OnPage("z (m)"), [](const Best &best) { return best.places("{:.5g}", ", "); }},
+    {OnPage("Share of the speeds (%)", "{:.4g}"),
      [](const Best &best) { return 100 * best.share; }},
-    {"share", "", {}, {}, &Best::share},
-    {"margin", "", {"Margin", "{:.4g}"}, {}, &Best::margin}};
+    {"share", &Best::share},
+    {"margin", OnPage("Margin", "{:.4g}"), &Best::margin}};
 
 std::vector<Best> best_places(const results::Placement &map) {
     return {{map.best, "one plane"}, {map.best_pair, "two planes"}};

@@ -13,31 +13,29 @@ using results::PendulumState;
 namespace {
 
 const Columns<PendulumBalance> pendulum_columns{
-    {"name", "", {}, {}, &PendulumBalance::name},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &PendulumBalance::z},
-    {"rho", "", {"ρ"}, {}, &PendulumBalance::rho},
-    {"threshold", "", {"Threshold ratio"}, {}, &PendulumBalance::threshold},
-    {"limit", "", {"Limit of n"}, {}, &PendulumBalance::limit},
-    {"", "", {"M_Σ (kg)"}, {}, &PendulumBalance::mass},
-    {"", "", {"ω₀ (rad/s)", "{:.8g}"}, {}, &PendulumBalance::omega_0},
-    {"", "", {"H", "{:.5g}"}, {}, &PendulumBalance::external_damping},
-    {"", "", {"h", "{:.5g}"}, {}, &PendulumBalance::hinge_damping}};
+    {"name", &PendulumBalance::name},
+    {"z", OnPage("z (m)", "{:.5g}"), &PendulumBalance::z},
+    {"rho", OnPage("ρ"), &PendulumBalance::rho},
+    {"threshold", OnPage("Threshold ratio"), &PendulumBalance::threshold},
+    {"limit", OnPage("Limit of n"), &PendulumBalance::limit},
+    {OnPage("M_Σ (kg)"), &PendulumBalance::mass},
+    {OnPage("ω₀ (rad/s)", "{:.8g}"), &PendulumBalance::omega_0},
+    {OnPage("H", "{:.5g}"), &PendulumBalance::external_damping},
+    {OnPage("h", "{:.5g}"), &PendulumBalance::hinge_damping}};
 
-const Columns<PendulumState> motion_columns{{"ratio", "", {}, {}, &PendulumState::ratio},
-                                            {"phi", "", {}, {}, &PendulumState::phi},
-                                            {"psi", "", {}, {}, &PendulumState::psi},
-                                            {"growth", "", {}, {}, &PendulumState::growth},
-                                            {"stable", "", {}, {}, &PendulumState::stable},
-                                            {"collision", "", {}, {}, &PendulumState::collision}};
+const Columns<PendulumState> motion_columns{
+    {"ratio", &PendulumState::ratio},   {"phi", &PendulumState::phi},
+    {"psi", &PendulumState::psi},       {"growth", &PendulumState::growth},
+    {"stable", &PendulumState::stable}, {"collision", &PendulumState::collision}};
 
-const Columns<PendulumCurve> curve_columns{{"arm", "", {}, {}, &PendulumCurve::arm},
-                                           {"pivot", "", {}, {}, &PendulumCurve::pivot},
-                                           {"rho", "", {}, {}, &PendulumCurve::rho},
-                                           {"H", "", {}, {}, &PendulumCurve::external_damping},
-                                           {"speed_ratio", "", {}, {}, &PendulumCurve::ratios},
-                                           {"approximate", "", {}, {}, &PendulumCurve::approximate},
-                                           {"exact", "", {}, {}, &PendulumCurve::exact},
-                                           {"stable", "", {}, {}, &PendulumCurve::stable}};
+const Columns<PendulumCurve> curve_columns{{"arm", &PendulumCurve::arm},
+                                           {"pivot", &PendulumCurve::pivot},
+                                           {"rho", &PendulumCurve::rho},
+                                           {"H", &PendulumCurve::external_damping},
+                                           {"speed_ratio", &PendulumCurve::ratios},
+                                           {"approximate", &PendulumCurve::approximate},
+                                           {"exact", &PendulumCurve::exact},
+                                           {"stable", &PendulumCurve::stable}};
 
 /// The balancer at one speed.
 struct AtSpeed {
@@ -55,30 +53,22 @@ template <class T> auto least(T PendulumState::*entry) {
 
 /// The motion of least deflection fills the lists; all are in `motions`.
 const Columns<AtSpeed> efficiency_columns{
-    {"speeds", "", {}, {}, [](const AtSpeed &at) { return at.of.speeds[at.index]; }},
-    {"", "", {}, {"rpm"}, [](const AtSpeed &at) { return at.of.speeds[at.index] * rpm; }},
-    {"approximate",
-     "",
-     {},
-     {"n planar, small", "{:.4f}", "inf"},
+    {"speeds", [](const AtSpeed &at) { return at.of.speeds[at.index]; }},
+    {InText("rpm"), [](const AtSpeed &at) { return at.of.speeds[at.index] * rpm; }},
+    {"approximate", InText("n planar, small", "{:.4f}", "inf"),
      [](const AtSpeed &at) { return at.of.approximate[at.index]; }},
-    {"exact", "", {}, {"n on the shaft", "{:.4f}"}, least(&PendulumState::ratio)},
-    {"stable", "", {}, {}, least(&PendulumState::stable)},
-    {"",
-     "",
-     {},
-     {"stable"},
+    {"exact", InText("n on the shaft", "{:.4f}"), least(&PendulumState::ratio)},
+    {"stable", least(&PendulumState::stable)},
+    {InText("stable"),
      [](const AtSpeed &at) {
          const PendulumState &state = at.motions().front();
          return std::string(state.stable ? "yes" : "no") + (state.collision ? ", collide" : "");
      }},
-    {"planar", "", {}, {}, [](const AtSpeed &at) { return at.of.planar[at.index]; }},
-    {"phi", "", {}, {}, least(&PendulumState::phi)},
-    {"psi", "", {}, {}, least(&PendulumState::psi)},
-    {"collision", "", {}, {}, least(&PendulumState::collision)},
-    {"motions", "", {}, {}, [](const AtSpeed &at) {
-         return json_rows(motion_columns, at.motions());
-     }}};
+    {"planar", [](const AtSpeed &at) { return at.of.planar[at.index]; }},
+    {"phi", least(&PendulumState::phi)},
+    {"psi", least(&PendulumState::psi)},
+    {"collision", least(&PendulumState::collision)},
+    {"motions", [](const AtSpeed &at) { return json_rows(motion_columns, at.motions()); }}};
 
 } // namespace
 

@@ -51,52 +51,30 @@ auto part(double results::ErrorParts::*which) {
     };
 }
 
-std::optional<double> in_hertz(const ModeAt &at) {
-    return at.frequency() ? std::optional(*at.frequency() * hertz) : std::nullopt;
-}
-
 /// The frequency, or why there is none.
 Json hertz_or_why(const ModeAt &at) {
-    return at.frequency() ? Json(in_hertz(at)) : at.entry(at.mode->absent);
+    return at.frequency() ? Json(*at.frequency() * hertz) : at.entry(at.mode->absent);
 }
 
 const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
-    {{"", "speed [rad/s]", {}, {}, &ModeAt::speed},
-     {"", "mode", {"Mode"}, {"mode"}, [](const auto &at) { return at.mode->label; }},
-     {"frequency",
-      "frequency [rad/s]",
-      {"Frequency (rad/s)", "{:.10g}"},
-      {"rad/s", precise},
-      &ModeAt::frequency},
-     {"", "", {"Frequency (Hz)", "{:.10g}"}, {}, hertz_or_why},
-     {"", "", {}, {"Hz"}, in_hertz},
-     {"",
-      "",
-      {},
-      {"rpm"},
-      [](const auto &at) {
-          return at.frequency() ? std::optional(*at.frequency() * rpm) : std::nullopt;
-      }},
-     {"real", "real [1/s]", {"Real part (1/s)"}, {}, entry_of(&CampbellMode::real)},
-     {"damping_ratio",
-      "damping_ratio",
-      {"Damping ratio"},
-      {"damping ratio"},
+    {{InCsv("speed [rad/s]"), &ModeAt::speed},
+     {InCsv("mode"), OnPage("Mode"), InText("mode"), [](const auto &at) { return at.mode->label; }},
+     {"frequency", InCsv("frequency [rad/s]"), OnPage("Frequency (rad/s)", "{:.10g}"),
+      InText("rad/s", precise), &ModeAt::frequency},
+     {OnPage("Frequency (Hz)", "{:.10g}"), hertz_or_why},
+     {InText("Hz"), in(hertz, &ModeAt::frequency)},
+     {InText("rpm"), in(rpm, &ModeAt::frequency)},
+     {"real", InCsv("real [1/s]"), OnPage("Real part (1/s)"), entry_of(&CampbellMode::real)},
+     {"damping_ratio", InCsv("damping_ratio"), OnPage("Damping ratio"), InText("damping ratio"),
       entry_of(&CampbellMode::damping_ratio)},
-     {"log_dec", "log_dec", {}, {}, entry_of(&CampbellMode::log_dec)},
-     {"whirl", "whirl", {"Whirl"}, {"whirl"}, entry_of(&CampbellMode::whirl)},
-     {"forward_share",
-      "forward_fraction",
-      {"Forward share", "{:.4g}"},
-      {},
+     {"log_dec", InCsv("log_dec"), entry_of(&CampbellMode::log_dec)},
+     {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), entry_of(&CampbellMode::whirl)},
+     {"forward_share", InCsv("forward_fraction"), OnPage("Forward share", "{:.4g}"),
       entry_of(&CampbellMode::forward_fraction)},
-     {"forward_fraction", "", {}, {}, entry_of(&CampbellMode::forward_fraction)}, // its older name
-     {"error",
-      "error",
-      {"Relative error", "{:.2g}"},
-      {"error", rough},
+     {"forward_fraction", entry_of(&CampbellMode::forward_fraction)}, // its older name
+     {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       entry_of(&CampbellMode::error)},
-     {"residual", "residual", {}, {}, entry_of(&CampbellMode::residual)}},
+     {"residual", InCsv("residual"), entry_of(&CampbellMode::residual)}},
     true, part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
@@ -136,55 +114,39 @@ Columns<Crossing> crossing_columns(const CampbellResult &result) {
     const auto label = [&result](const Crossing &crossing) {
         return label_of(result, crossing.mode);
     };
-    return {{"", "", {"Mode"}, {}, label},
-            {"multiple", "", {"Multiple", "{:.5g}×"}, {"line", "{:.6g}x"}, &Crossing::multiple},
-            {"",
-             "",
-             {"Spin speed (rpm)", "{:.10g}"},
-             {"rpm"},
-             [](const auto &crossing) { return crossing.speed * rpm; }},
-            {"speed", "", {"Spin speed (rad/s)", "{:.10g}"}, {"rad/s", precise}, &Crossing::speed},
-            {"frequency", "", {}, {}, &Crossing::frequency},
-            {"",
-             "",
-             {"Whirl frequency (Hz)", "{:.10g}"},
-             {},
-             [](const auto &crossing) { return crossing.frequency * hertz; }},
-            {"", "", {}, {"Hz"}, [](const auto &crossing) { return crossing.speed * hertz; }},
-            {"damping_ratio",
-             "",
-             {"Damping ratio"},
-             {"damping ratio"},
-             [](const auto &crossing) { return crossing.damping.ratio; }},
-            {"log_dec", "", {}, {}, [](const auto &crossing) { return crossing.damping.log_dec; }},
-            {"amplification",
-             "",
-             {"Amplification factor", "{:.5g}"},
-             {"amplification", "{:.5g}"},
-             [](const auto &crossing) { return crossing.damping.amplification; }},
-            {"",
-             "",
-             {"Damped"},
-             {"damped"},
-             [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
-            {"heavily_damped", "", {}, {}, [](const auto &c) { return c.damping.heavy(); }},
-            {"mode", "", {}, {}, &Crossing::mode},
-            {"", "", {}, {"mode"}, label}};
+    return {
+        {OnPage("Mode"), label},
+        {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), &Crossing::multiple},
+        {OnPage("Spin speed (rpm)", "{:.10g}"), InText("rpm"), in(rpm, &Crossing::speed)},
+        {"speed", OnPage("Spin speed (rad/s)", "{:.10g}"), InText("rad/s", precise),
+         &Crossing::speed},
+        {"frequency", &Crossing::frequency},
+        {OnPage("Whirl frequency (Hz)", "{:.10g}"), in(hertz, &Crossing::frequency)},
+        {InText("Hz"), in(hertz, &Crossing::speed)},
+        {"damping_ratio", OnPage("Damping ratio"), InText("damping ratio"),
+         [](const auto &crossing) { return crossing.damping.ratio; }},
+        {"log_dec", [](const auto &crossing) { return crossing.damping.log_dec; }},
+        {"amplification", OnPage("Amplification factor", "{:.5g}"),
+         InText("amplification", "{:.5g}"),
+         [](const auto &crossing) { return crossing.damping.amplification; }},
+        {OnPage("Damped"), InText("damped"),
+         [](const auto &crossing) { return crossing.damping.heavy() ? "heavily" : ""; }},
+        {"heavily_damped", [](const auto &c) { return c.damping.heavy(); }},
+        {"mode", &Crossing::mode},
+        {InText("mode"), label}};
 }
 
 Columns<Locked> locked_columns(const CampbellResult &result) {
     const auto label = [&result](const Locked &locked) { return label_of(result, locked.mode); };
-    const auto in_rpm = [](double Locked::*speed) {
-        return [speed](const Locked &locked) { return locked.*speed * rpm; };
-    };
-    return {{"", "", {"Mode"}, {}, label},
-            {"multiple", "", {"Multiple", "{:.5g}×"}, {"line", "{:.6g}x"}, &Locked::multiple},
-            {"mode", "", {}, {}, &Locked::mode},
-            {"", "", {"From (rpm)", "{:.10g}"}, {"from rpm"}, in_rpm(&Locked::from)},
-            {"", "", {"To (rpm)", "{:.10g}"}, {"to rpm"}, in_rpm(&Locked::to)},
-            {"from", "", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &Locked::from},
-            {"to", "", {"To (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &Locked::to},
-            {"", "", {}, {"mode"}, label}};
+    return {
+        {OnPage("Mode"), label},
+        {"multiple", OnPage("Multiple", "{:.5g}×"), InText("line", "{:.6g}x"), &Locked::multiple},
+        {"mode", &Locked::mode},
+        {OnPage("From (rpm)", "{:.10g}"), InText("from rpm"), in(rpm, &Locked::from)},
+        {OnPage("To (rpm)", "{:.10g}"), InText("to rpm"), in(rpm, &Locked::to)},
+        {"from", OnPage("From (rad/s)", "{:.10g}"), InText("from rad/s", precise), &Locked::from},
+        {"to", OnPage("To (rad/s)", "{:.10g}"), InText("to rad/s", precise), &Locked::to},
+        {InText("mode"), label}};
 }
 
 Json mode_json(const CampbellResult &result, const CampbellMode &mode) {

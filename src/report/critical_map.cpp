@@ -20,70 +20,50 @@ using results::CriticalMapCurve;
 namespace {
 
 /// A crossing with the words for its bearing.
-struct Crossing {
-    const CriticalMapCrossing &found;
-    const CriticalMapBearing &across;
+struct Crossing : CriticalMapCrossing {
+    std::vector<std::size_t> across;
     std::string bearings;
 };
 
 std::vector<Crossing> crossings_of(const model::Case &scene, const CriticalMap &map) {
     std::vector<Crossing> rows;
     for (const CriticalMapCrossing &found : map.crossings)
-        rows.push_back({found, map.bearings[found.bearing],
+        rows.push_back({found, map.bearings[found.bearing].bearings,
                         bearings_text(scene, map.bearings[found.bearing].bearings)});
     return rows;
 }
 
 const Columns<Crossing> map_crossing_columns{
-    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
-    {"bearings", "", {}, {}, [](const auto &at) { return at.across.bearings; }},
-    {"", "bearings", {"Bearing"}, {"bearing"}, &Crossing::bearings},
-    {"of", "of", {"Coefficient"}, {"of"}, [](const auto &at) { return at.found.of; }},
-    {"stiffness",
-     "stiffness [N/m]",
-     {"Stiffness (N/m)", "{:.10g}"},
-     {"N/m", precise},
-     [](const auto &at) { return at.found.stiffness; }},
-    {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const auto &at) { return at.found.speed * rpm; }},
-    {"speed",
-     "speed [rad/s]",
-     {"rad/s", "{:.10g}"},
-     {"rad/s", precise},
-     [](const auto &at) { return at.found.speed; }},
-    {"whirl", "whirl", {"Whirl"}, {"whirl"}, [](const auto &at) { return at.found.whirl; }},
-    {"number", "number", {"Curve"}, {"curve"}, [](const auto &at) { return at.found.number; }},
-    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, [](const auto &at) {
-         return at.found.error;
-     }}};
+    {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
+    {"bearings", &Crossing::across},
+    {InCsv("bearings"), OnPage("Bearing"), InText("bearing"), &Crossing::bearings},
+    {"of", InCsv("of"), OnPage("Coefficient"), InText("of"), &Crossing::of},
+    {"stiffness", InCsv("stiffness [N/m]"), OnPage("Stiffness (N/m)", "{:.10g}"),
+     InText("N/m", precise), &Crossing::stiffness},
+    {OnPage("rpm", "{:.10g}"), InText("rpm"), in(rpm, &Crossing::speed)},
+    {"speed", InCsv("speed [rad/s]"), OnPage("rad/s", "{:.10g}"), InText("rad/s", precise),
+     &Crossing::speed},
+    {"whirl", InCsv("whirl"), OnPage("Whirl"), InText("whirl"), &Crossing::whirl},
+    {"number", InCsv("number"), OnPage("Curve"), InText("curve"), &Crossing::number},
+    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
+     &Crossing::error}};
 
 /// A curve as a list, and at its ends.
 const Columns<CriticalMapCurve> map_curve_columns{
-    {"whirl", "", {"Whirl"}, {"whirl"}, &CriticalMapCurve::whirl},
-    {"number", "", {"Curve"}, {"curve"}, &CriticalMapCurve::number},
-    {"",
-     "",
-     {"Soft end (rpm)", "{:.10g}"},
-     {"soft end (rpm)"},
+    {"whirl", OnPage("Whirl"), InText("whirl"), &CriticalMapCurve::whirl},
+    {"number", OnPage("Curve"), InText("curve"), &CriticalMapCurve::number},
+    {OnPage("Soft end (rpm)", "{:.10g}"), InText("soft end (rpm)"),
      [](const auto &of) { return of.speed.front() * rpm; }},
-    {"",
-     "",
-     {"Soft end (rad/s)", "{:.10g}"},
-     {"soft end (rad/s)", precise},
+    {OnPage("Soft end (rad/s)", "{:.10g}"), InText("soft end (rad/s)", precise),
      [](const auto &of) { return of.speed.front(); }},
-    {"",
-     "",
-     {"Stiff end (rpm)", "{:.10g}"},
-     {"stiff end (rpm)"},
+    {OnPage("Stiff end (rpm)", "{:.10g}"), InText("stiff end (rpm)"),
      [](const auto &of) { return of.speed.back() * rpm; }},
-    {"",
-     "",
-     {"Stiff end (rad/s)", "{:.10g}"},
-     {"stiff end (rad/s)", precise},
+    {OnPage("Stiff end (rad/s)", "{:.10g}"), InText("stiff end (rad/s)", precise),
      [](const auto &of) { return of.speed.back(); }},
-    {"speed", "", {}, {}, &CriticalMapCurve::speed},
-    {"error", "", {}, {}, &CriticalMapCurve::error},
-    {"soft_shape", "", {}, {}, &CriticalMapCurve::soft},
-    {"stiff_shape", "", {}, {}, &CriticalMapCurve::stiff}};
+    {"speed", &CriticalMapCurve::speed},
+    {"error", &CriticalMapCurve::error},
+    {"soft_shape", &CriticalMapCurve::soft},
+    {"stiff_shape", &CriticalMapCurve::stiff}};
 
 /// A line of the file: a point of a curve, of a bearing, or a deflection.
 struct MapLine {
@@ -96,20 +76,17 @@ struct MapLine {
 };
 
 const Columns<MapLine> map_line_columns{
-    {"", "kind", {}, {}, &MapLine::kind},
-    {"", "bearings", {}, {}, &MapLine::bearings},
-    {"", "of", {}, {}, &MapLine::of},
-    {"", "stiffness [N/m]", {}, {}, &MapLine::stiffness},
-    {"", "speed [rad/s]", {}, {}, &MapLine::speed},
-    {"",
-     "whirl",
-     {},
-     {},
+    {InCsv("kind"), &MapLine::kind},
+    {InCsv("bearings"), &MapLine::bearings},
+    {InCsv("of"), &MapLine::of},
+    {InCsv("stiffness [N/m]"), &MapLine::stiffness},
+    {InCsv("speed [rad/s]"), &MapLine::speed},
+    {InCsv("whirl"),
      [](const MapLine &at) { return at.whirl ? results::whirl_name(*at.whirl) : ""; }},
-    {"", "number", {}, {}, &MapLine::number},
-    {"", "error", {}, {}, &MapLine::error},
-    {"", "z [m]", {}, {}, &MapLine::z},
-    {"", "deflection", {}, {}, &MapLine::deflection}};
+    {InCsv("number"), &MapLine::number},
+    {InCsv("error"), &MapLine::error},
+    {InCsv("z [m]"), &MapLine::z},
+    {InCsv("deflection"), &MapLine::deflection}};
 
 void add_shape(const CriticalMap &map, const CriticalMapCurve &curve, bool soft,
                std::vector<MapLine> &lines) {
@@ -153,12 +130,12 @@ std::string csv_of(const model::Case &scene, const CriticalMap &map) {
     for (const Crossing &at : crossings_of(scene, map))
         lines.push_back({"crossing",
                          at.bearings,
-                         at.found.of,
-                         at.found.stiffness,
-                         at.found.speed,
-                         at.found.whirl,
-                         at.found.number,
-                         at.found.error,
+                         at.of,
+                         at.stiffness,
+                         at.speed,
+                         at.whirl,
+                         at.number,
+                         at.error,
                          {},
                          {}});
     for (const CriticalMapCurve &curve : map.curves)

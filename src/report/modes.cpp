@@ -48,34 +48,27 @@ Json json_of(const Dissipation &part) {
 }
 
 const Columns<ModeShape> shape_columns{
-    {"label", "", {"Mode"}, {"mode"}, [](const auto &mode) { return known_name(mode.label); }},
-    {"at", "", {}, {}, &ModeShape::at},
-    {"frequency", "", {"Frequency (rad/s)", "{:.10g}"}, {"rad/s", precise}, frequency},
-    {"",
-     "",
-     {"Frequency (Hz)", "{:.10g}"},
-     {"Hz"},
-     [](const ModeShape &mode) { return frequency(mode) * hertz; }},
-    {"real", "", {"Real part (1/s)"}, {}, real_part},
-    {"", "", {}, {"damping ratio"}, damping_ratio},
-    {"whirl", "", {"Whirl"}, {"whirl"}, &ModeShape::whirl},
-    {"forward_share", "", {"Forward share", "{:.4g}"}, {}, &ModeShape::forward_fraction},
-    {"forward_fraction", "", {}, {}, &ModeShape::forward_fraction}, // its older name
-    {"x_real", "", {}, {}, part(&ModeShape::x, true)},
-    {"x_imag", "", {}, {}, part(&ModeShape::x, false)},
-    {"y_real", "", {}, {}, part(&ModeShape::y, true)},
-    {"y_imag", "", {}, {}, part(&ModeShape::y, false)},
-    {"dissipation", "", {}, {}, [](const ModeShape &mode) {
-         return json_list(mode.dissipation, json_of);
-     }}};
+    {"label", OnPage("Mode"), InText("mode"),
+     [](const auto &mode) { return known_name(mode.label); }},
+    {"at", &ModeShape::at},
+    {"frequency", OnPage("Frequency (rad/s)", "{:.10g}"), InText("rad/s", precise), frequency},
+    {OnPage("Frequency (Hz)", "{:.10g}"), InText("Hz"), in(hertz, frequency)},
+    {"real", OnPage("Real part (1/s)"), real_part},
+    {InText("damping ratio"), damping_ratio},
+    {"whirl", OnPage("Whirl"), InText("whirl"), &ModeShape::whirl},
+    {"forward_share", OnPage("Forward share", "{:.4g}"), &ModeShape::forward_fraction},
+    {"forward_fraction", &ModeShape::forward_fraction}, // its older name
+    {"x_real", part(&ModeShape::x, true)},
+    {"x_imag", part(&ModeShape::x, false)},
+    {"y_real", part(&ModeShape::y, true)},
+    {"y_imag", part(&ModeShape::y, false)},
+    {"dissipation", [](const ModeShape &mode) { return json_list(mode.dissipation, json_of); }}};
 
 /// The same with the speed of each: those at critical speeds.
 Columns<ModeShape> critical_columns() {
     Columns<ModeShape> columns = shape_columns;
-    columns.insert(columns.begin() + 1,
-                   {"", "", {"at (rpm)", "{:.8g}"}, {"at rpm", "{:.8g}"}, [](const auto &mode) {
-                        return mode.at * rpm;
-                    }});
+    columns.insert(columns.begin() + 1, {OnPage("at (rpm)", "{:.8g}"), InText("at rpm", "{:.8g}"),
+                                         in(rpm, &ModeShape::at)});
     return columns;
 }
 
@@ -123,16 +116,16 @@ struct Deflection {
 };
 
 const Columns<Deflection> deflection_columns{
-    {"", "speed [rad/s]", {}, {}, &Deflection::speed},
-    {"", "mode", {}, {}, [](const auto &at) { return known_name(at.mode.label); }},
-    {"", "frequency [rad/s]", {}, {}, [](const auto &at) { return frequency(at.mode); }},
-    {"", "real [1/s]", {}, {}, [](const auto &at) { return real_part(at.mode); }},
-    {"", "whirl", {}, {}, [](const auto &at) { return at.mode.whirl; }},
-    {"", "z [m]", {}, {}, &Deflection::z},
-    {"", "x_real", {}, {}, [](const auto &at) { return at.x.real(); }},
-    {"", "x_imag", {}, {}, [](const auto &at) { return at.x.imag(); }},
-    {"", "y_real", {}, {}, [](const auto &at) { return at.y.real(); }},
-    {"", "y_imag", {}, {}, [](const auto &at) { return at.y.imag(); }}};
+    {InCsv("speed [rad/s]"), &Deflection::speed},
+    {InCsv("mode"), [](const auto &at) { return known_name(at.mode.label); }},
+    {InCsv("frequency [rad/s]"), [](const auto &at) { return frequency(at.mode); }},
+    {InCsv("real [1/s]"), [](const auto &at) { return real_part(at.mode); }},
+    {InCsv("whirl"), [](const auto &at) { return at.mode.whirl; }},
+    {InCsv("z [m]"), &Deflection::z},
+    {InCsv("x_real"), [](const auto &at) { return at.x.real(); }},
+    {InCsv("x_imag"), [](const auto &at) { return at.x.imag(); }},
+    {InCsv("y_real"), [](const auto &at) { return at.y.real(); }},
+    {InCsv("y_imag"), [](const auto &at) { return at.y.imag(); }}};
 
 std::string csv_of(const ModesResult &result) {
     std::vector<Deflection> rows;

@@ -30,15 +30,12 @@ struct RowUnit {
 };
 
 RowUnit unit_of(const RigidLimitRow &row) {
-    for (const auto &[unit, quantity] : {std::pair{"rad/s", "speed"}, std::pair{"m", "length"},
-                                         std::pair{"kg", "mass"}, std::pair{"kg m2", "inertia"}})
-        if (row.unit == unit)
-            return {unit_name(quantity, row.unit), written_factor(quantity).value_or(1)};
-    return {row.unit};
+    const std::string quantity = quantity_in(row.unit);
+    return {unit_name(quantity, row.unit), written_factor(quantity).value_or(1)};
 }
 
 Json in_unit(const RigidLimitRow &row, std::optional<double> value) {
-    return value ? Json(*value * unit_of(row).factor) : Json();
+    return times(unit_of(row).factor, value);
 }
 Json closed_form(const RigidLimitRow &row) { return in_unit(row, row.closed_form); }
 Json rigid_model(const RigidLimitRow &row) { return in_unit(row, row.rigid); }
@@ -54,53 +51,50 @@ std::string label(const RigidLimitRow &row) {
 
 /// First and last point of every row, and the rate.
 const Columns<RigidLimitRow> stiffness_columns{
-    {"", "", {"Quantity"}, {}, label},
-    {"", "", {}, {"quantity"}, label},
-    {"quantity", "", {}, {}, &RigidLimitRow::quantity},
-    {"unit", "", {}, {}, &RigidLimitRow::unit},
-    {"", "", {"closed form", "{:.10g}"}, {"closed form", precise}, closed_form},
-    {"closed_form", "", {}, {}, &RigidLimitRow::closed_form},
-    {"fe", "", {}, {}, &RigidLimitRow::fe},
-    {"stiffness", "", {}, {}, &RigidLimitRow::stiffness},
-    {"stiffness_factor", "", {}, {}, &RigidLimitRow::factor},
-    {"relative_difference", "", {}, {}, &RigidLimitRow::relative_difference},
-    {"rounding", "", {}, {}, &RigidLimitRow::rounding},
-    {"", "", {"softest shaft", "{:.10g}"}, {"softest shaft", precise}, first},
-    {"", "", {"difference", "{:.3g}"}, {"difference", rough}, first_difference},
-    {"", "", {"stiffest shaft", "{:.10g}"}, {"stiffest shaft", precise}, last},
-    {"", "", {"difference", "{:.3g}"}, {"difference", rough}, last_difference},
-    {"rate", "", {"rate", "{:.5g}"}, {"rate", "{:.4f}"}, &RigidLimitRow::rate},
-    {"order", "", {}, {}, &RigidLimitRow::order},
-    {"", "", {"rigid model", "{:.12g}"}, {}, rigid_model},
-    {"rigid_fe", "", {}, {}, &RigidLimitRow::rigid}};
+    {OnPage("Quantity"), label},
+    {InText("quantity"), label},
+    {"quantity", &RigidLimitRow::quantity},
+    {"unit", &RigidLimitRow::unit},
+    {OnPage("closed form", "{:.10g}"), InText("closed form", precise), closed_form},
+    {"closed_form", &RigidLimitRow::closed_form},
+    {"fe", &RigidLimitRow::fe},
+    {"stiffness", &RigidLimitRow::stiffness},
+    {"stiffness_factor", &RigidLimitRow::factor},
+    {"relative_difference", &RigidLimitRow::relative_difference},
+    {"rounding", &RigidLimitRow::rounding},
+    {OnPage("softest shaft", "{:.10g}"), InText("softest shaft", precise), first},
+    {OnPage("difference", "{:.3g}"), InText("difference", rough), first_difference},
+    {OnPage("stiffest shaft", "{:.10g}"), InText("stiffest shaft", precise), last},
+    {OnPage("difference", "{:.3g}"), InText("difference", rough), last_difference},
+    {"rate", OnPage("rate", "{:.5g}"), InText("rate", "{:.4f}"), &RigidLimitRow::rate},
+    {"order", &RigidLimitRow::order},
+    {OnPage("rigid model", "{:.12g}"), rigid_model},
+    {"rigid_fe", &RigidLimitRow::rigid}};
 
 const Columns<RigidLimitRow> mesh_columns{
-    {"", "", {"Quantity"}, {}, label},
-    {"", "", {}, {"quantity"}, label},
-    {"quantity", "", {}, {}, &RigidLimitRow::quantity},
-    {"unit", "", {}, {}, &RigidLimitRow::unit},
-    {"",
-     "",
-     {"elements of"},
-     {},
+    {OnPage("Quantity"), label},
+    {InText("quantity"), label},
+    {"quantity", &RigidLimitRow::quantity},
+    {"unit", &RigidLimitRow::unit},
+    {OnPage("elements of"),
      [](const RigidLimitRow &row) {
          return row.order == 1 ? "classical" : fmt::format("order {}", row.order);
      }},
-    {"", "", {"closed form", "{:.10g}"}, {"closed form", precise}, closed_form},
-    {"closed_form", "", {}, {}, &RigidLimitRow::closed_form},
-    {"order", "", {}, {"order"}, &RigidLimitRow::order},
-    {"fe", "", {}, {}, &RigidLimitRow::fe},
-    {"elements", "", {}, {}, &RigidLimitRow::elements},
-    {"stiffness_factor", "", {}, {}, &RigidLimitRow::factor},
-    {"relative_difference", "", {}, {}, &RigidLimitRow::relative_difference},
-    {"rounding", "", {}, {}, &RigidLimitRow::rounding},
-    {"", "", {}, {"elements"}, [](const auto &row) { return row.elements.front(); }},
-    {"", "", {"finest mesh", "{:.10g}"}, {}, first},
-    {"", "", {"difference", "{:.3g}"}, {"difference", rough}, first_difference},
-    {"", "", {}, {"elements"}, [](const auto &row) { return row.elements.back(); }},
-    {"", "", {"coarsest mesh", "{:.10g}"}, {}, last},
-    {"", "", {"difference", "{:.3g}"}, {"difference", rough}, last_difference},
-    {"rate", "", {"slope", "{:.5g}"}, {}, &RigidLimitRow::rate}};
+    {OnPage("closed form", "{:.10g}"), InText("closed form", precise), closed_form},
+    {"closed_form", &RigidLimitRow::closed_form},
+    {"order", InText("order"), &RigidLimitRow::order},
+    {"fe", &RigidLimitRow::fe},
+    {"elements", &RigidLimitRow::elements},
+    {"stiffness_factor", &RigidLimitRow::factor},
+    {"relative_difference", &RigidLimitRow::relative_difference},
+    {"rounding", &RigidLimitRow::rounding},
+    {InText("elements"), [](const auto &row) { return row.elements.front(); }},
+    {OnPage("finest mesh", "{:.10g}"), first},
+    {OnPage("difference", "{:.3g}"), InText("difference", rough), first_difference},
+    {InText("elements"), [](const auto &row) { return row.elements.back(); }},
+    {OnPage("coarsest mesh", "{:.10g}"), last},
+    {OnPage("difference", "{:.3g}"), InText("difference", rough), last_difference},
+    {"rate", OnPage("slope", "{:.5g}"), &RigidLimitRow::rate}};
 
 bool of_mesh(const RigidLimitRow &row) { return !row.elements.empty(); }
 
@@ -122,26 +116,20 @@ struct Point {
 };
 
 const Columns<Point> point_columns{
-    {"", "quantity", {}, {}, [](const Point &at) { return at.row.quantity; }},
-    {"", "unit", {}, {}, [](const Point &at) { return unit_of(at.row).name; }},
-    {"", "order", {}, {}, [](const Point &at) { return at.row.order; }},
-    {"", "elements", {}, {}, &Point::elements},
-    {"", "factor of E and G", {}, {}, [](const Point &at) { return at.row.factor[at.index]; }},
-    {"",
-     "stiffness [N/m]",
-     {},
-     {},
+    {InCsv("quantity"), [](const Point &at) { return at.row.quantity; }},
+    {InCsv("unit"), [](const Point &at) { return unit_of(at.row).name; }},
+    {InCsv("order"), [](const Point &at) { return at.row.order; }},
+    {InCsv("elements"), &Point::elements},
+    {InCsv("factor of E and G"), [](const Point &at) { return at.row.factor[at.index]; }},
+    {InCsv("stiffness [N/m]"),
      [](const Point &at) {
          return at.row.stiffness.empty() ? Json() : Json(at.row.stiffness[at.index]);
      }},
-    {"", "closed form", {}, {}, [](const Point &at) { return closed_form(at.row); }},
-    {"", "model", {}, {}, [](const Point &at) { return in_unit(at.row, at.row.fe[at.index]); }},
-    {"",
-     "relative difference",
-     {},
-     {},
+    {InCsv("closed form"), [](const Point &at) { return closed_form(at.row); }},
+    {InCsv("model"), [](const Point &at) { return in_unit(at.row, at.row.fe[at.index]); }},
+    {InCsv("relative difference"),
      [](const Point &at) { return at.row.relative_difference[at.index]; }},
-    {"", "rate", {}, {}, [](const Point &at) { return at.row.rate; }}};
+    {InCsv("rate"), [](const Point &at) { return at.row.rate; }}};
 
 std::string csv_of(const RigidLimitResult &result) {
     std::vector<Point> points;

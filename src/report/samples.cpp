@@ -29,9 +29,9 @@ std::string of_and_name(const SampledAnswer &answer) {
                                      : answer.name;
 }
 
-const Columns<SampleQuantile> quantile_columns{{"p", "", {}, {}, &SampleQuantile::share},
-                                               {"value", "", {}, {}, &SampleQuantile::value},
-                                               {"interval", "", {}, {}, [](const auto &q) {
+const Columns<SampleQuantile> quantile_columns{{"p", &SampleQuantile::share},
+                                               {"value", &SampleQuantile::value},
+                                               {"interval", [](const auto &q) {
                                                     return Json::array({q.low, q.high});
                                                 }}};
 
@@ -42,57 +42,35 @@ UnitHeading unit_of(const SampledAnswer &answer) {
         unit = {unit_name("amplitude", "µm"), micrometres, true};
     return unit;
 }
-std::optional<double> times(std::optional<double> value, double factor) {
-    return value ? std::optional(*value * factor) : std::nullopt;
-}
 auto in_its_unit(std::optional<double> SampledAnswer::*of) {
-    return [of](const SampledAnswer &answer) { return times(answer.*of, unit_of(answer).factor); };
+    return [of](const SampledAnswer &answer) { return times(unit_of(answer).factor, answer.*of); };
 }
 
 const Columns<SampledAnswer> answer_columns{
-    {"of", "", {}, {}, &SampledAnswer::of},
-    {"name", "", {}, {}, &SampledAnswer::name},
-    {"", "", {"Answer"}, {"answer"}, of_and_name},
-    {"unit", "", {}, {}, &SampledAnswer::unit},
-    {"", "", {"unit"}, {"unit"}, [](const auto &answer) { return unit_of(answer).text; }},
-    {"nominal", "", {}, {}, &SampledAnswer::nominal},
-    {"",
-     "",
-     {"case as it is", "{:.10g}"},
-     {"case as is", precise},
+    {"of", &SampledAnswer::of},
+    {"name", &SampledAnswer::name},
+    {OnPage("Answer"), InText("answer"), of_and_name},
+    {"unit", &SampledAnswer::unit},
+    {ForReaders("unit"), [](const auto &answer) { return unit_of(answer).text; }},
+    {"nominal", &SampledAnswer::nominal},
+    {OnPage("case as it is", "{:.10g}"), InText("case as is", precise),
      in_its_unit(&SampledAnswer::nominal)},
-    {"nominal_error",
-     "",
-     {"its relative error", "{:.2g}"},
-     {"rel. error", rough},
+    {"nominal_error", OnPage("its relative error", "{:.2g}"), InText("rel. error", rough),
      &SampledAnswer::nominal_error},
-    {"quantiles",
-     "",
-     {},
-     {},
-     [](const auto &answer) { return json_rows(quantile_columns, answer.quantiles); }},
-    {"mean", "", {}, {}, &SampledAnswer::mean},
-    {"", "", {"mean", "{:.6g}"}, {"mean"}, in_its_unit(&SampledAnswer::mean)},
-    {"mean_error", "", {}, {}, &SampledAnswer::mean_error},
-    {"",
-     "",
-     {"± (95 %)", "{:.2g}"},
-     {"+- 95 %", "{:.2g}"},
+    {"quantiles", [](const auto &answer) { return json_rows(quantile_columns, answer.quantiles); }},
+    {"mean", &SampledAnswer::mean},
+    {OnPage("mean", "{:.6g}"), InText("mean"), in_its_unit(&SampledAnswer::mean)},
+    {"mean_error", &SampledAnswer::mean_error},
+    {OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
      in_its_unit(&SampledAnswer::mean_error)},
-    {"deviation", "", {}, {}, &SampledAnswer::deviation},
-    {"",
-     "",
-     {"standard deviation", "{:.4g}"},
-     {"deviation"},
+    {"deviation", &SampledAnswer::deviation},
+    {OnPage("standard deviation", "{:.4g}"), InText("deviation"),
      in_its_unit(&SampledAnswer::deviation)},
-    {"deviation_error", "", {}, {}, &SampledAnswer::deviation_error},
-    {"",
-     "",
-     {"± (95 %)", "{:.2g}"},
-     {"+- 95 %", "{:.2g}"},
+    {"deviation_error", &SampledAnswer::deviation_error},
+    {OnPage("± (95 %)", "{:.2g}"), InText("+- 95 %", "{:.2g}"),
      in_its_unit(&SampledAnswer::deviation_error)},
-    {"present", "", {"samples"}, {"samples"}, &SampledAnswer::present},
-    {"values", "", {}, {}, &SampledAnswer::values}};
+    {"present", ForReaders("samples"), &SampledAnswer::present},
+    {"values", &SampledAnswer::values}};
 
 /// A quantile with its answer, for readers.
 struct SampleLine {
@@ -102,7 +80,7 @@ struct SampleLine {
 
 auto in_its_unit(auto SampleQuantile::*of) {
     return [of](const SampleLine &line) {
-        return times(line.quantile.*of, unit_of(line.answer).factor);
+        return times(unit_of(line.answer).factor, line.quantile.*of);
     };
 }
 
@@ -112,21 +90,15 @@ Json in_rpm(const SampleLine &line) {
 }
 
 const Columns<SampleLine> sample_line_columns{
-    {"",
-     "",
-     {"Answer"},
-     {"answer"},
+    {OnPage("Answer"), InText("answer"),
      [](const SampleLine &line) { return of_and_name(line.answer); }},
-    {"",
-     "",
-     {"quantile"},
-     {"quantile"},
+    {ForReaders("quantile"),
      [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
-    {"", "", {"rpm", "{:.6g}"}, {"rpm"}, in_rpm},
-    {"", "", {"value", "{:.6g}"}, {"value"}, in_its_unit(&SampleQuantile::value)},
-    {"", "", {"unit"}, {"unit"}, [](const SampleLine &line) { return unit_of(line.answer).text; }},
-    {"", "", {"95 % from", "{:.6g}"}, {"95 % from"}, in_its_unit(&SampleQuantile::low)},
-    {"", "", {"to", "{:.6g}"}, {"to"}, in_its_unit(&SampleQuantile::high)}};
+    {OnPage("rpm", "{:.6g}"), InText("rpm"), in_rpm},
+    {OnPage("value", "{:.6g}"), InText("value"), in_its_unit(&SampleQuantile::value)},
+    {ForReaders("unit"), [](const SampleLine &line) { return unit_of(line.answer).text; }},
+    {OnPage("95 % from", "{:.6g}"), InText("95 % from"), in_its_unit(&SampleQuantile::low)},
+    {OnPage("to", "{:.6g}"), InText("to"), in_its_unit(&SampleQuantile::high)}};
 
 std::vector<SampleLine> lines_of(const SamplesResult &result) {
     std::vector<SampleLine> lines;
@@ -137,24 +109,19 @@ std::vector<SampleLine> lines_of(const SamplesResult &result) {
 }
 
 const Columns<SampledInput> input_columns{
-    {"path", "", {"Entry"}, {}, &SampledInput::path},
-    {"unit", "", {"unit"}, {}, &SampledInput::unit},
-    {"distribution", "", {"distribution"}, {}, &SampledInput::distribution},
-    {"values", "", {}, {}, &SampledInput::values}};
+    {"path", OnPage("Entry"), &SampledInput::path},
+    {"unit", OnPage("unit"), &SampledInput::unit},
+    {"distribution", OnPage("distribution"), &SampledInput::distribution},
+    {"values", &SampledInput::values}};
 
 const Columns<SampleFailure> failure_columns{
-    {"message", "", {"Why samples failed"}, {"why samples failed"}, &SampleFailure::message},
-    {"count",
-     "",
-     {"how many"},
-     {"how many"},
+    {"message", OnPage("Why samples failed"), InText("why samples failed"),
+     &SampleFailure::message},
+    {"count", ForReaders("how many"),
      [](const SampleFailure &failure) { return failure.samples.size(); }},
-    {"",
-     "",
-     {"the first (counted from 0)"},
-     {"the first"},
+    {OnPage("the first (counted from 0)"), InText("the first"),
      [](const SampleFailure &failure) { return failure.samples.front(); }},
-    {"samples", "", {}, {}, &SampleFailure::samples}};
+    {"samples", &SampleFailure::samples}};
 
 /// Heading in the file: names may hold commas.
 std::string with_unit(const std::string &name, const std::string &unit) {
@@ -163,9 +130,9 @@ std::string with_unit(const std::string &name, const std::string &unit) {
 
 /// A line a sample; its columns are the inputs and answers.
 Columns<int> sample_columns(const SamplesResult &result) {
-    Columns<int> columns{{"", "sample", {}, {}, [](int sample) { return sample; }}};
+    Columns<int> columns{{InCsv("sample"), [](int sample) { return sample; }}};
     const auto column = [&columns](const std::string &heading, const auto &values) {
-        columns.push_back({"", heading, {}, {}, [&values](int sample) {
+        columns.push_back({InCsv(heading), [&values](int sample) {
                                return Json(values.at(static_cast<std::size_t>(sample)));
                            }});
     };
@@ -174,7 +141,7 @@ Columns<int> sample_columns(const SamplesResult &result) {
     for (const SampledAnswer &answer : result.answers)
         column(with_unit(of_and_name(answer), answer.unit), answer.values);
     columns.push_back(
-        {"", "failure", {}, {}, [&result](int sample) {
+        {InCsv("failure"), [&result](int sample) {
              for (const SampleFailure &failure : result.failures)
                  if (std::binary_search(failure.samples.begin(), failure.samples.end(), sample))
                      return failure.message;

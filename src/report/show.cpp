@@ -24,33 +24,22 @@ using results::ShowResult;
 namespace {
 
 const Columns<ShowResult> show_columns{
-    {"mass", "mass [kg]", {"Mass", "{:.8g} kg"}, {"mass", "{:.6g} kg"}, &ShowResult::mass},
-    {"",
-     "",
-     {"of it the shaft", "{:.8g} kg"},
-     {"of the shaft", "{:.6g} kg"},
+    {"mass", InCsv("mass [kg]"), OnPage("Mass", "{:.8g} kg"), InText("mass", "{:.6g} kg"),
+     &ShowResult::mass},
+    {OnPage("of it the shaft", "{:.8g} kg"), InText("of the shaft", "{:.6g} kg"),
      &ShowResult::shaft_mass},
-    {"", "", {"Length of the shaft", "{:.8g} m"}, {"length", "{:.6g} m"}, &ShowResult::length},
-    {"center_of_mass",
-     "center_of_mass [m]",
-     {"Centre of mass, z", "{:.8g} m"},
-     {"centre of mass", "z = {:.6g} m"},
-     &ShowResult::center_of_mass},
-    {"Id",
-     "Id [kg m2]",
-     {"Diametral inertia about it", "{:.8g} kg m²"},
-     {"diametral inertia Id", "{:.6g} kg m2"},
-     &ShowResult::Id},
-    {"Ip",
-     "Ip [kg m2]",
-     {"Polar inertia", "{:.8g} kg m²"},
-     {"polar inertia Ip", "{:.6g} kg m2"},
-     &ShowResult::Ip},
-    {"type", "type", {"Type"}, {}, &ShowResult::type},
-    {"shaft_mass", "shaft_mass [kg]", {}, {}, &ShowResult::shaft_mass},
-    {"length", "length [m]", {}, {}, &ShowResult::length},
-    {"dI", "", {}, {}, &ShowResult::dI},
-    {"dI_angle", "", {}, {}, &ShowResult::dI_angle}};
+    {OnPage("Length of the shaft", "{:.8g} m"), InText("length", "{:.6g} m"), &ShowResult::length},
+    {"center_of_mass", InCsv("center_of_mass [m]"), OnPage("Centre of mass, z", "{:.8g} m"),
+     InText("centre of mass", "z = {:.6g} m"), &ShowResult::center_of_mass},
+    {"Id", InCsv("Id [kg m2]"), OnPage("Diametral inertia about it", "{:.8g} kg m²"),
+     InText("diametral inertia Id", "{:.6g} kg m2"), &ShowResult::Id},
+    {"Ip", InCsv("Ip [kg m2]"), OnPage("Polar inertia", "{:.8g} kg m²"),
+     InText("polar inertia Ip", "{:.6g} kg m2"), &ShowResult::Ip},
+    {"type", InCsv("type"), OnPage("Type"), &ShowResult::type},
+    {"shaft_mass", InCsv("shaft_mass [kg]"), &ShowResult::shaft_mass},
+    {"length", InCsv("length [m]"), &ShowResult::length},
+    {"dI", &ShowResult::dI},
+    {"dI_angle", &ShowResult::dI_angle}};
 
 /// Two ends in one cell.
 std::string interval(const std::optional<results::Interval> &of, const char *format) {
@@ -79,76 +68,46 @@ std::string position_text(const BalancerNumbers &balancer) {
 }
 
 const Columns<BalancerNumbers> balancer_columns{
-    {"", "", {}, {"balancer"}, name_of},
-    {"name", "", {}, {}, &BalancerNumbers::name},
-    {"z", "", {"Place, z", "{:.8g} m"}, {"z (m)"}, &BalancerNumbers::z},
-    {"E", "", {"Capacity E", "{:.8g}", "∞"}, {"E", "{:.6g}", "infinite"}, &BalancerNumbers::E},
-    {"", "", {"Balanced position of the balls"}, {}, position_text},
-    {"D_c",
-     "",
-     {"Second harmonic D: cosine part", "{:.8g}"},
-     {"D_c"},
+    {InText("balancer"), name_of},
+    {"name", &BalancerNumbers::name},
+    {"z", OnPage("Place, z", "{:.8g} m"), InText("z (m)"), &BalancerNumbers::z},
+    {"E", OnPage("Capacity E", "{:.8g}", "∞"), InText("E", "{:.6g}", "infinite"),
+     &BalancerNumbers::E},
+    {OnPage("Balanced position of the balls"), position_text},
+    {"D_c", OnPage("Second harmonic D: cosine part", "{:.8g}"), InText("D_c"),
      [](const auto &b) { return b.D ? Json(b.D->real()) : Json(); }},
-    {"D_s",
-     "",
-     {"Second harmonic D: sine part", "{:.8g}"},
-     {"D_s"},
+    {"D_s", OnPage("Second harmonic D: sine part", "{:.8g}"), InText("D_s"),
      [](const auto &b) { return b.D ? Json(b.D->imag()) : Json(); }},
-    {"D_interval", "", {}, {}, &BalancerNumbers::D_interval},
-    {"",
-     "",
-     {"|D| over all balanced positions"},
-     {},
+    {"D_interval", &BalancerNumbers::D_interval},
+    {OnPage("|D| over all balanced positions"),
      ends(&BalancerNumbers::D_interval, "{:.8g} … {:.8g}")},
-    {"", "", {}, {"|D| of the family"}, ends(&BalancerNumbers::D_interval, "{:.6g} ... {:.6g}")},
-    {"dA",
-     "",
-     {"Anisotropy |A_m0 + A_m D|/2", "{:.8g} kg m²", "∞"},
-     {"dA (kg m2)"},
+    {InText("|D| of the family"), ends(&BalancerNumbers::D_interval, "{:.6g} ... {:.6g}")},
+    {"dA", OnPage("Anisotropy |A_m0 + A_m D|/2", "{:.8g} kg m²", "∞"), InText("dA (kg m2)"),
      &BalancerNumbers::dA},
-    {"dA_interval", "", {}, {}, &BalancerNumbers::dA_interval},
-    {"",
-     "",
-     {"over all balanced positions"},
-     {},
+    {"dA_interval", &BalancerNumbers::dA_interval},
+    {OnPage("over all balanced positions"),
      ends(&BalancerNumbers::dA_interval, "{:.8g} … {:.8g} kg m²")},
-    {"", "", {}, {"dA of the family"}, ends(&BalancerNumbers::dA_interval, "{:.6g} ... {:.6g}")},
-    {"dA_paper",
-     "",
-     {"with the unsigned |D|", "{:.8g} kg m²", "∞"},
-     {},
-     &BalancerNumbers::dA_paper},
-    {"",
-     "",
-     {"Mass of the rest of the rotor", "{:.8g} kg"},
-     {},
+    {InText("dA of the family"), ends(&BalancerNumbers::dA_interval, "{:.6g} ... {:.6g}")},
+    {"dA_paper", OnPage("with the unsigned |D|", "{:.8g} kg m²", "∞"), &BalancerNumbers::dA_paper},
+    {OnPage("Mass of the rest of the rotor", "{:.8g} kg"),
      [](const auto &b) { return b.bare.mass; }},
-    {"",
-     "",
-     {"its diametral inertia", "{:.8g} kg m²"},
-     {},
-     [](const auto &b) { return b.bare.Id; }},
-    {"", "", {"its polar inertia", "{:.8g} kg m²"}, {}, [](const auto &b) { return b.bare.Ip; }},
-    {"",
-     "",
-     {"from its centre of mass to the balancer", "{:.8g} m"},
-     {},
+    {OnPage("its diametral inertia", "{:.8g} kg m²"), [](const auto &b) { return b.bare.Id; }},
+    {OnPage("its polar inertia", "{:.8g} kg m²"), [](const auto &b) { return b.bare.Ip; }},
+    {OnPage("from its centre of mass to the balancer", "{:.8g} m"),
      [](const auto &b) { return b.bare.z_GA; }},
-    {"position", "", {}, {}, &BalancerNumbers::position}};
+    {"position", &BalancerNumbers::position}};
 
 /// @param on_terminal  empty: on the page alone
 Column<BalancerNumbers> dimensionless(const char *key, const char *on_page, const char *on_terminal,
                                       auto DimensionlessNumbers::*of) {
     const bool there = *on_terminal != '\0';
-    return {key,
-            "",
-            {on_page, "{:.8g}", "∞"},
-            there ? Shown(on_terminal, "{:.6g}", "infinite") : Shown(),
+    return {key, OnPage(on_page, "{:.8g}", "∞"),
+            there ? InText(on_terminal, "{:.6g}", "infinite") : InText(),
             [of](const BalancerNumbers &b) { return b.dimensionless.*of; }};
 }
 
 const Columns<BalancerNumbers> dimensionless_columns{
-    {"", "", {}, {"balancer"}, name_of},
+    {InText("balancer"), name_of},
     dimensionless("C", "C", "C", &DimensionlessNumbers::C),
     dimensionless("A", "A", "A", &DimensionlessNumbers::A),
     dimensionless("A_m", "A_m", "A_m", &DimensionlessNumbers::A_m),
@@ -164,25 +123,15 @@ const Columns<BalancerNumbers> dimensionless_columns{
 
 /// The anisotropy alone, before and after what there may be several of.
 const Columns<AnisotropyChart> chart_columns{
-    {"C", "", {"Polar over mean diametral inertia, C", "{:.8g}", "∞"}, {}, &AnisotropyChart::C},
-    {"A",
-     "",
-     {"Anisotropy over the mean diametral inertia", "{:.8g}", "∞"},
-     {},
+    {"C", OnPage("Polar over mean diametral inertia, C", "{:.8g}", "∞"), &AnisotropyChart::C},
+    {"A", OnPage("Anisotropy over the mean diametral inertia", "{:.8g}", "∞"),
      &AnisotropyChart::anisotropy},
-    {"p",
-     "",
-     {"Natural frequency of tilt at rest, p", "{:.8g} rad/s", "∞"},
-     {},
-     &AnisotropyChart::p},
-    {"h",
-     "",
-     {"Tilt damping over the mean diametral inertia, h", "{:.8g} 1/s", "∞"},
-     {},
+    {"p", OnPage("Natural frequency of tilt at rest, p", "{:.8g} rad/s", "∞"), &AnisotropyChart::p},
+    {"h", OnPage("Tilt damping over the mean diametral inertia, h", "{:.8g} 1/s", "∞"),
      &AnisotropyChart::h},
-    {"critical_speeds", "", {}, {}, &AnisotropyChart::critical_speeds},
-    {"permissible", "", {}, {}, &AnisotropyChart::permissible},
-    {"permissible_speed", "", {}, {}, &AnisotropyChart::permissible_speed}};
+    {"critical_speeds", &AnisotropyChart::critical_speeds},
+    {"permissible", &AnisotropyChart::permissible},
+    {"permissible_speed", &AnisotropyChart::permissible_speed}};
 
 Texts chart_lines(const AnisotropyChart &chart) {
     const auto number = [](double value) { return shown(value, {"", "{:.8g}", "∞"}, "–"); };
@@ -223,7 +172,7 @@ std::string
 curves_csv(const std::vector<std::pair<std::string, const std::vector<double> *>> &curves) {
     Columns<std::size_t> all;
     for (const auto &[name, values] : curves)
-        all.push_back({"", name, {}, {}, [list = values](const std::size_t &, std::size_t i) {
+        all.push_back({InCsv(name), [list = values](const std::size_t &, std::size_t i) {
                            return i < list->size() ? Json((*list)[i]) : Json();
                        }});
     return csv_table(all, std::vector<std::size_t>(curves.front().second->size()));

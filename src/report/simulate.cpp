@@ -38,100 +38,60 @@ std::string text_angles(const std::vector<double> &angles) {
 
 /// The motion as a whole.
 const Columns<SimulateResult> outcome_columns{
-    {"outcome",
-     "",
-     {"Outcome"},
-     {},
+    {"outcome", OnPage("Outcome"),
      [](const auto &result) { return results::outcome_name(result.outcome); }},
-    {"evidence", "", {}, {}, &SimulateResult::evidence},
-    {"residual_ratio",
-     "",
-     {"Amplitude left over that without balls", "{:.5g}"},
-     {},
+    {"evidence", &SimulateResult::evidence},
+    {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"),
      &SimulateResult::residual_ratio},
-    {"impacts", "", {"Impacts between balls", "{}"}, {}, &SimulateResult::impacts},
-    {"trend",
-     "",
-     {"Growth of the amplitude over the last half (1/s)", "{:.4g}"},
-     {},
+    {"impacts", OnPage("Impacts between balls", "{}"), &SimulateResult::impacts},
+    {"trend", OnPage("Growth of the amplitude over the last half (1/s)", "{:.4g}"),
      &SimulateResult::trend},
-    {"linear_growth",
-     "",
-     {"Growth at the balanced position by its eigenvalues (1/s)", "{:.4g}"},
-     {},
+    {"linear_growth", OnPage("Growth at the balanced position by its eigenvalues (1/s)", "{:.4g}"),
      &SimulateResult::linear_growth},
-    {"decision_time",
-     "",
-     {"Time that would decide (s)", "{:.3g}"},
-     {},
+    {"decision_time", OnPage("Time that would decide (s)", "{:.3g}"),
      &SimulateResult::decision_time},
-    {"time", "", {}, {}, &SimulateResult::time},
-    {"speed", "", {}, {}, &SimulateResult::speed},
-    {"revolutions", "", {}, {}, &SimulateResult::revolutions},
-    {"start_angles", "", {}, {}, &SimulateResult::start_angles},
-    {"",
-     "",
-     {"Time"},
-     {},
+    {"time", &SimulateResult::time},
+    {"speed", &SimulateResult::speed},
+    {"revolutions", &SimulateResult::revolutions},
+    {"start_angles", &SimulateResult::start_angles},
+    {OnPage("Time"),
      [](const auto &result) {
          return fmt::format("{:.6g} s, {:.6g} revolutions", result.time, result.revolutions);
      }},
-    {"", "", {"Speed at the end", "{:.7g} rpm"}, {}, [](const auto &result) {
-         return result.speed * rpm;
-     }}};
+    {OnPage("Speed at the end", "{:.7g} rpm"), in(rpm, &SimulateResult::speed)}};
 
 const Columns<BalancerMotion> balancer_motion_columns{
-    {"",
-     "",
-     {},
-     {"balancer"},
-     [](const auto &b) { return b.name.empty() ? place("", b.z) : b.name; }},
-    {"name", "", {"Name"}, {}, &BalancerMotion::name},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &BalancerMotion::z},
-    {"kind", "", {"Kind"}, {"kind"}, &BalancerMotion::kind},
-    {"coordinates", "", {}, {}, &BalancerMotion::coordinates},
-    {"E", "", {"Capacity E", "{:.5g}"}, {"capacity E", "{:.4g}"}, &BalancerMotion::capacity},
-    {"angles", "", {}, {}, &BalancerMotion::angles},
-    {"rates", "", {}, {}, &BalancerMotion::rates},
-    {"swing", "", {}, {}, &BalancerMotion::swing},
-    {"", "", {"Final angles (deg)"}, {}, [](const auto &b) { return page_angles(b.angles); }},
-    {"amplitude", "", {}, {}, &BalancerMotion::amplitude},
-    {"amplitude_without_balls", "", {}, {}, &BalancerMotion::reference},
-    {"",
-     "",
-     {"Amplitude at the end (µm)", "{:.5g}"},
-     {"amplitude µm", "{:.4g}"},
-     [](const auto &b) { return b.amplitude * micrometres; }},
-    {"",
-     "",
-     {"without balls (µm)", "{:.5g}"},
-     {"without balls µm", "{:.4g}"},
-     [](const auto &b) { return b.reference * micrometres; }},
-    {"", "", {}, {"final angles in the rotor, deg"}, [](const auto &b) {
-         return text_angles(b.angles);
-     }}};
+    {InText("balancer"), [](const auto &b) { return b.name.empty() ? place("", b.z) : b.name; }},
+    {"name", OnPage("Name"), &BalancerMotion::name},
+    {"z", OnPage("z (m)", "{:.5g}"), &BalancerMotion::z},
+    {"kind", OnPage("Kind"), InText("kind"), &BalancerMotion::kind},
+    {"coordinates", &BalancerMotion::coordinates},
+    {"E", OnPage("Capacity E", "{:.5g}"), InText("capacity E", "{:.4g}"),
+     &BalancerMotion::capacity},
+    {"angles", &BalancerMotion::angles},
+    {"rates", &BalancerMotion::rates},
+    {"swing", &BalancerMotion::swing},
+    {OnPage("Final angles (deg)"), [](const auto &b) { return page_angles(b.angles); }},
+    {"amplitude", &BalancerMotion::amplitude},
+    {"amplitude_without_balls", &BalancerMotion::reference},
+    {OnPage("Amplitude at the end (µm)", "{:.5g}"), InText("amplitude µm", "{:.4g}"),
+     in(micrometres, &BalancerMotion::amplitude)},
+    {OnPage("without balls (µm)", "{:.5g}"), InText("without balls µm", "{:.4g}"),
+     in(micrometres, &BalancerMotion::reference)},
+    {InText("final angles in the rotor, deg"),
+     [](const auto &b) { return text_angles(b.angles); }}};
 
 const Columns<OtherStart> start_columns{
-    {"start_angles", "", {}, {}, &OtherStart::start_angles},
-    {"",
-     "",
-     {"Start (deg)"},
-     {},
-     [](const auto &start) { return page_angles(start.start_angles); }},
-    {"outcome",
-     "",
-     {"Outcome"},
-     {},
+    {"start_angles", &OtherStart::start_angles},
+    {OnPage("Start (deg)"), [](const auto &start) { return page_angles(start.start_angles); }},
+    {"outcome", OnPage("Outcome"),
      [](const auto &start) { return results::outcome_name(start.outcome); }},
-    {"evidence", "", {}, {}, &OtherStart::evidence},
-    {"residual_ratio",
-     "",
-     {"Amplitude left over that without balls", "{:.5g}"},
-     {},
+    {"evidence", &OtherStart::evidence},
+    {"residual_ratio", OnPage("Amplitude left over that without balls", "{:.5g}"),
      &OtherStart::residual_ratio},
-    {"balls", "", {}, {}, &OtherStart::angles},
-    {"amplitude", "", {}, {}, &OtherStart::amplitude},
-    {"", "", {"Final angles (deg)"}, {}, [](const auto &start) {
+    {"balls", &OtherStart::angles},
+    {"amplitude", &OtherStart::amplitude},
+    {OnPage("Final angles (deg)"), [](const auto &start) {
          std::vector<std::string> texts;
          for (const std::vector<double> &angles : start.angles)
              texts.push_back(page_angles(angles));
@@ -151,40 +111,23 @@ std::vector<OtherStart> all_starts(const SimulateResult &result) {
 
 /// How good the numbers are.
 const Columns<SimulateResult> quality_columns{
-    {"",
-     "",
-     {"Shapes of the shaft"},
-     {},
+    {OnPage("Shapes of the shaft"),
      [](const auto &result) {
          return fmt::format("{}, with the lowest {} modes", result.shapes, result.modes);
      }},
-    {"",
-     "",
-     {"Relative error by it: steady response", "{:.2g}"},
-     {},
-     &SimulateResult::response_error},
-    {"",
-     "",
-     {"Relative error by it: whirl speeds", "{:.2g}"},
-     {},
-     &SimulateResult::frequency_error},
-    {"", "", {"Integrator"}, {}, &SimulateResult::integrator},
-    {"",
-     "",
-     {"Steps, evaluations"},
-     {},
+    {OnPage("Relative error by it: steady response", "{:.2g}"), &SimulateResult::response_error},
+    {OnPage("Relative error by it: whirl speeds", "{:.2g}"), &SimulateResult::frequency_error},
+    {OnPage("Integrator"), &SimulateResult::integrator},
+    {OnPage("Steps, evaluations"),
      [](const auto &result) {
          return fmt::format("{}, {}", result.steps, result.rate_evaluations);
      }},
-    {"",
-     "",
-     {"Energy missing in the balance (J)"},
-     {},
+    {OnPage("Energy missing in the balance (J)"),
      [](const auto &result) {
          return fmt::format("{:.2g} of {:.4g}", result.audit.energy_error,
                             result.audit.energy_scale);
      }},
-    {"", "", {"Angular momentum missing (kg m²/s)"}, {}, [](const auto &result) {
+    {OnPage("Angular momentum missing (kg m²/s)"), [](const auto &result) {
          return fmt::format("{:.2g} of {:.4g}", result.audit.momentum_error,
                             result.audit.momentum_scale);
      }}};
@@ -222,7 +165,7 @@ std::string csv_of(const SimulateResult &result) {
     const results::MotionSeries &series = result.series;
     const auto column = [](const std::string &name, const std::vector<double> &values) {
         return Column<std::size_t>(
-            "", name, {}, {}, [&values](const std::size_t &, std::size_t i) { return values[i]; });
+            InCsv(name), [&values](const std::size_t &, std::size_t i) { return values[i]; });
     };
     Columns<std::size_t> all{column("time [s]", series.time),
                              column("speed [rad/s]", series.speed)};

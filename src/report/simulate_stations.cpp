@@ -19,67 +19,33 @@ std::optional<double> over_steady(const StationMotion &station) {
     return station.peak.value / *station.steady_peak;
 }
 
-std::optional<double> in_micrometres(const std::optional<double> &value) {
-    return value ? std::optional(*value * micrometres) : std::nullopt;
-}
-std::optional<double> in_rpm(const std::optional<double> &value) {
-    return value ? std::optional(*value * rpm) : std::nullopt;
-}
-
 const Columns<StationMotion> station_columns{
-    {"",
-     "",
-     {"Station"},
-     {"station"},
+    {OnPage("Station"), InText("station"),
      [](const auto &s) { return s.name.empty() ? place("", s.z) : s.name; }},
-    {"name", "", {}, {}, &StationMotion::name},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &StationMotion::z},
-    {"peak", "", {}, {}, [](const auto &s) { return s.peak.value; }},
-    {"",
-     "",
-     {"Peak (µm)", "{:.5g}"},
-     {"peak µm", "{:.5g}"},
+    {"name", &StationMotion::name},
+    {"z", OnPage("z (m)", "{:.5g}"), &StationMotion::z},
+    {"peak", [](const auto &s) { return s.peak.value; }},
+    {OnPage("Peak (µm)", "{:.5g}"), InText("peak µm", "{:.5g}"),
      [](const auto &s) { return s.peak.value * micrometres; }},
-    {"peak_time",
-     "",
-     {"at (s)", "{:.6g}"},
-     {"at s", "{:.6g}"},
+    {"peak_time", OnPage("at (s)", "{:.6g}"), InText("at s", "{:.6g}"),
      [](const auto &s) { return s.peak.time; }},
-    {"peak_speed", "", {}, {}, [](const auto &s) { return s.peak.speed; }},
-    {"",
-     "",
-     {"at (rpm)", "{:.6g}"},
-     {"at rpm", "{:.6g}"},
+    {"peak_speed", [](const auto &s) { return s.peak.speed; }},
+    {OnPage("at (rpm)", "{:.6g}"), InText("at rpm", "{:.6g}"),
      [](const auto &s) { return s.peak.speed * rpm; }},
-    {"at_end", "", {}, {}, [](const auto &s) { return s.peak.at_end; }},
-    {"amplitude", "", {}, {}, &StationMotion::amplitude},
-    {"",
-     "",
-     {"At the end (µm)", "{:.5g}"},
-     {"at the end µm", "{:.4g}"},
-     [](const auto &s) { return s.amplitude * micrometres; }},
-    {"steady", "", {}, {}, &StationMotion::steady},
-    {"",
-     "",
-     {"Steady at that speed (µm)", "{:.5g}"},
-     {"steady µm", "{:.4g}"},
-     [](const auto &s) { return in_micrometres(s.steady); }},
-    {"steady_peak", "", {}, {}, &StationMotion::steady_peak},
-    {"",
-     "",
-     {"Steady peak (µm)", "{:.5g}"},
-     {"steady peak µm", "{:.5g}"},
-     [](const auto &s) { return in_micrometres(s.steady_peak); }},
-    {"steady_peak_speed", "", {}, {}, &StationMotion::steady_peak_speed},
-    {"",
-     "",
-     {"at (rpm)", "{:.6g}"},
-     {"at rpm", "{:.6g}"},
-     [](const auto &s) { return in_rpm(s.steady_peak_speed); }},
-    {"over_steady_peak",
-     "",
-     {"Peak over steady peak", "{:.4g}"},
-     {"ratio", "{:.4g}"},
+    {"at_end", [](const auto &s) { return s.peak.at_end; }},
+    {"amplitude", &StationMotion::amplitude},
+    {OnPage("At the end (µm)", "{:.5g}"), InText("at the end µm", "{:.4g}"),
+     in(micrometres, &StationMotion::amplitude)},
+    {"steady", &StationMotion::steady},
+    {OnPage("Steady at that speed (µm)", "{:.5g}"), InText("steady µm", "{:.4g}"),
+     in(micrometres, &StationMotion::steady)},
+    {"steady_peak", &StationMotion::steady_peak},
+    {OnPage("Steady peak (µm)", "{:.5g}"), InText("steady peak µm", "{:.5g}"),
+     in(micrometres, &StationMotion::steady_peak)},
+    {"steady_peak_speed", &StationMotion::steady_peak_speed},
+    {OnPage("at (rpm)", "{:.6g}"), InText("at rpm", "{:.6g}"),
+     in(rpm, &StationMotion::steady_peak_speed)},
+    {"over_steady_peak", OnPage("Peak over steady peak", "{:.4g}"), InText("ratio", "{:.4g}"),
      over_steady}};
 
 } // namespace
@@ -112,7 +78,7 @@ std::string stations_text(const results::SimulateResult &result) {
 std::string waterfall_csv(const Waterfall &waterfall) {
     const std::size_t width = waterfall.frequencies.size();
     const auto column = [width](const std::string &name, const auto &value) {
-        return Column<std::size_t>("", name, {}, {}, [=](const std::size_t &, std::size_t i) {
+        return Column<std::size_t>(InCsv(name), [=](const std::size_t &, std::size_t i) {
             return value(i / width, i % width);
         });
     };

@@ -17,35 +17,27 @@ using results::StaticSag;
 namespace {
 
 const Columns<SagStation> sag_columns{
-    {"z", "", {"z (m)"}, {"z m"}, &SagStation::z},
-    {"name", "", {"Station"}, {"station"}, &SagStation::name},
-    {"x", "", {}, {}, &SagStation::x},
-    {"y", "", {}, {}, &SagStation::y},
-    {"",
-     "",
-     {"Static deflection x (µm)", "{:.5g}"},
-     {"static x µm", "{:.4g}"},
-     [](const SagStation &station) { return station.x * still_micrometres; }},
-    {"",
-     "",
-     {"Static deflection y (µm)", "{:.5g}"},
-     {"static y µm", "{:.4g}"},
-     [](const SagStation &station) { return station.y * still_micrometres; }},
-    {"slope_x", "", {"Slope x (rad)", "{:.5g}"}, {}, &SagStation::slope_x},
-    {"slope_y", "", {"Slope y (rad)", "{:.5g}"}, {"slope y rad", "{:.4g}"}, &SagStation::slope_y},
-    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &SagStation::error},
-    {"slope_error", "", {}, {}, &SagStation::slope_error}};
+    {"z", OnPage("z (m)"), InText("z m"), &SagStation::z},
+    {"name", OnPage("Station"), InText("station"), &SagStation::name},
+    {"x", &SagStation::x},
+    {"y", &SagStation::y},
+    {OnPage("Static deflection x (µm)", "{:.5g}"), InText("static x µm", "{:.4g}"),
+     in(still_micrometres, &SagStation::x)},
+    {OnPage("Static deflection y (µm)", "{:.5g}"), InText("static y µm", "{:.4g}"),
+     in(still_micrometres, &SagStation::y)},
+    {"slope_x", OnPage("Slope x (rad)", "{:.5g}"), &SagStation::slope_x},
+    {"slope_y", OnPage("Slope y (rad)", "{:.5g}"), InText("slope y rad", "{:.4g}"),
+     &SagStation::slope_y},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagStation::error},
+    {"slope_error", &SagStation::slope_error}};
 
 const Columns<SagBearing> bearing_columns{
-    {"z", "", {"z (m)"}, {"z m"}, &SagBearing::z},
-    {"name", "", {"Bearing"}, {"bearing"}, &SagBearing::name},
-    {"load",
-     "",
-     {"Load downwards (N)", "{:.7g}"},
-     {"load downwards N", "{:.6g}"},
+    {"z", OnPage("z (m)"), InText("z m"), &SagBearing::z},
+    {"name", OnPage("Bearing"), InText("bearing"), &SagBearing::name},
+    {"load", OnPage("Load downwards (N)", "{:.7g}"), InText("load downwards N", "{:.6g}"),
      &SagBearing::load},
-    {"side", "", {"Load along x (N)", "{:.5g}"}, {}, &SagBearing::side},
-    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &SagBearing::error}};
+    {"side", OnPage("Load along x (N)", "{:.5g}"), &SagBearing::side},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagBearing::error}};
 
 } // namespace
 

@@ -17,10 +17,11 @@ struct Row {
 };
 
 const Columns<Row> columns{
-    {"name", "name", {"Name"}, {"mode"}, &Row::name},
-    {"value", "value [m]", {"Value (µm)", "{:.3g} µm", "no limit"}, {"Hz"}, &Row::value},
-    {"list", "", {}, {}, &Row::list},
-    {"", "", {"No."}, {}, [](const Row &, std::size_t index) { return index + 1; }}};
+    {"name", InCsv("name"), OnPage("Name"), InText("mode"), &Row::name},
+    {"value", InCsv("value [m]"), OnPage("Value (µm)", "{:.3g} µm", "no limit"), InText("Hz"),
+     &Row::value},
+    {"list", &Row::list},
+    {OnPage("No."), [](const Row &, std::size_t index) { return index + 1; }}};
 
 const double infinite = std::numeric_limits<double>::infinity();
 const std::vector<Row> rows{{"1F", 13.5, {1.5, std::nullopt}},

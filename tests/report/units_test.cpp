@@ -27,10 +27,10 @@ model::OutputUnits american() {
 struct Row {
     double speed, z;
 };
-const Columns<Row> columns{
-    {"", "", {"rpm", "{:.10g}"}, {"rpm"}, [](const Row &row) { return row.speed * rpm; }},
-    {"speed", "speed [rad/s]", {"rad/s", "{:.10g}"}, {"rad/s", precise}, &Row::speed},
-    {"z", "z [m]", {"z (m)"}, {"z (m)"}, &Row::z}};
+const Columns<Row> columns{{OnPage("rpm", "{:.10g}"), InText("rpm"), in(rpm, &Row::speed)},
+                           {"speed", InCsv("speed [rad/s]"), OnPage("rad/s", "{:.10g}"),
+                            InText("rad/s", precise), &Row::speed},
+                           {"z", InCsv("z [m]"), ForReaders("z (m)"), &Row::z}};
 const std::vector<Row> rows{{20 * pi, 0.508}};
 
 /// Cell by cell, numbers within the rounding of a factor.

@@ -1,56 +1,12 @@
 #pragma once
 
-#include "report/common/json.h"
+#include "report/common/column.h"
 
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace whirl::report {
-
-// Formats of numbers on the terminal.
-inline constexpr const char *precise = "{:#.10g}"; ///< ten digits: what the elements are made for
-inline constexpr const char *rough = "{:.1e}";     ///< errors
-
-/// How a column looks to somebody who reads a page or the terminal.
-struct Shown {
-    std::optional<std::string> heading;  ///< none: the column is not there
-    std::string format = "{:.6g}";       ///< of its numbers; may hold a unit
-    std::optional<std::string> infinite; ///< in place of infinity; none: as what is missing
-
-    Shown() = default;
-    Shown(std::string shown_heading, std::string shown_format = "{:.6g}",
-          std::optional<std::string> shown_infinite = std::nullopt)
-        : heading(std::move(shown_heading)), format(std::move(shown_format)),
-          infinite(std::move(shown_infinite)) {}
-};
-
-/// One column of a result, described once for all its readers. Some are for one reader alone: rpm
-/// beside rad/s, or all digits beside a rounded value.
-template <class Row> struct Column {
-    std::string key; ///< in JSON; empty: not there
-    std::string csv; ///< heading in the file, with its unit in brackets; empty: not there
-    Shown page;      ///< in the HTML report
-    Shown text;      ///< on the terminal
-    std::function<Json(const Row &, std::size_t)> value;
-
-    /// @param of  member, or function of the row, or of the row and its index
-    template <class Of>
-    Column(std::string json_key, std::string csv_heading, Shown on_page, Shown on_terminal, Of of)
-        : key(std::move(json_key)), csv(std::move(csv_heading)), page(std::move(on_page)),
-          text(std::move(on_terminal)),
-          value([of = std::move(of)](const Row &row, std::size_t index) -> Json {
-              if constexpr (std::is_invocable_v<Of, const Row &, std::size_t>)
-                  return std::invoke(of, row, index);
-              else
-                  return std::invoke(of, row);
-          }) {}
-};
-template <class Row> using Columns = std::vector<Column<Row>>;
 
 /// A table of texts, heading first.
 using Texts = std::vector<std::vector<std::string>>;

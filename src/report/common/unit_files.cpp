@@ -109,18 +109,13 @@ void scale_row(Json &row, double factor) {
 }
 
 void convert_row(Json &row) {
-    static const std::map<std::string, std::string> quantities{
-        {"rad/s", "speed"},   {"m", "length"},      {"kg", "mass"},
-        {"kg m2", "inertia"}, {"N/m", "stiffness"}, {"N", "force"}};
-    const auto found = quantities.find(row["unit"].get<std::string>());
-    if (found == quantities.end())
-        return;
+    const auto unit = row["unit"].get<std::string>();
     // The lengths among answers of samples are peaks.
-    const bool peak = found->first == "m" && row.contains("quantiles");
-    const std::string quantity = peak ? "amplitude" : found->second;
+    const bool peak = unit == "m" && row.contains("quantiles");
+    const std::string quantity = peak ? "amplitude" : quantity_in(unit);
     if (const auto factor = written_factor(quantity)) {
         scale_row(row, *factor);
-        row["unit"] = unit_name(quantity, found->first);
+        row["unit"] = unit_name(quantity, unit);
     }
 }
 

@@ -278,6 +278,14 @@ UnitHeading heading_in_written_units(const std::string &heading, const std::stri
     return {renamed(heading, *found, quantity), found->word->reading ? 1 : 1 / unit->size, true};
 }
 
+std::string quantity_in(const std::string &unit) {
+    static const std::map<std::string, std::string> quantities{
+        {"rad/s", "speed"},   {"m", "length"},      {"kg", "mass"},
+        {"kg m2", "inertia"}, {"N/m", "stiffness"}, {"N", "force"}};
+    const auto found = quantities.find(unit);
+    return found == quantities.end() ? "" : found->second;
+}
+
 std::optional<double> written_factor(const std::string &quantity) {
     const model::OutputUnit *unit = unit_of(quantity);
     return unit ? std::optional(1 / unit->size) : std::nullopt;

@@ -68,6 +68,9 @@ struct UnitHeading {
 [[nodiscard]] UnitHeading heading_in_written_units(const std::string &heading,
                                                    const std::string &context);
 
+/// What is in an SI unit as results name it: "speed" of "rad/s"; empty: none that has other units.
+[[nodiscard]] std::string quantity_in(const std::string &unit);
+
 /// From SI to the unit of a quantity that was asked for; none: it is written as always.
 [[nodiscard]] std::optional<double> written_factor(const std::string &quantity);
 

@@ -33,6 +33,8 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 }
 /// One place of a rotor: its name, or where it is.
 [[nodiscard]] std::string place(const std::string &name, double z);
+/// The same of a row of a table.
+inline constexpr auto place_of = [](const auto &row) { return place(row.name, row.z); };
 /// The same for legends: shorter, each name once ("race, race" of two items there is "race").
 [[nodiscard]] std::string place_text(const std::string &name, double z);
 /// "at 4000 rpm", "0 to 4000 rpm, 101 speeds".

@@ -19,9 +19,8 @@ namespace whirl::report {
 namespace {
 
 /// A difference with the name of the other result.
-struct Line {
-    const Difference &at;
-    const std::string &other;
+struct Line : Difference {
+    std::string other_name;
 };
 
 std::vector<Line> lines_of(const Comparison &comparison) {
@@ -32,11 +31,11 @@ std::vector<Line> lines_of(const Comparison &comparison) {
 }
 
 std::string verdict(const Line &line) {
-    if (!line.at.difference)
-        return line.at.first_value ? "only in the first" : "only in the other";
-    if (!line.at.within)
+    if (!line.difference)
+        return line.first_value ? "only in the first" : "only in the other";
+    if (!line.within)
         return "error not known";
-    return *line.at.within ? "within errors" : "beyond errors";
+    return *line.within ? "within errors" : "beyond errors";
 }
 
 /// The unit in which a number is read.
@@ -48,70 +47,41 @@ LineUnit unit_of(const Difference &at) {
     const auto is_of = [&at](const char *word) {
         return at.quantity.find(word) != std::string::npos;
     };
-    std::string quantity;
-    if (at.unit == "rad/s")
-        quantity = is_of("frequency") ? "frequency" : "speed";
-    else if (at.unit == "m")
-        quantity = is_of("centre of mass") || is_of("length") ? "length" : "amplitude";
-    else if (at.unit == "N")
-        quantity = "force";
-    else if (at.unit == "N/m")
-        quantity = "stiffness";
-    else if (at.unit == "kg")
-        quantity = "mass";
-    else if (at.unit == "kg m2")
-        quantity = "inertia";
+    std::string quantity = quantity_in(at.unit);
+    if (at.unit == "rad/s" && is_of("frequency"))
+        quantity = "frequency";
+    if (at.unit == "m" && !is_of("centre of mass") && !is_of("length"))
+        quantity = "amplitude";
     const auto factor = written_factor(quantity);
     return factor ? LineUnit{unit_name(quantity, at.unit), *factor} : LineUnit{at.unit, 1};
 }
 auto in_its_unit(std::optional<double> Difference::*of) {
-    return [of](const Line &line) {
-        const std::optional<double> &value = line.at.*of;
-        return value ? std::optional(*value * unit_of(line.at).factor) : std::nullopt;
-    };
+    return [of](const Line &line) { return times(unit_of(line).factor, line.*of); };
 }
 
 const Columns<Line> columns{
-    {"", "", {"No."}, {""}, [](const auto &, std::size_t i) { return i + 1; }},
-    {"quantity",
-     "quantity",
-     {"Quantity"},
-     {"quantity"},
-     [](const Line &line) { return line.at.quantity; }},
-    {"unit", "", {}, {}, [](const Line &line) { return line.at.unit; }},
-    {"first_value", "", {}, {}, [](const Line &line) { return line.at.first_value; }},
-    {"other_value", "", {}, {}, [](const Line &line) { return line.at.other_value; }},
-    {"difference", "", {}, {}, [](const Line &line) { return line.at.difference; }},
-    {"error", "", {}, {}, [](const Line &line) { return line.at.error; }},
-    {"", "unit", {"Unit"}, {"unit"}, [](const Line &line) { return unit_of(line.at).name; }},
-    {"other", "other", {"Other result"}, {}, [](const Line &line) { return line.other; }},
-    {"",
-     "first_value",
-     {"First", "{:.10g}"},
-     {"first", precise},
+    {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
+    {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"), &Line::quantity},
+    {"unit", &Line::unit},
+    {"first_value", &Line::first_value},
+    {"other_value", &Line::other_value},
+    {"difference", &Line::difference},
+    {"error", &Line::error},
+    {InCsv("unit"), OnPage("Unit"), InText("unit"),
+     [](const Line &line) { return unit_of(line).name; }},
+    {"other", InCsv("other"), OnPage("Other result"), &Line::other_name},
+    {InCsv("first_value"), OnPage("First", "{:.10g}"), InText("first", precise),
      in_its_unit(&Difference::first_value)},
-    {"",
-     "other_value",
-     {"Other", "{:.10g}"},
-     {"other", precise},
+    {InCsv("other_value"), OnPage("Other", "{:.10g}"), InText("other", precise),
      in_its_unit(&Difference::other_value)},
-    {"",
-     "difference",
-     {"Difference", "{:+.6g}"},
-     {"difference", "{:+.6g}"},
+    {InCsv("difference"), OnPage("Difference", "{:+.6g}"), InText("difference", "{:+.6g}"),
      in_its_unit(&Difference::difference)},
-    {"relative",
-     "relative",
-     {"Relative to first", "{:+.3g}"},
-     {"relative to first", "{:+.3g}"},
-     [](const Line &line) { return line.at.relative; }},
-    {"",
-     "error",
-     {"Both error bars", "{:.5g}"},
-     {"error bars", rough},
+    {"relative", InCsv("relative"), OnPage("Relative to first", "{:+.3g}"),
+     InText("relative to first", "{:+.3g}"), &Line::relative},
+    {InCsv("error"), OnPage("Both error bars", "{:.5g}"), InText("error bars", rough),
      in_its_unit(&Difference::error)},
-    {"within_errors", "within_errors", {}, {}, [](const Line &line) { return line.at.within; }},
-    {"", "", {"Verdict"}, {""}, verdict}};
+    {"within_errors", InCsv("within_errors"), &Line::within},
+    {OnPage("Verdict"), InText(""), verdict}};
 
 /// "1: before.json, critical, order 10, 3 elements".
 std::string result_text(const ComparedResult &result, std::size_t index) {
@@ -129,7 +99,7 @@ std::string result_text(const ComparedResult &result, std::size_t index) {
 std::vector<Line> of_other(const std::vector<Line> &lines, std::size_t other) {
     std::vector<Line> out;
     for (const Line &line : lines)
-        if (line.at.other == other)
+        if (line.other == other)
             out.push_back(line);
     return out;
 }

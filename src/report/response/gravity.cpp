@@ -48,8 +48,7 @@ Json curves_json(const GravityResponse &response) {
 }
 
 /// Largest circle of a place beside what stands still there at the first speed.
-struct Summary {
-    LargestValue circle;
+struct Summary : LargestValue {
     double still = 0; ///< m or N
 };
 
@@ -72,28 +71,14 @@ struct SummaryUnit {
 SummaryUnit of_deflections() { return {"µm", still_micrometres, micrometres}; }
 constexpr SummaryUnit of_forces{"N", 1, 1};
 
-Columns<Summary> summary_columns(const char *of, const SummaryUnit &in) {
-    const char *unit = in.name;
-    const std::string still = fmt::format("static {}", unit);
-    const std::string circle = fmt::format("largest at twice the spin speed {}", unit);
-    return {
-        {"", "", {of}, {of}, [](const Summary &s) { return place(s.circle.name, s.circle.z); }},
-        {"",
-         "",
-         {still},
-         {still, "{:.6g}", "no limit"},
-         [in](const Summary &s) { return s.still * in.still; }},
-        {"",
-         "",
-         {circle, "{:.6g}", "no limit"},
-         {circle, "{:.6g}", "no limit"},
-         [in](const Summary &s) {
-             return s.circle.value ? std::optional(*s.circle.value * in.circle) : std::nullopt;
-         }},
-        {"", "", {"at (rpm)"}, {"at rpm"}, [](const Summary &s) { return s.circle.speed * rpm; }},
-        {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, [](const Summary &s) {
-             return s.circle.error;
-         }}};
+Columns<Summary> summary_columns(const char *of, const SummaryUnit &unit) {
+    const std::string still = fmt::format("static {}", unit.name);
+    const std::string circle = fmt::format("largest at twice the spin speed {}", unit.name);
+    return {{ForReaders(of), place_of},
+            {OnPage(still), InText(still, "{:.6g}", "no limit"), in(unit.still, &Summary::still)},
+            {ForReaders(circle, "{:.6g}", "no limit"), in(unit.circle, &Summary::value)},
+            {OnPage("at (rpm)"), InText("at rpm"), in(rpm, &Summary::speed)},
+            {OnPage("Relative error", "{:.2g}"), InText("error", rough), &Summary::error}};
 }
 
 std::vector<Summary> of_stations(const GravityResponse &response,

@@ -19,126 +19,82 @@ using results::ResponseResult;
 namespace {
 
 /// An orbit with its speed.
-struct OrbitRow {
+struct OrbitRow : Orbit {
     double speed; ///< rad/s
-    const Orbit &orbit;
 };
-
-auto of_orbit(double Orbit::*member) {
-    return [member](const OrbitRow &row) { return row.orbit.*member; };
-}
-
-std::optional<double> percent(const std::optional<double> &share) {
-    return share ? std::optional(*share * 100) : std::nullopt;
-}
 
 /// Narrower than this share of its length an orbit is a line.
 constexpr double narrowest = 1e-6;
 
 std::string sense(const OrbitRow &row) {
-    const double minor = row.orbit.minor * (row.speed < 0 ? -1 : 1);
-    if (std::abs(minor) <= narrowest * row.orbit.major)
+    const double minor = row.minor * (row.speed < 0 ? -1 : 1);
+    if (std::abs(minor) <= narrowest * row.major)
         return "line";
     return minor > 0 ? "forward" : "backward";
 }
 
 const Columns<OrbitRow> orbit_columns{
-    {"", "speed [rad/s]", {}, {}, &OrbitRow::speed},
-    {"", "", {"rpm"}, {"rpm"}, [](const OrbitRow &row) { return row.speed * rpm; }},
-    {"of", "of", {"Orbit in"}, {"of"}, [](const OrbitRow &row) { return row.orbit.of; }},
-    {"z", "z [m]", {"z (m)", "{:.5g}"}, {}, of_orbit(&Orbit::z)},
-    {"name", "name", {"Place"}, {}, [](const OrbitRow &row) { return row.orbit.name; }},
-    {"",
-     "",
-     {},
-     {"orbit at"},
-     [](const OrbitRow &row) { return place(row.orbit.name, row.orbit.z); }},
-    {"x", "x [m]", {}, {}, of_orbit(&Orbit::x)},
-    {"x_phase", "x_phase [rad]", {}, {}, of_orbit(&Orbit::x_phase)},
-    {"y", "y [m]", {}, {}, of_orbit(&Orbit::y)},
-    {"y_phase", "y_phase [rad]", {}, {}, of_orbit(&Orbit::y_phase)},
-    {"major", "major [m]", {}, {}, of_orbit(&Orbit::major)},
-    {"minor", "minor [m]", {}, {}, of_orbit(&Orbit::minor)},
-    {"",
-     "",
-     {"Amplitude (µm)"},
-     {"amplitude µm"},
-     [](const OrbitRow &row) { return row.orbit.major * micrometres; }},
-    {"",
-     "",
-     {"Smaller amplitude (µm)"},
-     {},
-     [](const OrbitRow &row) { return std::abs(row.orbit.minor) * micrometres; }},
-    {"", "", {"Sense"}, {"sense"}, sense},
-    {"clearance", "clearance [m]", {}, {}, [](const OrbitRow &row) { return row.orbit.clearance; }},
-    {"",
-     "",
-     {"Radial clearance (µm)"},
-     {},
-     [](const OrbitRow &row) {
-         return row.orbit.clearance ? std::optional(*row.orbit.clearance * still_micrometres)
-                                    : std::nullopt;
-     }},
-    {"share", "share", {}, {}, [](const OrbitRow &row) { return row.orbit.share(); }},
-    {"",
-     "",
-     {"Share of it (%)", "{:.4g}"},
-     {"% of clearance", "{:.4g}"},
-     [](const OrbitRow &row) { return percent(row.orbit.share()); }},
-    {"error", "error", {"Relative error", "{:.2g}"}, {"error", rough}, of_orbit(&Orbit::error)}};
+    {InCsv("speed [rad/s]"), &OrbitRow::speed},
+    {ForReaders("rpm"), in(rpm, &OrbitRow::speed)},
+    {"of", InCsv("of"), OnPage("Orbit in"), InText("of"), &OrbitRow::of},
+    {"z", InCsv("z [m]"), OnPage("z (m)", "{:.5g}"), &OrbitRow::z},
+    {"name", InCsv("name"), OnPage("Place"), &OrbitRow::name},
+    {InText("orbit at"), place_of},
+    {"x", InCsv("x [m]"), &OrbitRow::x},
+    {"x_phase", InCsv("x_phase [rad]"), &OrbitRow::x_phase},
+    {"y", InCsv("y [m]"), &OrbitRow::y},
+    {"y_phase", InCsv("y_phase [rad]"), &OrbitRow::y_phase},
+    {"major", InCsv("major [m]"), &OrbitRow::major},
+    {"minor", InCsv("minor [m]"), &OrbitRow::minor},
+    {OnPage("Amplitude (µm)"), InText("amplitude µm"), in(micrometres, &OrbitRow::major)},
+    {OnPage("Smaller amplitude (µm)"),
+     [](const OrbitRow &row) { return std::abs(row.minor) * micrometres; }},
+    {OnPage("Sense"), InText("sense"), sense},
+    {"clearance", InCsv("clearance [m]"), &OrbitRow::clearance},
+    {OnPage("Radial clearance (µm)"), in(still_micrometres, &OrbitRow::clearance)},
+    {"share", InCsv("share"), &OrbitRow::share},
+    {OnPage("Share of it (%)", "{:.4g}"), InText("% of clearance", "{:.4g}"),
+     in(100, &OrbitRow::share)},
+    {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
+     &OrbitRow::error}};
 
 const Columns<ClearanceUse> use_columns{
-    {"of", "", {"Largest orbit in"}, {"of"}, &ClearanceUse::of},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &ClearanceUse::z},
-    {"name", "", {"Place"}, {}, &ClearanceUse::name},
-    {"", "", {}, {"clearance at"}, [](const ClearanceUse &use) { return place(use.name, use.z); }},
-    {"clearance", "", {}, {}, &ClearanceUse::clearance},
-    {"",
-     "",
-     {"Radial clearance (µm)"},
-     {"radial clearance µm"},
-     [](const ClearanceUse &use) { return use.clearance * still_micrometres; }},
-    {"share", "", {}, {}, &ClearanceUse::share},
-    {"",
-     "",
-     {"Share of it (%)", "{:.4g}", "no limit"},
-     {"largest orbit %", "{:.4g}", "no limit"},
-     [](const ClearanceUse &use) { return use.share * 100; }},
-    {"speed", "", {}, {}, &ClearanceUse::speed},
-    {"",
-     "",
-     {"at (rpm)", "{:.8g}"},
-     {"at rpm", "{:.8g}"},
-     [](const ClearanceUse &use) { return use.speed * rpm; }},
-    {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ClearanceUse::error}};
+    {"of", OnPage("Largest orbit in"), InText("of"), &ClearanceUse::of},
+    {"z", OnPage("z (m)", "{:.5g}"), &ClearanceUse::z},
+    {"name", OnPage("Place"), &ClearanceUse::name},
+    {InText("clearance at"), place_of},
+    {"clearance", &ClearanceUse::clearance},
+    {OnPage("Radial clearance (µm)"), InText("radial clearance µm"),
+     in(still_micrometres, &ClearanceUse::clearance)},
+    {"share", &ClearanceUse::share},
+    {OnPage("Share of it (%)", "{:.4g}", "no limit"),
+     InText("largest orbit %", "{:.4g}", "no limit"), in(100, &ClearanceUse::share)},
+    {"speed", &ClearanceUse::speed},
+    {OnPage("at (rpm)", "{:.8g}"), InText("at rpm", "{:.8g}"), in(rpm, &ClearanceUse::speed)},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &ClearanceUse::error}};
 
 const Columns<DeflectedShape> shape_columns{
-    {"speed", "", {}, {}, &DeflectedShape::speed},
-    {"", "", {"rpm"}, {"shape at rpm"}, [](const auto &shape) { return shape.speed * rpm; }},
-    {"instant", "", {}, {}, &DeflectedShape::instant},
-    {"largest", "", {}, {}, &DeflectedShape::largest},
-    {"",
-     "",
-     {"Largest amplitude (µm)"},
-     {"largest amplitude µm"},
-     [](const auto &shape) { return shape.largest * micrometres; }},
-    {"largest_z", "", {"at z (m)", "{:.5g}"}, {"at z m", "{:.5g}"}, &DeflectedShape::largest_z},
-    {"",
-     "",
-     {"Rotor angle then (deg)", "{:.1f}"},
-     {"rotor angle deg", "{:.1f}"},
-     [](const auto &shape) { return shape.instant * degrees; }},
-    {"z", "", {}, {}, &DeflectedShape::z},
-    {"x", "", {}, {}, &DeflectedShape::x},
-    {"y", "", {}, {}, &DeflectedShape::y},
-    {"envelope", "", {}, {}, &DeflectedShape::envelope}};
+    {"speed", &DeflectedShape::speed},
+    {OnPage("rpm"), InText("shape at rpm"), in(rpm, &DeflectedShape::speed)},
+    {"instant", &DeflectedShape::instant},
+    {"largest", &DeflectedShape::largest},
+    {OnPage("Largest amplitude (µm)"), InText("largest amplitude µm"),
+     in(micrometres, &DeflectedShape::largest)},
+    {"largest_z", OnPage("at z (m)", "{:.5g}"), InText("at z m", "{:.5g}"),
+     &DeflectedShape::largest_z},
+    {OnPage("Rotor angle then (deg)", "{:.1f}"), InText("rotor angle deg", "{:.1f}"),
+     in(degrees, &DeflectedShape::instant)},
+    {"z", &DeflectedShape::z},
+    {"x", &DeflectedShape::x},
+    {"y", &DeflectedShape::y},
+    {"envelope", &DeflectedShape::envelope}};
 
 std::vector<OrbitRow> rows_of(const std::vector<Orbits> &all, bool in_supports) {
     std::vector<OrbitRow> rows;
     for (const Orbits &orbits : all)
         for (const Orbit &orbit : orbits.stations)
             if (!in_supports || orbit.of != "station")
-                rows.push_back({orbits.speed, orbit});
+                rows.push_back({orbit, orbits.speed});
     return rows;
 }
 
@@ -151,11 +107,11 @@ auto at_point(std::vector<double> DeflectedShape::*list) {
     return [list](const ShapePoint &point) { return (point.shape.*list)[point.index]; };
 }
 const Columns<ShapePoint> point_columns{
-    {"", "speed [rad/s]", {}, {}, [](const auto &point) { return point.shape.speed; }},
-    {"", "z [m]", {}, {}, at_point(&DeflectedShape::z)},
-    {"", "x_instant [m]", {}, {}, at_point(&DeflectedShape::x)},
-    {"", "y_instant [m]", {}, {}, at_point(&DeflectedShape::y)},
-    {"", "major [m]", {}, {}, at_point(&DeflectedShape::envelope)}};
+    {InCsv("speed [rad/s]"), [](const auto &point) { return point.shape.speed; }},
+    {InCsv("z [m]"), at_point(&DeflectedShape::z)},
+    {InCsv("x_instant [m]"), at_point(&DeflectedShape::x)},
+    {InCsv("y_instant [m]"), at_point(&DeflectedShape::y)},
+    {InCsv("major [m]"), at_point(&DeflectedShape::envelope)}};
 
 std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {
     std::vector<ShapePoint> points;
@@ -171,7 +127,7 @@ void add_orbits(Json &json, const ResponseResult &result) {
     json["orbits"] = json_list(result.orbits, [](const Orbits &orbits) {
         std::vector<OrbitRow> rows;
         for (const Orbit &orbit : orbits.stations)
-            rows.push_back({orbits.speed, orbit});
+            rows.push_back({orbit, orbits.speed});
         return Json{{"speed", orbits.speed}, {"stations", json_rows(orbit_columns, rows)}};
     });
     json["clearances"] = json_rows(use_columns, result.clearances);

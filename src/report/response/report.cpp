@@ -51,8 +51,7 @@ const Columns<At<ResponseProbe>> probe_series{
 
 Columns<At<ResponseProbe>> probe_places() {
     auto columns = place_columns<ResponseProbe>("probe");
-    columns.push_back(
-        {"angle", "angle [rad]", {}, {}, [](const auto &at) { return at.of->angle; }});
+    columns.push_back({"angle", InCsv("angle [rad]"), [](const auto &at) { return at.of->angle; }});
     return columns;
 }
 
@@ -74,15 +73,12 @@ std::string half_power(const ResponsePeak &peak) {
 }
 
 const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
-    {{"of", "", {}, {}, &ResponsePeak::of},
-     {"angle", "", {}, {}, &ResponsePeak::angle},
-     {"z", "", {"z (m)", "{:.5g}"}, {}, &ResponsePeak::z},
-     {"name", "", {"Place"}, {}, &ResponsePeak::name},
-     {"", "", {}, {"peak at"}, [](const ResponsePeak &peak) { return place(peak.name, peak.z); }},
-     {"",
-      "",
-      {"of"},
-      {"of"},
+    {{"of", &ResponsePeak::of},
+     {"angle", &ResponsePeak::angle},
+     {"z", OnPage("z (m)", "{:.5g}"), &ResponsePeak::z},
+     {"name", OnPage("Place"), &ResponsePeak::name},
+     {InText("peak at"), place_of},
+     {ForReaders("of"),
       [](const ResponsePeak &peak) -> std::string {
           if (peak.of == "probe")
               return fmt::format("reading at {:.4g}° ({})", peak.angle.value_or(0) * degrees,
@@ -90,48 +86,29 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
           return peak.of == "bearing" ? fmt::format("force ({})", unit_name("force", "N"))
                                       : fmt::format("amplitude ({})", unit_name("amplitude", "µm"));
       }},
-     {"speed", "", {}, {}, &ResponsePeak::speed},
-     {"",
-      "",
-      {"at (rpm)", "{:.8g}"},
-      {"rpm", "{:.8g}"},
-      [](const ResponsePeak &peak) { return peak.speed * rpm; }},
-     {"mode",
-      "",
-      {"Mode", "{}", ""},
-      {"mode", "{}", ""},
+     {"speed", &ResponsePeak::speed},
+     {OnPage("at (rpm)", "{:.8g}"), InText("rpm", "{:.8g}"), in(rpm, &ResponsePeak::speed)},
+     {"mode", OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
       [](const ResponsePeak &peak) { return known_name(peak.mode); }},
-     {"value", "", {}, {}, &ResponsePeak::value},
-     {"",
-      "",
-      {"Peak", "{:.6g}", "no limit"},
-      {"value", "{:.6g}", "no limit"},
+     {"value", &ResponsePeak::value},
+     {OnPage("Peak", "{:.6g}", "no limit"), InText("value", "{:.6g}", "no limit"),
       [](const ResponsePeak &peak) {
           return peak.value * (peak.of == "bearing" ? newtons : micrometres);
       }},
-     {"phase", "", {}, {}, &ResponsePeak::phase},
-     {"",
-      "",
-      {"Phase (deg)", "{:.1f}", ""},
-      {"phase deg", "{:.1f}", ""},
+     {"phase", &ResponsePeak::phase},
+     {OnPage("Phase (deg)", "{:.1f}", ""), InText("phase deg", "{:.1f}", ""),
       [](const ResponsePeak &peak) {
           return std::isfinite(peak.phase) ? std::optional(peak.phase * degrees) : std::nullopt;
       }},
-     {"amplification",
-      "",
-      {"Amplification factor", "{:.4g}", ""},
-      {"AF", "{:.4g}", ""},
+     {"amplification", OnPage("Amplification factor", "{:.4g}", ""), InText("AF", "{:.4g}", ""),
       &ResponsePeak::amplification},
      {"half_power",
-      "",
-      {},
-      {},
       [](const ResponsePeak &peak) {
           return Json{Json(peak.lower), Json(peak.upper)};
       }},
-     {"", "", {"Half-power points (rpm)"}, {"half power rpm"}, half_power},
-     {"error", "", {"Relative error", "{:.2g}"}, {"error", rough}, &ResponsePeak::error},
-     {"speed_error", "", {}, {}, &ResponsePeak::speed_error}},
+     {OnPage("Half-power points (rpm)"), InText("half power rpm"), half_power},
+     {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &ResponsePeak::error},
+     {"speed_error", &ResponsePeak::speed_error}},
     false, error_part);
 
 } // namespace
@@ -143,43 +120,29 @@ constexpr std::size_t amplitude_column = 3; ///< of peak_columns
 } // namespace
 
 Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
-    return {{"", "", {on_page}, {}, &LargestValue::name},
-            {"", "", {"z (m)", "{:.5g}"}, {}, &LargestValue::z},
-            {"",
-             "",
-             {},
-             {on_terminal},
-             [](const LargestValue &peak) { return place(peak.name, peak.z); }},
-            {"",
-             "",
-             {"Amplitude (µm)", "{:.6g}", "no limit"},
-             {what, "{:.6g}", "no limit"},
-             [](const LargestValue &peak) {
-                 return peak.value ? std::optional(*peak.value * micrometres) : std::nullopt;
-             }},
-            {"",
-             "",
-             {"at (rpm)"},
-             {"at rpm"},
-             [](const LargestValue &peak) { return peak.speed * rpm; }},
-            {"", "", {"Relative error", "{:.2g}"}, {"error", rough}, &LargestValue::error}};
+    return {{OnPage(on_page), &LargestValue::name},
+            {OnPage("z (m)", "{:.5g}"), &LargestValue::z},
+            {InText(on_terminal), place_of},
+            {OnPage("Amplitude (µm)", "{:.6g}", "no limit"), InText(what, "{:.6g}", "no limit"),
+             in(micrometres, &LargestValue::value)},
+            {OnPage("at (rpm)"), InText("at rpm"), in(rpm, &LargestValue::speed)},
+            {OnPage("Relative error", "{:.2g}"), InText("error", rough), &LargestValue::error}};
 }
 
 namespace {
 
 Columns<LargestValue> force_columns() {
     Columns<LargestValue> columns = peak_columns("", "bearing", "");
-    columns[amplitude_column] = {
-        "", "", {}, {"largest force N", "{:.6g}", "no limit"}, &LargestValue::value};
+    columns[amplitude_column] = {InText("largest force N", "{:.6g}", "no limit"),
+                                 &LargestValue::value};
     return columns;
 }
 
 Columns<LargestValue> probe_peak_columns() {
     Columns<LargestValue> columns = peak_columns("Probe", "probe", "largest reading µm");
-    columns.insert(columns.begin() + amplitude_column,
-                   {"", "", {"Direction (deg)"}, {"looks along deg"}, [](const LargestValue &peak) {
-                        return peak.angle * degrees;
-                    }});
+    columns.insert(
+        columns.begin() + amplitude_column,
+        {OnPage("Direction (deg)"), InText("looks along deg"), in(degrees, &LargestValue::angle)});
     return columns;
 }
 

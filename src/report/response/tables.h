@@ -23,7 +23,7 @@ template <class Of> struct At {
 };
 
 template <class Of> Column<At<Of>> series(std::string key, std::string csv, auto Of::*list) {
-    return {std::move(key), std::move(csv), {}, {}, [list](const At<Of> &at) {
+    return {std::move(key), InCsv(std::move(csv)), [list](const At<Of> &at) {
                 const auto &values = at.of->*list;
                 return at.index < values.size() ? Json(values[at.index]) : Json();
             }};
@@ -31,10 +31,10 @@ template <class Of> Column<At<Of>> series(std::string key, std::string csv, auto
 
 /// What does not depend on the speed.
 template <class Of> Columns<At<Of>> place_columns(const char *kind) {
-    return {{"", "speed [rad/s]", {}, {}, &At<Of>::speed},
-            {"", "kind", {}, {}, [kind](const At<Of> &) { return kind; }},
-            {"z", "z [m]", {}, {}, [](const At<Of> &at) { return at.of->z; }},
-            {"name", "name", {}, {}, [](const At<Of> &at) { return at.of->name; }}};
+    return {{InCsv("speed [rad/s]"), &At<Of>::speed},
+            {InCsv("kind"), [kind](const At<Of> &) { return kind; }},
+            {"z", InCsv("z [m]"), [](const At<Of> &at) { return at.of->z; }},
+            {"name", InCsv("name"), [](const At<Of> &at) { return at.of->name; }}};
 }
 
 /// Everything of a kind in JSON: what stands once, and lists over the speeds.

@@ -15,22 +15,15 @@ template <class Pair> auto second(std::optional<Pair> BandLine::*of) {
 double width(const BandLine &line) { return line.to - line.from; }
 
 const Columns<BandLine> plain_columns{
-    {"", "kind", {}, {}, &BandLine::kind},
-    {"", "from", {"From (rad/s)", "{:.10g}"}, {"from rad/s", precise}, &BandLine::from},
-    {"", "to", {"to (rad/s)", "{:.10g}"}, {"to rad/s", precise}, &BandLine::to},
-    {"",
-     "",
-     {"from (rpm)", "{:.8g}"},
-     {"from rpm"},
-     [](const BandLine &line) { return line.from * rpm; }},
-    {"",
-     "",
-     {"to (rpm)", "{:.8g}"},
-     {"to rpm"},
-     [](const BandLine &line) { return line.to * rpm; }},
-    {"", "", {"width (rad/s)", "{:.4g}"}, {"width rad/s"}, width},
-    {"", "growth [1/s]", {}, {}, &BandLine::growth},
-    {"", "verdict", {}, {}, &BandLine::verdict}};
+    {InCsv("kind"), &BandLine::kind},
+    {InCsv("from"), OnPage("From (rad/s)", "{:.10g}"), InText("from rad/s", precise),
+     &BandLine::from},
+    {InCsv("to"), OnPage("to (rad/s)", "{:.10g}"), InText("to rad/s", precise), &BandLine::to},
+    {OnPage("from (rpm)", "{:.8g}"), InText("from rpm"), in(rpm, &BandLine::from)},
+    {OnPage("to (rpm)", "{:.8g}"), InText("to rpm"), in(rpm, &BandLine::to)},
+    {OnPage("width (rad/s)", "{:.4g}"), InText("width rad/s"), width},
+    {InCsv("growth [1/s]"), &BandLine::growth},
+    {InCsv("verdict"), &BandLine::verdict}};
 
 } // namespace
 
@@ -38,16 +31,10 @@ const Columns<BandLine> &band_line_columns() { return plain_columns; }
 
 Columns<BandLine> band_columns_with_errors() {
     Columns<BandLine> more = plain_columns;
-    more.push_back({"",
-                    "error of from",
-                    {"error of from (rad/s)", "{:.2g}"},
-                    {"error of from", rough},
-                    first(&BandLine::errors)});
-    more.push_back({"",
-                    "error of to",
-                    {"error of to (rad/s)", "{:.2g}"},
-                    {"error of to", rough},
-                    second(&BandLine::errors)});
+    more.push_back({InCsv("error of from"), OnPage("error of from (rad/s)", "{:.2g}"),
+                    InText("error of from", rough), first(&BandLine::errors)});
+    more.push_back({InCsv("error of to"), OnPage("error of to (rad/s)", "{:.2g}"),
+                    InText("error of to", rough), second(&BandLine::errors)});
     return more;
 }
 
@@ -55,9 +42,9 @@ Columns<BandLine> file_columns(const results::StabilityResult &result) {
     Columns<BandLine> more = band_columns_with_errors();
     if (!result.resolved_up_to)
         return more;
-    more.push_back({"", "resolved growth [1/s]", {}, {}, &BandLine::resolved_growth});
-    more.push_back({"", "resolved verdict", {}, {}, &BandLine::resolved_verdict});
-    more.push_back({"", "unresolved growth [1/s]", {}, {}, &BandLine::unresolved_growth});
+    more.push_back({InCsv("resolved growth [1/s]"), &BandLine::resolved_growth});
+    more.push_back({InCsv("resolved verdict"), &BandLine::resolved_verdict});
+    more.push_back({InCsv("unresolved growth [1/s]"), &BandLine::unresolved_growth});
     return more;
 }
 

@@ -27,48 +27,25 @@ std::optional<double> without_coupling(const Level1 &level1) {
 }
 
 const Columns<Level1> found{
-    {"z", "", {"z (m)", "{:.6g}"}, {"added at z (m)"}, &Level1::z},
-    {"speed", "", {}, {}, &Level1::speed},
-    {"",
-     "",
-     {"Spin speed (rpm)", "{:.6g}"},
-     {"spin speed (rpm)", "{:.6g}"},
-     [](const Level1 &of) { return of.speed * rpm; }},
-    {"",
-     "",
-     {"Logarithmic decrement without it", "{:.6g}"},
-     {"log. decrement without it", "{:.6g}"},
-     without_coupling},
-    {"critical_cross_coupling",
-     "",
-     {"Critical cross coupling (N/m)", "{:.10g}"},
-     {"critical cross coupling (N/m)", precise},
-     &Level1::critical_cross_coupling},
-    {"error", "", {"Relative error", "{:.2g}"}, {"its relative error", rough}, &Level1::error},
-    {"critical_frequency", "", {}, {}, &Level1::critical_frequency},
-    {"",
-     "",
-     {"Frequency there (Hz)", "{:.6g}"},
-     {"frequency there (Hz)", "{:.6g}"},
-     [](const Level1 &of) {
-         return of.critical_frequency ? std::optional(*of.critical_frequency * hertz)
-                                      : std::nullopt;
-     }},
-    {"anticipated",
-     "",
-     {"Anticipated cross coupling (N/m)", "{:.6g}"},
-     {"anticipated cross coupling (N/m)", "{:.6g}"},
-     &Level1::anticipated},
-    {"anticipated_log_dec",
-     "",
-     {"Logarithmic decrement with that", "{:.6g}"},
-     {"log. decrement with that", "{:.6g}"},
-     &Level1::anticipated_log_dec},
-    {"ratio",
-     "",
-     {"Critical over anticipated", "{:.4g}"},
-     {"critical over anticipated", "{:.4g}"},
-     reserve}};
+    {"z", OnPage("z (m)", "{:.6g}"), InText("added at z (m)"), &Level1::z},
+    {"speed", &Level1::speed},
+    {OnPage("Spin speed (rpm)", "{:.6g}"), InText("spin speed (rpm)", "{:.6g}"),
+     in(rpm, &Level1::speed)},
+    {OnPage("Logarithmic decrement without it", "{:.6g}"),
+     InText("log. decrement without it", "{:.6g}"), without_coupling},
+    {"critical_cross_coupling", OnPage("Critical cross coupling (N/m)", "{:.10g}"),
+     InText("critical cross coupling (N/m)", precise), &Level1::critical_cross_coupling},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("its relative error", rough),
+     &Level1::error},
+    {"critical_frequency", &Level1::critical_frequency},
+    {OnPage("Frequency there (Hz)", "{:.6g}"), InText("frequency there (Hz)", "{:.6g}"),
+     in(hertz, &Level1::critical_frequency)},
+    {"anticipated", OnPage("Anticipated cross coupling (N/m)", "{:.6g}"),
+     InText("anticipated cross coupling (N/m)", "{:.6g}"), &Level1::anticipated},
+    {"anticipated_log_dec", OnPage("Logarithmic decrement with that", "{:.6g}"),
+     InText("log. decrement with that", "{:.6g}"), &Level1::anticipated_log_dec},
+    {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
+     InText("critical over anticipated", "{:.4g}"), reserve}};
 
 /// A point of the curve.
 struct CurvePoint {
@@ -82,9 +59,9 @@ std::vector<CurvePoint> points(const Level1 &level1) {
     return out;
 }
 
-const Columns<CurvePoint> curve{{"q", "q [N/m]", {}, {}, &CurvePoint::q},
-                                {"log_dec", "log_dec", {}, {}, &CurvePoint::log_dec},
-                                {"frequency", "frequency [rad/s]", {}, {}, &CurvePoint::frequency}};
+const Columns<CurvePoint> curve{{"q", InCsv("q [N/m]"), &CurvePoint::q},
+                                {"log_dec", InCsv("log_dec"), &CurvePoint::log_dec},
+                                {"frequency", InCsv("frequency [rad/s]"), &CurvePoint::frequency}};
 
 } // namespace
 

@@ -26,80 +26,43 @@ namespace {
 
 /// Ends of growth, and the lines of the file that they are.
 const Columns<results::StabilityEnd> end_columns{
-    {"speed",
-     "from",
-     {"Speed (rad/s)", "{:.10g}"},
-     {"speed rad/s", precise},
+    {"speed", InCsv("from"), OnPage("Speed (rad/s)", "{:.10g}"), InText("speed rad/s", precise),
      &results::StabilityEnd::speed},
-    {"", "to", {}, {}, &results::StabilityEnd::speed},
-    {"", "kind", {}, {}, [](const auto &) { return "end"; }},
-    {"",
-     "",
-     {"Speed (rpm)", "{:.8g}"},
-     {"speed rpm"},
-     [](const auto &end) { return end.speed * rpm; }},
-    {"mode",
-     "mode",
-     {"Mode", "{}", ""},
-     {"mode", "{}", ""},
+    {InCsv("to"), &results::StabilityEnd::speed},
+    {InCsv("kind"), [](const auto &) { return "end"; }},
+    {OnPage("Speed (rpm)", "{:.8g}"), InText("speed rpm"), in(rpm, &results::StabilityEnd::speed)},
+    {"mode", InCsv("mode"), OnPage("Mode", "{}", ""), InText("mode", "{}", ""),
      [](const auto &end) { return known_name(end.mode); }},
-    {"kind",
-     "verdict",
-     {"What happens"},
-     {"kind"},
+    {"kind", InCsv("verdict"), OnPage("What happens"), InText("kind"),
      [](const auto &end) { return results::end_kind_name(end.kind); }},
-    {"growing_below",
-     "growing below",
-     {"growing below"},
-     {"growing below"},
+    {"growing_below", InCsv("growing below"), ForReaders("growing below"),
      &results::StabilityEnd::growing_below},
-    {"growing_above",
-     "growing above",
-     {"growing above"},
-     {"growing above"},
+    {"growing_above", InCsv("growing above"), ForReaders("growing above"),
      &results::StabilityEnd::growing_above},
-    {"frequency_rotating",
-     "frequency in rotating axes [rad/s]",
-     {"frequency in rotating axes (rad/s)", "{:.8g}"},
-     {"in rotating axes rad/s", "{:#.8g}"},
-     &results::StabilityEnd::frequency_rotating},
-    {"frequency",
-     "frequency in fixed axes [rad/s]",
-     {"in fixed axes (rad/s)", "{:.8g}"},
-     {"in fixed axes rad/s", "{:#.8g}"},
+    {"frequency_rotating", InCsv("frequency in rotating axes [rad/s]"),
+     OnPage("frequency in rotating axes (rad/s)", "{:.8g}"),
+     InText("in rotating axes rad/s", "{:#.8g}"), &results::StabilityEnd::frequency_rotating},
+    {"frequency", InCsv("frequency in fixed axes [rad/s]"),
+     OnPage("in fixed axes (rad/s)", "{:.8g}"), InText("in fixed axes rad/s", "{:#.8g}"),
      &results::StabilityEnd::frequency},
-    {"error", "", {}, {}, [](const auto &end) {
-         return end.resolved.error ? Json(*end.resolved.error) : Json();
-     }}};
+    {"error", [](const auto &end) { return end.resolved.error; }}};
 
 const Columns<PermissibleAnisotropy> permissible_columns{
-    {"name", "", {"Element"}, {}, &PermissibleAnisotropy::name},
-    {"z", "", {"z (m)", "{:.5g}"}, {}, &PermissibleAnisotropy::z},
-    {"", "", {}, {"anisotropy at"}, [](const auto &entry) { return place(entry.name, entry.z); }},
-    {"dI", "", {}, {}, &PermissibleAnisotropy::dI},
-    {"",
-     "",
-     {"largest dI (kg m²)", "{:.8g}"},
-     {},
+    {"name", OnPage("Element"), &PermissibleAnisotropy::name},
+    {"z", OnPage("z (m)", "{:.5g}"), &PermissibleAnisotropy::z},
+    {InText("anisotropy at"), place_of},
+    {"dI", &PermissibleAnisotropy::dI},
+    {OnPage("largest dI (kg m²)", "{:.8g}"),
      [](const auto &entry) {
          return entry.dI ? Json(*entry.dI) : Json("stable up to the most there can be");
      }},
-    {"",
-     "",
-     {},
-     {"largest dI kg m2", precise},
+    {InText("largest dI kg m2", precise),
      [](const auto &entry) { return entry.dI ? Json(*entry.dI) : Json("stable up to the most"); }},
-    {"most",
-     "",
-     {"most there can be (kg m²)", "{:.8g}"},
-     {"most there can be", precise},
+    {"most", OnPage("most there can be (kg m²)", "{:.8g}"), InText("most there can be", precise),
      &PermissibleAnisotropy::most},
-    {"closed_form",
-     "",
-     {"rigid closed form (kg m²)", "{:.8g}"},
-     {"rigid closed form", precise},
-     &PermissibleAnisotropy::closed_form},
-    {"of_disc", "", {}, {}, &PermissibleAnisotropy::of_disc}};
+    {"closed_form", OnPage("rigid closed form (kg m²)", "{:.8g}"),
+     InText("rigid closed form", precise), &PermissibleAnisotropy::closed_form},
+    {"of_disc", &PermissibleAnisotropy::of_disc}};
 
 Json family_json(const results::ArrangementFamily &family) {
     return {{"arrangements", family.arrangements},
@@ -130,7 +93,7 @@ Json json_of(const StabilityResult &result) {
             {"unstable", result.unstable},
             {"unstable_error", result.unstable_error},
             {"ends", json_rows(end_columns, result.ends)},
-            {"resolved_up_to", result.resolved_up_to ? Json(*result.resolved_up_to) : Json()},
+            {"resolved_up_to", result.resolved_up_to},
             {"unresolved_ends", json_rows(end_columns, result.unresolved_ends)},
             {"resolved_growth", result.resolved_growth},
             {"resolved_verdict", json_verdicts(result.resolved_verdict)},
@@ -183,10 +146,9 @@ std::vector<BandLine> still_speeds(const StabilityResult &result) {
     return all;
 }
 
-const Columns<BandLine> still_columns{
-    {"", "", {"Kind"}, {}, &BandLine::kind},
-    {"", "", {"rad/s", "{:.10g}"}, {}, &BandLine::from},
-    {"", "", {"rpm", "{:.8g}"}, {}, [](const BandLine &line) { return line.from * rpm; }}};
+const Columns<BandLine> still_columns{{OnPage("Kind"), &BandLine::kind},
+                                      {OnPage("rad/s", "{:.10g}"), &BandLine::from},
+                                      {OnPage("rpm", "{:.8g}"), in(rpm, &BandLine::from)}};
 
 std::vector<Section> sections_of(const StabilityResult &result) {
     std::vector<Section> sections = headline_sections(result);
