@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace whirl::report {
@@ -27,8 +28,7 @@ const Columns<AccuracyRow> accuracy_columns{
     {"method", InCsv("method"), OnPage("Method"), InText("method"), &AccuracyRow::method},
     {"unknowns", InCsv("unknowns"), OnPage("Unknowns"), InText("unknowns"), &AccuracyRow::unknowns},
     {"seconds", InCsv("seconds [s]"), &AccuracyRow::seconds},
-    {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"),
-     [](const auto &row) { return row.seconds * 1000; }},
+    {OnPage("Wall time (ms)", "{:.4g}"), InText("ms", "{:.3g}"), in(1000, &AccuracyRow::seconds)},
     {"error_estimate", InCsv("error_estimate"), OnPage("Estimate", "{:.3g}"),
      InText("estimate", rough), &AccuracyRow::error_estimate},
     {"true_error", InCsv("true_error"), OnPage("True error", "{:.3g}"), InText("true error", rough),
@@ -39,6 +39,14 @@ Json json_of(const AccuracyResult &result) {
             {"speed", result.speed},
             {"reference_frequencies", result.reference_frequencies},
             {"rows", json_rows(accuracy_columns, result.rows)}};
+}
+
+std::string csv_of(const AccuracyResult &result) {
+    return csv_table(accuracy_columns, result.rows);
+}
+
+std::vector<Section> sections_of(const AccuracyResult &result) {
+    return {{"Error against " + result.reference, page_table(accuracy_columns, result.rows)}};
 }
 
 std::string text_of(const model::Case &scene, const AccuracyResult &result) {
@@ -70,68 +78,45 @@ Families families_of(const AccuracyResult &result) {
     return families;
 }
 
-std::string plots(const Families &families, int column, bool legend) {
-    std::string text;
+/// @param x  of the axis: a member or a function of the row
+std::string plots(const std::string &name, const Families &families, const auto &x, bool legend) {
+    Curves drawn(name);
     std::size_t index = 0;
-    for (const auto &[name, rows] : families) {
-        const LineStyle style = series_style(index);
-        text +=
-            fmt::format("$f{} using {}:3 with linespoints lw 1.8 dt {} pt {} ps 1 lc rgb '{}' {}, ",
-                        index, column, style.dash, style.point, style.colour,
-                        legend ? "title " + plot_text(name) : "notitle");
-        ++index;
+    for (const auto &[title, rows] : families) {
+        std::vector<PlotPoint> points;
+        for (const AccuracyRow &row : rows)
+            points.push_back({static_cast<double>(std::invoke(x, row)), row.true_error});
+        const LineStyle style = series_style(index++);
+        drawn.add(points,
+                  fmt::format("with linespoints lw 1.8 dt {} pt {} ps 1 lc rgb '{}'", style.dash,
+                              style.point, style.colour),
+                  legend ? plot_text(title) : "");
     }
-    if (text.empty())
-        return "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n";
-    text.resize(text.size() - 2);
-    return "plot " + text + "\n";
+    return families.empty() ? "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n"
+                            : drawn.script();
 }
 
 /// True error over wall time and over unknowns, logarithmic, one line for each element family and
 /// order.
 Figure accuracy_figure(const model::Case &scene, const AccuracyResult &result) {
     const Families families = families_of(result);
-    Figure figure;
-    figure.width = 1180;
-    figure.height = 600;
-    figure.script = figure_head(
-        "Speed and accuracy: " + title_of(scene),
-        "largest relative error of the frequencies against " + result.reference, figure.height);
-    std::size_t index = 0;
-    for (const auto &[name, rows] : families) {
-        figure.script += fmt::format("$f{} << EOD\n", index++);
-        for (const AccuracyRow &row : rows)
-            figure.script +=
-                fmt::format("{} {} {}\n", row.unknowns, plot_number(row.seconds * 1000),
-                            plot_number(row.true_error));
-        figure.script += "EOD\n";
-    }
-    figure.script +=
-        "set logscale xy\nset format y '10^{%L}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
-        "set ylabel 'True relative error'\nset xlabel 'Unknowns'\nunset key\n" +
-        panel_margins(0.075, 0.42, 0.115, 0.87) + plots(families, 1, false) +
-        "unset label\nunset ylabel\nset xlabel 'Wall time (ms)'\n"
-        "set key at graph 1.03,1 left top reverse Left vertical samplen 3\n" +
-        panel_margins(0.475, 0.82, 0.115, 0.87) + plots(families, 2, true) + "unset multiplot\n";
-    return figure;
+    return figure_of(1180, 600, "Speed and accuracy: " + title_of(scene),
+                     "largest relative error of the frequencies against " + result.reference,
+                     std::string("set logscale xy\nset format y '10^{%L}'\n") + grid +
+                         "set ylabel 'True relative error'\nset xlabel 'Unknowns'\nunset key\n" +
+                         panel_margins(0.075, 0.42, 0.115, 0.87) +
+                         plots("u", families, &AccuracyRow::unknowns, false) +
+                         "unset label\nunset ylabel\nset xlabel 'Wall time (ms)'\n"
+                         "set key at graph 1.03,1 left top reverse Left vertical samplen 3\n" +
+                         panel_margins(0.475, 0.82, 0.115, 0.87) +
+                         plots("t", families, in(1000, &AccuracyRow::seconds), true));
 }
 
 } // namespace
 
 Report describe(const model::Case &scene, const AccuracyResult &result) {
-    return {.command = "accuracy",
-            .heading = "Speed and accuracy",
-            .scene = &scene,
-            .model = &result.model,
-            .json = [&] { return json_of(result); },
-            .csv = [&] { return csv_table(accuracy_columns, result.rows); },
-            .sections =
-                [&] {
-                    return std::vector{Section{"Error against " + result.reference,
-                                               page_table(accuracy_columns, result.rows)}};
-                },
-            .text = [&] { return text_of(scene, result); },
-            .figure = [&] { return accuracy_figure(scene, result); }};
+    return report_of<AccuracyResult>("accuracy", "Speed and accuracy", scene, result,
+                                     {json_of, csv_of, sections_of, text_of, accuracy_figure});
 }
 
 } // namespace whirl::report

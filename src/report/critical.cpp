@@ -135,23 +135,10 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
 
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.
 Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
-    Figure figure;
-    figure.width = figure_width;
-    figure.height = figure_height;
     const MarksAxis axis = axis_of(scene, result);
     const Range &x = axis.x;
-    figure.script =
-        figure_head("Critical speeds: " + title_of(scene), "synchronous whirl, 1×", figure.height) +
-        panel_margins(panel_left, panel_right, panel_bottom, panel_top) +
-        (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
-        fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
-                    "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
-                    "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
-                    "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
-                    x.low, x.high, rows_from, rows_to) +
-        operation_band(scene, x);
-    std::string plots = "NaN notitle" + operation_key(scene, x);
-    figure.script += speed_labels(result, axis);
+    Curves drawn("marks");
+    drawn.add("NaN notitle" + operation_key(scene, x));
     std::vector<PlotPoint> heavy;
     for (const auto sense :
          {results::Whirl::forward, results::Whirl::mixed, results::Whirl::backward}) {
@@ -163,18 +150,22 @@ Figure critical_figure(const model::Case &scene, const CriticalResult &result) {
             (grey ? heavy : points).push_back({critical.speed * rpm, row_of(sense)});
         }
         const LineStyle style = whirl_style(sense);
-        figure.script += data_block(style.name, {points});
-        plots += fmt::format(", ${} with points pt {} ps 1.5 lw 1.6 lc rgb '{}' notitle",
-                             style.name, style.point, style.colour);
+        drawn.add(points, fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'", style.point,
+                                      style.colour));
     }
-    if (!heavy.empty()) {
-        figure.script += data_block("heavy", {heavy});
-        plots += fmt::format(", $heavy with points pt 6 ps 1.5 lw 1.6 lc rgb '{}' title 'heavily "
-                             "damped (AF < 2.5)'",
-                             heavy_colour);
-    }
-    figure.script += "plot " + plots + "\nunset multiplot\n";
-    return figure;
+    if (!heavy.empty())
+        drawn.add(heavy, fmt::format("with points pt 6 ps 1.5 lw 1.6 lc rgb '{}'", heavy_colour),
+                  "'heavily damped (AF < 2.5)'");
+    return figure_of(
+        figure_width, figure_height, "Critical speeds: " + title_of(scene), "synchronous whirl, 1×",
+        panel_margins(panel_left, panel_right, panel_bottom, panel_top) +
+            (axis.logarithmic ? "set logscale x\nset format x '10^{%L}'\n" : "") +
+            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n"
+                        "set ytics ('forward' 3, 'mixed' 2, 'backward' 1)\n"
+                        "set xlabel 'Spin speed (rpm)'\nset grid x lc rgb '#E4E4E4' lt 1\n"
+                        "set key at graph 1,1.02 right bottom horizontal samplen 2\n",
+                        x.low, x.high, rows_from, rows_to) +
+            operation_band(scene, x) + speed_labels(result, axis) + drawn.script());
 }
 
 } // namespace

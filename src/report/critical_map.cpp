@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace whirl::report {
 
@@ -68,79 +69,48 @@ const Columns<CriticalMapCurve> map_curve_columns{
 /// A line of the file: a point of a curve, of a bearing, or a deflection.
 struct MapLine {
     std::string kind;
-    std::string bearings, of;
+    std::string bearings{}, of{};
     std::optional<double> stiffness, speed;
-    std::optional<results::Whirl> whirl;
-    std::optional<int> number;
-    std::optional<double> error, z, deflection;
+    std::optional<results::Whirl> whirl{};
+    std::optional<int> number{};
+    std::optional<double> error{}, z{}, deflection{};
 };
 
-const Columns<MapLine> map_line_columns{
-    {InCsv("kind"), &MapLine::kind},
-    {InCsv("bearings"), &MapLine::bearings},
-    {InCsv("of"), &MapLine::of},
-    {InCsv("stiffness [N/m]"), &MapLine::stiffness},
-    {InCsv("speed [rad/s]"), &MapLine::speed},
-    {InCsv("whirl"),
-     [](const MapLine &at) { return at.whirl ? results::whirl_name(*at.whirl) : ""; }},
-    {InCsv("number"), &MapLine::number},
-    {InCsv("error"), &MapLine::error},
-    {InCsv("z [m]"), &MapLine::z},
-    {InCsv("deflection"), &MapLine::deflection}};
-
-void add_shape(const CriticalMap &map, const CriticalMapCurve &curve, bool soft,
-               std::vector<MapLine> &lines) {
-    const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
-    for (std::size_t i = 0; i < shape.size() && i < map.z.size(); ++i)
-        lines.push_back({"shape", "", "", soft ? map.stiffness.front() : map.stiffness.back(),
-                         soft ? curve.speed.front() : curve.speed.back(), curve.whirl, curve.number,
-                         std::nullopt, map.z[i], shape[i]});
-}
+const Columns<MapLine> map_line_columns{{InCsv("kind"), &MapLine::kind},
+                                        {InCsv("bearings"), &MapLine::bearings},
+                                        {InCsv("of"), &MapLine::of},
+                                        {InCsv("stiffness [N/m]"), &MapLine::stiffness},
+                                        {InCsv("speed [rad/s]"), &MapLine::speed},
+                                        {InCsv("whirl"), &MapLine::whirl},
+                                        {InCsv("number"), &MapLine::number},
+                                        {InCsv("error"), &MapLine::error},
+                                        {InCsv("z [m]"), &MapLine::z},
+                                        {InCsv("deflection"), &MapLine::deflection}};
 
 std::string csv_of(const model::Case &scene, const CriticalMap &map) {
     std::vector<MapLine> lines;
     for (const CriticalMapCurve &curve : map.curves)
         for (std::size_t i = 0; i < map.stiffness.size(); ++i)
             if (!std::isnan(curve.speed[i]))
-                lines.push_back({"curve",
-                                 "",
-                                 "",
-                                 map.stiffness[i],
-                                 curve.speed[i],
-                                 curve.whirl,
-                                 curve.number,
-                                 curve.error[i],
-                                 {},
-                                 {}});
-    for (const CriticalMapBearing &across : map.bearings)
+                lines.push_back({"curve", "", "", map.stiffness[i], curve.speed[i], curve.whirl,
+                                 curve.number, curve.error[i]});
+    for (const CriticalMapBearing &across : map.bearings) {
+        const std::string bearings = bearings_text(scene, across.bearings);
         for (const bool x : {true, false})
             for (std::size_t i = 0; i < across.speeds.size() && (x || !across.isotropic); ++i)
-                lines.push_back({"bearing",
-                                 bearings_text(scene, across.bearings),
-                                 across.isotropic ? "k"
-                                 : x              ? "kxx"
-                                                  : "kyy",
-                                 (x ? across.kxx : across.kyy)[i],
-                                 across.speeds[i],
-                                 {},
-                                 {},
-                                 {},
-                                 {},
-                                 {}});
+                lines.push_back({"bearing", bearings, coefficient_name(across, x),
+                                 (x ? across.kxx : across.kyy)[i], across.speeds[i]});
+    }
     for (const Crossing &at : crossings_of(scene, map))
-        lines.push_back({"crossing",
-                         at.bearings,
-                         at.of,
-                         at.stiffness,
-                         at.speed,
-                         at.whirl,
-                         at.number,
-                         at.error,
-                         {},
-                         {}});
+        lines.push_back({"crossing", at.bearings, at.of, at.stiffness, at.speed, at.whirl,
+                         at.number, at.error});
     for (const CriticalMapCurve &curve : map.curves)
-        for (const bool soft : {true, false})
-            add_shape(map, curve, soft, lines);
+        for (const auto &[shape, stiffness, speed] :
+             {std::tuple(&curve.soft, map.stiffness.front(), curve.speed.front()),
+              std::tuple(&curve.stiff, map.stiffness.back(), curve.speed.back())})
+            for (std::size_t i = 0; i < shape->size() && i < map.z.size(); ++i)
+                lines.push_back({"shape", "", "", stiffness, speed, curve.whirl, curve.number,
+                                 std::nullopt, map.z[i], (*shape)[i]});
     return csv_table(map_line_columns, lines);
 }
 
@@ -166,6 +136,10 @@ std::string bearings_text(const model::Case &scene, const std::vector<std::size_
                 : bearing.name);
     }
     return joined(names, ", ");
+}
+
+std::string coefficient_name(const CriticalMapBearing &across, bool x) {
+    return across.isotropic ? "k" : x ? "kxx" : "kyy";
 }
 
 std::string curve_name(results::Whirl whirl, int number) {

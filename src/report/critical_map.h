@@ -24,6 +24,8 @@ namespace whirl::report {
 /// "left, right (z = 1.5 m)": the bearings whose stiffness is laid across a map.
 [[nodiscard]] std::string bearings_text(const model::Case &scene,
                                         const std::vector<std::size_t> &bearings);
+/// "kxx" or "kyy", or "k" where both are the same.
+[[nodiscard]] std::string coefficient_name(const results::CriticalMapBearing &across, bool x);
 /// "2 forward": short for tables and pictures "2F".
 [[nodiscard]] std::string curve_name(results::Whirl whirl, int number);
 

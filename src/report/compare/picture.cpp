@@ -143,18 +143,17 @@ bool has_curves(const std::string &command) {
 std::string upper_panel(const Comparison &comparison, double pixel, double bottom, double top) {
     const std::string &command = comparison.command;
     const bool marks = command == "critical";
-    std::string data;
-    std::string plots;
+    Curves drawn("curve");
+    drawn.add("NaN notitle");
     std::size_t count = 0;
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
         for (const Overlaid &curve : curves_of(comparison, i)) {
-            const LineStyle style = series_style(count);
-            const std::string name = fmt::format("curve{}", count++);
-            data += data_block(name, curve.lines);
-            plots += fmt::format(", ${} with {} lc rgb '{}' title {}", name,
-                                 marks ? fmt::format("points pt {} ps 1.5 lw 1.6", style.point)
-                                       : fmt::format("lines lw 2 dt {}", style.dash),
-                                 style.colour, plot_text(curve.title));
+            const LineStyle style = series_style(count++);
+            drawn.add_pieces(curve.lines,
+                             marks ? fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'",
+                                                 style.point, style.colour)
+                                   : line_look(style, 2),
+                             plot_text(curve.title));
         }
     const std::string y = command == "campbell"    ? "set ylabel 'Whirl frequency (Hz)'\n"
                           : command == "response"  ? "set ylabel 'Amplitude (µm)'\nset logscale "
@@ -162,21 +161,20 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
                           : command == "stability" ? "set ylabel 'Growth (1/s)'\n"
                           : command == "simulate"  ? "set ylabel 'Amplitude (µm)'\n"
                                                    : "unset ytics\nunset ylabel\n";
-    return data + panel_margins(0.09, 0.96, bottom, top) + y +
+    return panel_margins(0.09, 0.96, bottom, top) + y +
            (marks ? fmt::format("set yrange [{}:0.7]\n",
                                 0.3 - static_cast<double>(comparison.results.size()))
                   : std::string("set autoscale y\n")) +
            fmt::format(
-               "set xlabel '{2}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
-               "set key at screen 0.525,{0} center center vertical maxrows 4 samplen 4 font "
-               "',10'\nplot NaN notitle{1}\n"
-               "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n",
-               1 - 112 * pixel, plots, command == "simulate" ? "Time (s)" : "Spin speed (rpm)");
+               "set xlabel '{}'\n{}set key at screen 0.525,{} center center vertical maxrows 4 "
+               "samplen 4 font ',10'\n",
+               command == "simulate" ? "Time (s)" : "Spin speed (rpm)", grid, 1 - 112 * pixel) +
+           drawn.script() + "unset logscale\nset format\nset ytics\nset autoscale\nunset label\n";
 }
 
 std::string lower_panel(const Comparison &comparison, double pixel, double bottom, double top) {
-    std::string data;
-    std::string plots;
+    Curves drawn("d");
+    drawn.add("NaN notitle");
     double high = 1e-12;
     for (std::size_t other = 1; other < comparison.results.size(); ++other) {
         std::vector<PlotPoint> differences;
@@ -196,45 +194,39 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
             high = std::max({high, *differences.back().y, errors.back().y.value_or(0)});
         }
         const LineStyle style = series_style(other);
-        data += data_block(fmt::format("d{}", other), {differences}) +
-                data_block(fmt::format("e{}", other), {errors});
+        drawn.add(
+            differences,
+            fmt::format("with points pt {} ps 1.1 lw 1.5 lc rgb '{}'", style.point, style.colour),
+            plot_text(comparison.results[other].name));
         // A bar is a short line across its number.
-        plots += fmt::format(
-            ", $d{0} with points pt {1} ps 1.1 lw 1.5 lc rgb '{2}' title {3}, $e{0} using "
-            "($1-0.32):2:(0.64):(0) with vectors nohead lw 1 lc rgb '{2}' notitle",
-            other, style.point, style.colour, plot_text(comparison.results[other].name));
+        drawn.add(errors,
+                  fmt::format("using ($1-0.32):2:(0.64):(0) with vectors nohead lw 1 lc rgb '{}'",
+                              style.colour));
     }
-    return data + panel_margins(0.09, 0.96, bottom, top) +
-           fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:{}]\nset xrange "
-                       "[0.3:*]\nset xtics auto\nset xlabel 'Quantity, number in the table of its "
-                       "result'\nset ylabel 'Difference relative to the first'\nset grid lc rgb "
-                       "'#E4E4E4' lt 1 "
-                       "lw 0.6\nset key at screen 0.525,{} center center horizontal samplen 2 font "
-                       "',10'\nplot NaN notitle{}, keyentry with lines lw 1 lc rgb '#555555' title "
-                       "'both error bars'\n",
-                       least_drawn / 3, 10 * high, top + 16 * pixel, plots);
+    return panel_margins(0.09, 0.96, bottom, top) + logarithmic_y +
+           fmt::format("set yrange [{}:{}]\nset xrange [0.3:*]\nset xtics auto\n"
+                       "set xlabel 'Quantity, number in the table of its result'\n"
+                       "set ylabel 'Difference relative to the first'\n{}"
+                       "set key at screen 0.525,{} center center horizontal samplen 2 font ',10'\n",
+                       least_drawn / 3, 10 * high, grid, top + 16 * pixel) +
+           drawn.script(", keyentry with lines lw 1 lc rgb '#555555' title 'both error bars'");
 }
 
 } // namespace
 
 Figure comparison_figure(const Comparison &comparison) {
-    Figure figure;
     const bool curves = has_curves(comparison.command);
     const bool marks = comparison.command == "critical";
-    const int upper = !curves ? 0 : marks ? 330 : 560;
-    figure.width = 1180;
-    figure.height = upper + 430;
-    const double pixel = 1.0 / figure.height;
-    figure.script =
-        figure_head("Comparison: " + comparison.command,
-                    comparison.results.front().name + " against " +
-                        (comparison.results.size() == 2
-                             ? comparison.results[1].name
-                             : fmt::format("{} others", comparison.results.size() - 1)),
-                    figure.height) +
+    const int height = (!curves ? 0 : marks ? 330 : 560) + 430;
+    const double pixel = 1.0 / height;
+    return figure_of(
+        1180, height, "Comparison: " + comparison.command,
+        comparison.results.front().name + " against " +
+            (comparison.results.size() == 2
+                 ? comparison.results[1].name
+                 : fmt::format("{} others", comparison.results.size() - 1)),
         (curves ? upper_panel(comparison, pixel, (430 + 20) * pixel, 1 - 155 * pixel) : "") +
-        lower_panel(comparison, pixel, 60 * pixel, 340 * pixel) + "unset multiplot\n";
-    return figure;
+            lower_panel(comparison, pixel, 60 * pixel, 340 * pixel));
 }
 
 } // namespace whirl::report

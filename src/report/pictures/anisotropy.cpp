@@ -54,16 +54,11 @@ std::string signs_over_anisotropy(const AnisotropyChart &chart, double widest) {
 std::string anisotropy_panel(const AnisotropyChart &chart) {
     const double widest = widest_anisotropy(chart);
     std::string region = "$region << EOD\n";
-    std::vector<PlotPoint> limit;
-    std::vector<PlotPoint> critical;
-    for (std::size_t i = 0; i < chart.speed.size(); ++i) {
-        const double speed = chart.speed[i];
-        region += fmt::format("{} {}\n", std::min(chart.limit[i], widest), speed);
-        limit.push_back({chart.limit[i], speed});
-        critical.push_back({chart.undamped[i], speed});
-    }
+    for (std::size_t i = 0; i < chart.speed.size(); ++i)
+        region += fmt::format("{} {}\n", std::min(chart.limit[i], widest), chart.speed[i]);
     region += fmt::format("{0} {1}\n{0} 0\nEOD\n", widest, chart.speed.back());
-    return region + data_block("limit", {limit}) + data_block("critical", {critical}) +
+    return region + data_block("limit", {points_over(chart.limit, 1, chart.speed, 1)}) +
+           data_block("critical", {points_over(chart.undamped, 1, chart.speed, 1)}) +
            speed_axes(chart) + signs_over_anisotropy(chart, widest) +
            fmt::format("set title 'C = {:.4g} (upright line: the case)'\nset xlabel 'Anisotropy, "
                        "half the difference of the "
@@ -149,15 +144,10 @@ std::string subtitle(const AnisotropyChart &chart) {
 } // namespace
 
 Figure anisotropy_figure(const model::Case &scene, const AnisotropyChart &chart) {
-    Figure figure;
-    figure.width = 1180;
-    figure.height = 560;
-    figure.script = figure_head("Critical speeds and stability: " + title_of(scene),
-                                subtitle(chart), figure.height) +
-                    panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) +
-                    "unset label\n" + panel_margins(0.57, 0.925, 0.13, 0.8) + polar_panel(chart) +
-                    "unset multiplot\n";
-    return figure;
+    return figure_of(
+        1180, 560, "Critical speeds and stability: " + title_of(scene), subtitle(chart),
+        panel_margins(0.055, 0.41, 0.13, 0.8) + anisotropy_panel(chart) + "unset label\n" +
+            panel_margins(0.57, 0.925, 0.13, 0.8) + polar_panel(chart));
 }
 
 } // namespace whirl::report

@@ -219,21 +219,25 @@ std::string signature_panel(const model::Case &scene, const BalanceResult &resul
         for (const double value : point.eigenvalues)
             largest = std::max(largest, std::min(std::abs(value) * mass, 1e3));
     const double top = 1.05 * folded(largest, unit);
-    return data_block("any", eigenvalue_lines(result, mass, unit, Sign::any)) +
-           data_block("minus", eigenvalue_lines(result, mass, unit, Sign::minus)) +
-           data_block("plus", eigenvalue_lines(result, mass, unit, Sign::plus)) +
-           fmt::format(
-               "unset object\nunset label\nunset arrow\n{6}set yrange [{0}:{1}]\nset ytics ({2}) "
-               "enhanced\nset ylabel '{3}'\nset xlabel 'Spin speed (rpm)'\n"
-               "set key at graph 1,1.02 right bottom horizontal samplen 2\n"
-               "set arrow from graph 0,first 0 to graph 1,first 0 nohead lc rgb '#555555' lw 1 "
-               "back\n"
-               "plot $any with lines lw 1.2 lc rgb '#B5B5B5' notitle, $minus with linespoints pt 7 "
-               "ps 0.3 lw 2 lc rgb '{4}' title 'negative', "
-               "$plus with linespoints pt 7 ps 0.3 lw 2 lc rgb '{5}' title 'positive'\n",
-               -top, top, folded_tics(unit, largest),
-               result.rigid ? "Eigenvalues × mass of the rotor" : "Eigenvalues (1/kg)",
-               balanced_colour, unbalanced_colour, operation_band(scene, x));
+    Curves drawn("eigenvalues");
+    drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::any),
+                     "with lines lw 1.2 lc rgb '#B5B5B5'");
+    drawn.add_pieces(eigenvalue_lines(result, mass, unit, Sign::minus),
+                     fmt::format("with linespoints pt 7 ps 0.3 lw 2 lc rgb '{}'", balanced_colour),
+                     "'negative'");
+    drawn.add_pieces(
+        eigenvalue_lines(result, mass, unit, Sign::plus),
+        fmt::format("with linespoints pt 7 ps 0.3 lw 2 lc rgb '{}'", unbalanced_colour),
+        "'positive'");
+    return "unset object\nunset label\nunset arrow\n" + operation_band(scene, x) +
+           fmt::format("set yrange [{}:{}]\nset ytics ({}) enhanced\nset ylabel '{}'\n"
+                       "set xlabel 'Spin speed (rpm)'\n"
+                       "set key at graph 1,1.02 right bottom horizontal samplen 2\n"
+                       "set arrow from graph 0,first 0 to graph 1,first 0 nohead lc rgb '#555555' "
+                       "lw 1 back\n",
+                       -top, top, folded_tics(unit, largest),
+                       result.rigid ? "Eigenvalues × mass of the rotor" : "Eigenvalues (1/kg)") +
+           drawn.script();
 }
 
 } // namespace
@@ -243,10 +247,9 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
     if (rows.empty())
         return {"set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n"};
     const double bands_height = 60.0 + 62.0 * static_cast<double>(rows.size());
-    Figure figure;
-    figure.width = 1080;
-    figure.height = static_cast<int>(bands_height) + 520;
-    const double pixel = 1.0 / figure.height;
+    constexpr int width = 1080;
+    const int height = static_cast<int>(bands_height) + 520;
+    const double pixel = 1.0 / height;
     const Range speeds = range_of(result.speeds);
     const Range x{speeds.low * rpm, speeds.high * rpm};
     const double split = 1 - (100 + bands_height) * pixel;
@@ -254,20 +257,17 @@ Figure balance_figure(const model::Case &scene, const BalanceResult &result) {
     for (const Row &row : rows)
         names.push_back(row.name);
     constexpr double beside = 20; // of a name, pixels
-    const double left = std::max(0.19, (widest_text(names) + beside) / figure.width);
-    figure.script =
-        figure_head(
-            "Where auto-balancers work: " + title_of(scene),
-            "the empirical criterion beside the rigid closed form, the real balancers at their "
-            "balanced position, and motions in time; numbers: ends in rpm",
-            figure.height) +
+    const double left = std::max(0.19, (widest_text(names) + beside) / width);
+    return figure_of(
+        width, height, "Where auto-balancers work: " + title_of(scene),
+        "the empirical criterion beside the rigid closed form, the real balancers at their "
+        "balanced position, and motions in time; numbers: ends in rpm",
         fmt::format("set grid xtics lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [{:.9g}:{:.9g}]\n",
                     x.low, x.high) +
-        panel_margins(left, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
-        bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
-        panel_margins(left, 0.965, 70 * pixel, split - 55 * pixel) +
-        signature_panel(scene, result, x) + "unset multiplot\n";
-    return figure;
+            panel_margins(left, 0.965, split, 1 - 100 * pixel) + "set format x ''\n" +
+            bands_panel(scene, result, rows, x) + "set format x '%g'\n" +
+            panel_margins(left, 0.965, 70 * pixel, split - 55 * pixel) +
+            signature_panel(scene, result, x));
 }
 
 } // namespace whirl::report

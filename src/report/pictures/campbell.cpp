@@ -50,54 +50,43 @@ std::vector<PlotPoint> lone_growth(const Panel &panel, const CampbellResult &res
     return points;
 }
 
-std::string curve_data(const Panel &panel, const CampbellResult &result) {
-    std::string data;
-    for (const Whirl sense : senses) {
-        const std::string name = panel.name + whirl_style(sense).name;
-        data += data_block(name, stretches(panel, result, [&](const auto &mode, std::size_t i) {
-                               return i < mode.whirl.size() && mode.whirl[i] == sense;
-                           }));
-        data += data_block(name + "_points", {markers(panel, result, sense)});
-    }
-    return data + data_block(panel.name + "other", other_frequencies(panel, result)) +
-           data_block(panel.name + "lone", {lone_growth(panel, result)}) +
-           data_block(panel.name + "unstable",
-                      stretches(panel, result, [](const auto &mode, std::size_t i) {
-                          return grows(mode, i) && grows(mode, i + 1);
-                      }));
-}
-
-/// Plot elements, each followed by a comma; `key` adds the legend entries.
-std::string curve_plots(const Panel &panel, const CampbellResult &result, bool key) {
-    std::string plots;
+/// @param key  with the legend entries
+void add_curves(const Panel &panel, const CampbellResult &result, bool key, Curves &drawn) {
+    const auto entry_of = [&](const std::string &look, const std::string &title) {
+        if (key)
+            drawn.add(fmt::format("keyentry {} title '{}'", look, title));
+    };
     if (has_growth(result)) {
-        plots +=
-            fmt::format("${0}unstable with lines lw 9 lc rgb '#60E0208A' notitle, ${0}lone with "
-                        "points pt 7 ps 1.4 lc rgb '#60E0208A' notitle, ",
-                        panel.name);
-        if (key)
-            plots += "keyentry with lines lw 9 lc rgb '#60E0208A' title 'unstable', ";
+        const std::string look = "with lines lw 9 lc rgb '#60E0208A'";
+        drawn.add_pieces(stretches(panel, result,
+                                   [](const auto &mode, std::size_t i) {
+                                       return grows(mode, i) && grows(mode, i + 1);
+                                   }),
+                         look);
+        drawn.add(lone_growth(panel, result), "with points pt 7 ps 1.4 lc rgb '#60E0208A'");
+        entry_of(look, "unstable");
     }
-    if (!other_frequencies(panel, result).empty()) {
-        const std::string look = "lines lw 1.2 dt (2,3) lc rgb '#707070'";
-        plots += fmt::format("${}other with {} notitle, ", panel.name, look);
-        if (key)
-            plots += fmt::format("keyentry with {} title 'its other frequency', ", look);
+    if (const auto others = other_frequencies(panel, result); !others.empty()) {
+        const std::string look = "with lines lw 1.2 dt (2,3) lc rgb '#707070'";
+        drawn.add_pieces(others, look);
+        entry_of(look, "its other frequency");
     }
     for (const Whirl sense : senses) {
         if (!has_sense(result, sense))
             continue;
         const LineStyle style = whirl_style(sense);
-        const std::string look = fmt::format("lc rgb '{}' lw 1.8 dt {}", style.colour, style.dash);
         const std::string mark = fmt::format("pt {} ps 0.8", style.point);
-        plots += fmt::format("${0}{1} with lines {2} notitle, ${0}{1}_points with points {3} "
-                             "lc rgb '{4}' lw 1.4 notitle, ",
-                             panel.name, style.name, look, mark, style.colour);
-        if (key)
-            plots +=
-                fmt::format("keyentry with linespoints {} {} title '{}', ", look, mark, style.name);
+        drawn.add_pieces(stretches(panel, result,
+                                   [&](const auto &mode, std::size_t i) {
+                                       return i < mode.whirl.size() && mode.whirl[i] == sense;
+                                   }),
+                         line_look(style, 1.8));
+        drawn.add(markers(panel, result, sense),
+                  fmt::format("with points {} lc rgb '{}' lw 1.4", mark, style.colour));
+        entry_of(fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} {}", style.colour,
+                             style.dash, mark),
+                 style.name);
     }
-    return plots;
 }
 
 std::vector<double> multiples_of(const model::Case &scene) {
@@ -193,9 +182,11 @@ LabelPlacer occupied(const Panel &panel, const model::Case &scene, const Campbel
     return placer;
 }
 
-/// Circles at the crossings, and from a frequency (Hz) on their speeds at places clear of curves.
+/// Circles at the crossings, black where a margin counts, grey where damping is so heavy that none
+/// is needed; and from a frequency (Hz) on their speeds at places clear of curves.
 std::string crossing_marks(const Panel &panel, const model::Case &scene,
-                           const CampbellResult &result, double named_above) {
+                           const CampbellResult &result, double named_above, bool key,
+                           Curves &drawn) {
     LabelPlacer placer = occupied(panel, scene, result);
     std::string script;
     std::vector<PlotPoint> points;
@@ -228,23 +219,17 @@ std::string crossing_marks(const Panel &panel, const model::Case &scene,
             fmt::format("set label '{} more crossings: see the report' at graph 0.012,0.965 left "
                         "font ',10' textcolor '#555555'\n",
                         unnamed);
-    return script + data_block(panel.name + "crossings", {points}) +
-           data_block(panel.name + "heavy", {heavy});
-}
-
-/// Black where a margin counts, grey where damping is so heavy that none is needed.
-std::string crossing_plots(const Panel &panel, const CampbellResult &result, bool key) {
-    const auto heavy = [](const results::Crossing &crossing) { return crossing.damping.heavy(); };
-    const auto all = result.crossings.size();
-    const auto grey = static_cast<std::size_t>(
-        std::count_if(result.crossings.begin(), result.crossings.end(), heavy));
-    const auto title = [key](bool any, const char *text) {
-        return key && any ? fmt::format("title '{}'", text) : std::string("notitle");
+    const auto add = [&](const std::vector<PlotPoint> &circles, bool grey, const char *title) {
+        const bool any = std::ranges::any_of(
+            result.crossings, [grey](const auto &at) { return at.damping.heavy() == grey; });
+        drawn.add(circles,
+                  fmt::format("with points pt 6 ps 1.7 lw 1.6 lc rgb '{}'",
+                              grey ? heavy_colour : "#000000"),
+                  key && any ? title : "");
     };
-    return fmt::format("${0}heavy with points pt 6 ps 1.7 lw 1.6 lc rgb '{1}' {2}, ${0}crossings "
-                       "with points pt 6 ps 1.7 lw 1.6 lc rgb '#000000' {3}, ",
-                       panel.name, heavy_colour, title(grey > 0, "heavily damped"),
-                       title(grey < all, "crossing"));
+    add(heavy, true, "'heavily damped'");
+    add(points, false, "'crossing'");
+    return script;
 }
 
 std::string axes(const Panel &panel, bool first, bool last) {
@@ -278,26 +263,23 @@ std::string draw(const Panel &panel, const model::Case &scene, const CampbellRes
     const double end = result.speeds.empty() ? 0 : result.speeds.back() * rpm;
     std::string script = panel_margins(0.088, 0.892, panel.bottom, panel.top);
     script += operation_band(scene, {panel.x.low, end});
-    script +=
-        axes(panel, first, last) + curve_data(panel, result) + end_labels(panel, scene, result);
-    std::string plots = curve_plots(panel, result, first);
+    script += axes(panel, first, last) + end_labels(panel, scene, result);
+    Curves drawn(panel.name);
+    add_curves(panel, result, first, drawn);
     if (panel.damping) {
         // The limit of stability, as far as there are curves and not through their names.
         script += fmt::format("set arrow from {},0 to {},0 nohead back lw 1 lc rgb '#555555'\n",
                               panel.x.low, end > panel.x.low ? end : panel.x.high);
     } else {
-        script +=
-            multiple_lines(panel, scene, end) + crossing_marks(panel, scene, result, named_above);
-        plots += crossing_plots(panel, result, first);
+        script += multiple_lines(panel, scene, end) +
+                  crossing_marks(panel, scene, result, named_above, first, drawn);
     }
     const double pixel = (panel.top - panel.bottom) / panel.pixels_high;
     script += first ? fmt::format("set key at screen 0.49,{} center center horizontal samplen 4\n",
                                   panel.top + 84 * pixel)
                     : "unset key\n";
-    plots.resize(plots.size() - 2);
-    if (first)
-        plots += operation_key(scene, {panel.x.low, end});
-    return script + "plot " + plots + "\nunset label\nunset arrow\nunset object\n";
+    return script + drawn.script(first ? operation_key(scene, {panel.x.low, end}) : "") +
+           "unset label\nunset arrow\nunset object\n";
 }
 
 /// The panels this result needs, from top to bottom, without their places in the figure.
@@ -348,37 +330,33 @@ bool grows(const CampbellMode &mode, std::size_t index) {
 
 Figure campbell_figure(const model::Case &scene, const CampbellResult &result) {
     std::vector<Panel> panels = panels_of(result);
-    Figure figure;
-    figure.width = 1080;
+    constexpr int width = 1080;
     const double head = 172; // two rows of the key
     const double foot = 62;
     const double gap = 34;
     const double first = 500;
     const double other = 270;
-    figure.height = static_cast<int>(head + first + foot +
-                                     (static_cast<double>(panels.size()) - 1) * (other + gap));
-    double top = figure.height - head;
+    const int height = static_cast<int>(head + first + foot +
+                                        (static_cast<double>(panels.size()) - 1) * (other + gap));
+    double top = height - head;
     for (Panel &panel : panels) {
         panel.pixels_high = &panel == &panels.front() ? first : other;
-        panel.pixels_wide = 0.83 * figure.width;
-        panel.top = top / figure.height;
-        panel.bottom = (top - panel.pixels_high) / figure.height;
+        panel.pixels_wide = 0.83 * width;
+        panel.top = top / height;
+        panel.bottom = (top - panel.pixels_high) / height;
         top -= panel.pixels_high + gap;
     }
-    figure.script =
-        figure_head("Campbell diagram: " + title_of(scene),
-                    fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
-                                results::form_name(result.model.formulation.form),
-                                result.model.order, result.model.elements, result.model.unknowns),
-                    figure.height);
     // Crossings that the low panel shows larger get their names there.
     const bool low = panels.size() > 1 && !panels[1].damping;
+    std::string script;
     for (const Panel &panel : panels)
-        figure.script +=
-            draw(panel, scene, result, &panel == &panels.front(), &panel == &panels.back(),
-                 low && &panel == &panels.front() ? panels[1].y.high : 0);
-    figure.script += "unset multiplot\n";
-    return figure;
+        script += draw(panel, scene, result, &panel == &panels.front(), &panel == &panels.back(),
+                       low && &panel == &panels.front() ? panels[1].y.high : 0);
+    return figure_of(width, height, "Campbell diagram: " + title_of(scene),
+                     fmt::format("{} form, shaft order {}, {} elements, {} unknowns",
+                                 results::form_name(result.model.formulation.form),
+                                 result.model.order, result.model.elements, result.model.unknowns),
+                     script);
 }
 
 } // namespace whirl::report

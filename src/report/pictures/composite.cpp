@@ -16,34 +16,21 @@ using results::BalancerNumbers;
 using results::CompositeCurves;
 using Values = std::vector<double>;
 
-std::string block(const std::string &name, const Values &x, const Values &y) {
-    std::vector<PlotPoint> points;
-    for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
-        points.push_back({x[i], y[i]});
-    return data_block(name, {points});
-}
-
-/// One line of a panel, with its data block.
+/// One line of a panel.
 struct Line {
-    std::string name;
     const Values &y;
     LineStyle style;
     std::string title;
     double width = 2;
 };
 
-std::string plot_lines(const Values &x, const std::vector<Line> &lines,
+std::string plot_lines(const std::string &name, const Values &x, const std::vector<Line> &lines,
                        const std::string &first = "") {
-    std::string blocks;
-    std::string plots = first;
-    for (const Line &line : lines) {
-        blocks += block(line.name, x, line.y);
-        plots +=
-            fmt::format("{}${} with lines lw {} dt {} lc rgb '{}' {}", plots.empty() ? "" : ", ",
-                        line.name, line.width, line.style.dash, line.style.colour,
-                        line.title.empty() ? "notitle" : "title '" + line.title + "'");
-    }
-    return blocks + "plot " + plots + "\n";
+    Curves drawn(name);
+    for (const Line &line : lines)
+        drawn.add(points_over(x, 1, line.y, 1), line_look(line.style, line.width),
+                  line.title.empty() ? "" : "'" + line.title + "'");
+    return drawn.script("", first);
 }
 
 const LineStyle grey{"", "#9A9A9A", "(3,4)", 7};
@@ -65,19 +52,19 @@ bool paper_differs(const BalancerNumbers &balancer) {
 
 std::string inertia_panel(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
-    std::vector<Line> lines{{"am", c.A_m, series_style(2), "A_m"},
-                            {"ac1", c.A_C1, series_style(0), "A_{C1}"},
-                            {"ac2", c.A_C2, series_style(1), "A_{C2}"}};
+    std::vector<Line> lines{{c.A_m, series_style(2), "A_m"},
+                            {c.A_C1, series_style(0), "A_{C1}"},
+                            {c.A_C2, series_style(1), "A_{C2}"}};
     if (paper_differs(balancer)) {
-        lines.push_back({"ac1p", c.A_C1_paper, grey, "A_{C1}, A_{C2} with |D|", 1.4});
-        lines.push_back({"ac2p", c.A_C2_paper, grey, "", 1.4});
+        lines.push_back({c.A_C1_paper, grey, "A_{C1}, A_{C2} with |D|", 1.4});
+        lines.push_back({c.A_C2_paper, grey, "", 1.4});
     }
     return mass_axes(balancer, "Inertias of the balls and of the rotor / A_Σ") +
            // Room for the legend above the curves.
            fmt::format("set yrange [0:{}]\nset key top left opaque maxrows 2\n",
                        1.45 * std::max({c.A_C1.back(), c.A_C2.back(), c.A_C1_paper.back(),
                                         c.A_C2_paper.back(), c.A_m.back()})) +
-           plot_lines(c.m, lines) + "unset label\n"; // the heading is drawn
+           plot_lines("inertia", c.m, lines) + "unset label\n"; // the heading is drawn
 }
 
 std::string anisotropy_panel(const BalancerNumbers &balancer) {
@@ -91,27 +78,26 @@ std::string anisotropy_panel(const BalancerNumbers &balancer) {
             text += fmt::format("{} {} {}\n", c.m[i], c.A_least[i], c.A_largest[i]);
         text += "EOD\n";
         band =
-            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions'";
+            "$band using 1:2:3 with filledcurves lc rgb '#D6E6F2' title 'all balanced positions', ";
     }
     LineStyle bound = grey;
     bound.dash = "1";
-    std::vector<Line> lines{{"an0", c.A_without, bound, "D_A = 0 and 1", 1},
-                            {"an1", c.A_full, bound, "", 1}};
+    std::vector<Line> lines{{c.A_without, bound, "D_A = 0 and 1", 1}, {c.A_full, bound, "", 1}};
     if (paper_differs(balancer))
-        lines.push_back({"anp", c.A_paper, series_style(1),
+        lines.push_back({c.A_paper, series_style(1),
                          fmt::format("unsigned D_A = {:.4g}", std::abs(*balancer.D))});
     lines.push_back(
-        {"an", c.A, series_style(0),
+        {c.A, series_style(0),
          std::abs(balancer.D->imag()) > 1e-12
              ? fmt::format("D = {:.4g} {:+.4g} i", balancer.D->real(), balancer.D->imag())
              : fmt::format("D_c = {:.4g}", balancer.D->real())});
-    return text + plot_lines(c.m, lines, band);
+    return text + plot_lines("anisotropy", c.m, lines, band);
 }
 
 std::string polar_panel(const BalancerNumbers &balancer) {
     const CompositeCurves &c = *balancer.curves;
     return mass_axes(balancer, "Polar inertia C / A_Σ") + "unset key\nset yrange [*:*]\n" +
-           plot_lines(c.m, {{"c", c.C, series_style(0), ""}});
+           plot_lines("polar", c.m, {{c.C, series_style(0), ""}});
 }
 
 /// The curve with radius A_C in the direction of its axis.
@@ -146,22 +132,16 @@ std::string hodograph_panel(const BalancerNumbers &balancer) {
 Figure composite_figure(const model::Case &scene, const results::ShowResult &result,
                         std::size_t index) {
     const BalancerNumbers &balancer = result.balancers.at(index);
-    Figure figure;
-    figure.width = 1180;
-    figure.height = 940;
     const std::string name =
         balancer.name.empty() ? fmt::format("balancer {}", index + 1) : balancer.name;
-    figure.script =
-        figure_head("Composite rotor: " + title_of(scene),
-                    fmt::format("{} at z = {} m, capacity E = {}; dashed upright line: the case",
-                                name, readable(balancer.z),
-                                std::isinf(balancer.E) ? "infinite" : readable(balancer.E)),
-                    figure.height) +
-        panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
-        panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
-        panel_margins(0.07, 0.47, 0.08, 0.43) + polar_panel(balancer) +
-        panel_margins(0.56, 0.97, 0.08, 0.43) + hodograph_panel(balancer) + "unset multiplot\n";
-    return figure;
+    return figure_of(1180, 940, "Composite rotor: " + title_of(scene),
+                     fmt::format("{} at z = {} m, capacity E = {}; dashed upright line: the case",
+                                 name, readable(balancer.z),
+                                 std::isinf(balancer.E) ? "infinite" : readable(balancer.E)),
+                     panel_margins(0.07, 0.47, 0.56, 0.87) + inertia_panel(balancer) +
+                         panel_margins(0.56, 0.97, 0.56, 0.87) + anisotropy_panel(balancer) +
+                         panel_margins(0.07, 0.47, 0.08, 0.43) + polar_panel(balancer) +
+                         panel_margins(0.56, 0.97, 0.08, 0.43) + hodograph_panel(balancer));
 }
 
 } // namespace whirl::report

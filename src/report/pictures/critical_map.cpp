@@ -50,34 +50,24 @@ std::string bearing_words(const model::Case &scene, const CriticalMapBearing &ac
 }
 
 /// The stiffness of a bearing over speed: kxx full, kyy broken.
-std::string bearing_curves(const model::Case &scene, const CriticalMap &map, std::string &data) {
-    std::string plots;
+void add_bearings(const model::Case &scene, const CriticalMap &map, Curves &drawn) {
     for (std::size_t i = 0; i < map.bearings.size(); ++i) {
         const CriticalMapBearing &across = map.bearings[i];
-        const LineStyle style = series_style(i + 2); // the first two are those of whirl
+        LineStyle style = series_style(i + 2); // the first two are those of whirl
         for (const bool x : {true, false}) {
             if (!x && across.isotropic)
                 continue;
-            std::vector<PlotPoint> points;
-            for (std::size_t k = 0; k < across.speeds.size(); ++k) {
-                const double stiffness = (x ? across.kxx : across.kyy)[k];
-                // Outside of what a logarithmic axis shows: the line ends.
-                points.push_back(
-                    {stiffness > 0 ? stiffness * newtons_per_metre : 1.0,
-                     stiffness > 0 ? std::optional(across.speeds[k] * rpm) : std::nullopt});
-            }
-            const std::string name = fmt::format("{}{}", x ? "kx" : "ky", i);
-            data += data_block(name, {points});
-            plots += fmt::format(", ${} with lines lw 2 dt {} lc rgb '{}' title {}", name,
-                                 x ? "1" : "(3,4)", style.colour,
-                                 plot_text(fmt::format("{}, {}",
-                                                       across.isotropic ? "k"
-                                                       : x              ? "kxx"
-                                                                        : "kyy",
-                                                       bearing_words(scene, across))));
+            std::vector<PlotPoint> points =
+                points_over(x ? across.kxx : across.kyy, newtons_per_metre, across.speeds, rpm);
+            for (PlotPoint &point : points)
+                if (!(point.x > 0)) // outside of what a logarithmic axis shows: the line ends
+                    point = {1, std::nullopt};
+            style.dash = x ? "1" : "(3,4)";
+            drawn.add(points, line_look(style, 2),
+                      plot_text(fmt::format("{}, {}", coefficient_name(across, x),
+                                            bearing_words(scene, across))));
         }
     }
-    return plots;
 }
 
 /// Names of the curves at their stiff ends, apart from one another.
@@ -98,14 +88,12 @@ std::string curve_labels(const CriticalMap &map, Range y) {
 
 /// Crossings as circles with their numbers in the table, where there is room for these, and lines
 /// that lead to them.
-std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string &data) {
-    std::vector<PlotPoint> points;
+std::string crossing_marks(const CriticalMap &map, Range x, Range y) {
     LabelPlacer placer;
     for (const auto &at : map.crossings) {
         const double u = along(at.stiffness * newtons_per_metre, x);
         const double v = along(at.speed * rpm, y);
         placer.block({u - 0.006, v - 0.012, 0.012, 0.024});
-        points.push_back({at.stiffness * newtons_per_metre, at.speed * rpm});
     }
     std::string labels;
     for (std::size_t i = 0; i < map.crossings.size(); ++i) {
@@ -119,7 +107,6 @@ std::string crossing_marks(const CriticalMap &map, Range x, Range y, std::string
                         i + 1, box->x + box->width / 2, box->y + box->height / 2) +
             leader(*box, along(at.stiffness * newtons_per_metre, x), along(at.speed * rpm, y));
     }
-    data += data_block("crossings", {points});
     return labels;
 }
 
@@ -127,94 +114,81 @@ std::string map_panel(const model::Case &scene, const CriticalMap &map, double p
     const Range x{map.stiffness.front() * newtons_per_metre,
                   map.stiffness.back() * newtons_per_metre};
     const Range y = speed_range(map);
-    std::string data;
-    std::string plots;
+    Curves drawn("map");
     for (std::size_t i = 0; i < map.curves.size(); ++i) {
         const CriticalMapCurve &curve = map.curves[i];
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < map.stiffness.size(); ++k)
-            points.push_back({map.stiffness[k] * newtons_per_metre, curve.speed[k] * rpm});
         const LineStyle style = whirl_style(curve.whirl);
         const bool first = i == 0 || map.curves[i - 1].whirl != curve.whirl;
-        data += data_block(fmt::format("curve{}", i), {points});
-        plots +=
-            fmt::format("{}$curve{} with lines lw 2 dt {} lc rgb '{}' {}", i ? ", " : "", i,
-                        style.dash, style.colour, first ? "title '" + style.name + "'" : "notitle");
+        drawn.add(points_over(map.stiffness, newtons_per_metre, curve.speed, rpm),
+                  line_look(style, 2), first ? "'" + style.name + "'" : "");
     }
-    if (plots.empty())
-        plots = "NaN notitle";
-    plots += bearing_curves(scene, map, data) + operation_key(scene, y);
-    const std::string labels = curve_labels(map, y) + crossing_marks(map, x, y, data);
-    if (!map.crossings.empty())
-        plots += ", $crossings with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000' title 'crossing, "
-                 "number in the table'";
-    return data + panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) +
+    if (map.curves.empty())
+        drawn.add("NaN notitle");
+    add_bearings(scene, map, drawn);
+    if (const std::string key = operation_key(scene, y); !key.empty())
+        drawn.add(key.substr(2)); // behind its comma
+    std::vector<PlotPoint> crossings;
+    for (const auto &at : map.crossings)
+        crossings.push_back({at.stiffness * newtons_per_metre, at.speed * rpm});
+    if (!crossings.empty())
+        drawn.add(crossings, "with points pt 6 ps 1.2 lw 1.4 lc rgb '#000000'",
+                  "'crossing, number in the table'");
+    return panel_margins(map_left, map_right, 330 * pixel, 1 - 112 * pixel) +
            fmt::format("set logscale xy\nset xrange [{:.9g}:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
                        "set format x '10^{{%L}}'\nset format y '{}'\n"
                        "set xlabel 'Stiffness of the supports (N/m)'\n"
-                       "set ylabel 'Critical speed (rpm)'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n"
+                       "set ylabel 'Critical speed (rpm)'\n{}"
                        "set key at screen 0.5,{} center center horizontal samplen 3 font ',10'\n",
-                       x.low, x.high, y.low, y.high, y.high < 1e6 ? "%g" : "10^{%L}",
+                       x.low, x.high, y.low, y.high, y.high < 1e6 ? "%g" : "10^{%L}", grid,
                        1 - 84 * pixel) +
-           operation_band(scene, y, SpeedAxis::y) + labels + "plot " + plots +
-           "\nunset label\nunset object\nunset arrow\nunset logscale\nset format\n";
+           operation_band(scene, y, SpeedAxis::y) + curve_labels(map, y) +
+           crossing_marks(map, x, y) + drawn.script() +
+           "unset label\nunset object\nunset arrow\nunset logscale\nset format\n";
 }
 
 /// Deflections of the lowest forward motions at one end of the map.
 std::string shape_panel(const CriticalMap &map, bool soft, double pixel) {
-    constexpr int most = 4;
-    std::string data;
-    std::string plots;
-    int drawn = 0;
+    constexpr std::size_t most = 4;
+    Curves drawn(soft ? "soft" : "stiff");
+    std::size_t count = 0;
     for (const CriticalMapCurve &curve : map.curves) {
         const std::vector<double> &shape = soft ? curve.soft : curve.stiff;
-        if (curve.whirl != Whirl::forward || shape.empty() || drawn == most)
+        if (curve.whirl != Whirl::forward || shape.empty() || count == most)
             continue;
-        std::vector<PlotPoint> points;
-        for (std::size_t i = 0; i < shape.size(); ++i)
-            points.push_back({map.z[i] * metres, shape[i]});
-        const std::string name = fmt::format("{}{}", soft ? "soft" : "stiff", drawn);
-        const LineStyle style = series_style(static_cast<std::size_t>(drawn++));
-        data += data_block(name, {points});
-        plots += fmt::format(
-            "${} with lines lw 2 dt {} lc rgb '{}' title {}, ", name, style.dash, style.colour,
-            plot_text(
-                fmt::format("{}, {} rpm", curve_name(curve.whirl, curve.number),
-                            readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
+        drawn.add(points_over(map.z, metres, shape, 1), line_look(series_style(count++), 2),
+                  plot_text(fmt::format(
+                      "{}, {} rpm", curve_name(curve.whirl, curve.number),
+                      readable((soft ? curve.speed.front() : curve.speed.back()) * rpm, 6))));
     }
+    drawn.add("$bearings with points pt 9 ps 1.4 lc rgb '#555555' notitle");
     const double length = std::max(map.z.empty() ? 1 : map.z.back(), 1e-12) * metres;
     const double left = soft ? map_left : 0.54;
-    return data + panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
+    return panel_margins(left, left + 0.415, 60 * pixel, 186 * pixel) +
            fmt::format("set title {} font ',12' offset 0,1.3\n"
                        "set xrange [{}:{}]\nset yrange [-1.25:1.25]\nset ytics -1,1,1\n"
                        "set xlabel 'z (m)'\nset ylabel ''\n"
-                       "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n"
-                       "plot {}$bearings with points pt 9 ps 1.4 lc rgb '#555555' notitle\n",
+                       "set key at screen {},{} center center horizontal samplen 2.5 font ',10'\n",
                        plot_text(fmt::format(
                            "Shapes at the {} end, {} N/m", soft ? "soft" : "stiff",
                            readable(soft ? map.stiffness.front() : map.stiffness.back(), 4))),
-                       -0.03 * length, 1.03 * length, left + 0.2075, 204 * pixel, plots);
+                       -0.03 * length, 1.03 * length, left + 0.2075, 204 * pixel) +
+           drawn.script();
 }
 
 } // namespace
 
 Figure critical_map_figure(const model::Case &scene, const CriticalMap &map) {
-    Figure figure;
-    figure.width = 1200;
-    figure.height = 960;
-    const double pixel = 1.0 / figure.height;
+    constexpr int height = 960;
+    constexpr double pixel = 1.0 / height;
     std::vector<PlotPoint> bearings;
     for (const auto &bearing : scene.rotor.supports())
         bearings.push_back({bearing.z * metres, -1.12});
-    figure.script = figure_head("Critical speed map: " + title_of(scene),
-                                "undamped critical speeds over the stiffness of " +
-                                    (map.bearing ? bearings_text(scene, {*map.bearing})
-                                                 : std::string("all bearings together")),
-                                figure.height) +
-                    map_panel(scene, map, pixel) + data_block("bearings", {bearings}) +
-                    shape_panel(map, true, pixel) + shape_panel(map, false, pixel) +
-                    "unset multiplot\n";
-    return figure;
+    return figure_of(1200, height, "Critical speed map: " + title_of(scene),
+                     "undamped critical speeds over the stiffness of " +
+                         (map.bearing ? bearings_text(scene, {*map.bearing})
+                                      : std::string("all bearings together")),
+                     map_panel(scene, map, pixel) + data_block("bearings", {bearings}) +
+                         shape_panel(map, true, pixel) + shape_panel(map, false, pixel));
 }
 
 } // namespace whirl::report

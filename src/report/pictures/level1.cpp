@@ -44,10 +44,8 @@ std::string anticipated_line(double q) {
 } // namespace
 
 Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
-    Figure figure;
-    figure.width = 1080;
-    figure.height = 520;
-    const double pixel = 1.0 / figure.height;
+    constexpr int height = 520;
+    constexpr double pixel = 1.0 / height;
     const Unit unit =
         unit_of(std::max(level1.q.empty() ? 0 : level1.q.back(), level1.anticipated.value_or(0)));
     std::vector<PlotPoint> points;
@@ -63,11 +61,7 @@ Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
     const double margin = high > low ? 0.08 * (high - low) : 0.1;
     double largest = points.empty() || points.back().x <= 0 ? 1 : points.back().x;
     largest = std::max(largest, 1.02 * level1.anticipated.value_or(0) / unit.size);
-    figure.script =
-        figure_head("Level-I stability: " + title_of(scene),
-                    fmt::format("at {} rpm, cross coupling Q added at z = {} m",
-                                readable(level1.speed * rpm, 6), readable(level1.z, 5)),
-                    figure.height) +
+    std::string panel =
         panel_margins(0.1, 0.96, 70 * pixel, 1 - 80 * pixel) + data_block("logdec", {points}) +
         fmt::format("set xrange [0:{:.9g}]\nset yrange [{:.9g}:{:.9g}]\n"
                     "set xlabel 'Added cross coupling Q = k_{{xy}} = −k_{{yx}} ({})' enhanced\n"
@@ -79,12 +73,13 @@ Figure level1_figure(const model::Case &scene, const results::Level1 &level1) {
                     "'#B0305C'\n",
                     largest, low - margin, high + margin, unit.name, low - 0.4 * margin);
     if (const auto &root = level1.critical_cross_coupling; root && *root / unit.size <= largest)
-        figure.script += root_mark(*root / unit.size, largest, unit);
+        panel += root_mark(*root / unit.size, largest, unit);
     if (level1.anticipated)
-        figure.script += anticipated_line(*level1.anticipated / unit.size);
-    figure.script += "plot $logdec using 1:2 with lines lw 2.2 lc rgb '#0072B2' notitle\nunset "
-                     "multiplot\n";
-    return figure;
+        panel += anticipated_line(*level1.anticipated / unit.size);
+    return figure_of(1080, height, "Level-I stability: " + title_of(scene),
+                     fmt::format("at {} rpm, cross coupling Q added at z = {} m",
+                                 readable(level1.speed * rpm, 6), readable(level1.z, 5)),
+                     panel + "plot $logdec using 1:2 with lines lw 2.2 lc rgb '#0072B2' notitle\n");
 }
 
 } // namespace whirl::report

@@ -157,36 +157,30 @@ double rows_of(const std::vector<ModeShape> &modes) {
 Figure modes_figure(const model::Case &scene, const ModesResult &result) {
     const double rows = std::max(1.0, rows_of(result.modes));
     const double critical_rows = rows_of(result.critical);
-    Figure figure;
-    figure.width = 1080;
-    figure.height = static_cast<int>(head + pitch * (rows + critical_rows) + 40 +
-                                     (critical_rows > 0 ? between : 0));
-    figure.script = figure_head(
-        "Mode shapes: " + title_of(scene),
+    const int height = static_cast<int>(head + pitch * (rows + critical_rows) + 40 +
+                                        (critical_rows > 0 ? between : 0));
+    const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
+    double top = height - head;
+    std::string panels = panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80.0 / height) +
+                         outline_data(scene.rotor, 1) +
+                         "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
+                         fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length) +
+                         (result.modes.empty() ? "plot NaN notitle\n" : "") +
+                         group_script(result.modes, "m", top, result, height);
+    if (!result.critical.empty()) {
+        top -= pitch * rows + between;
+        panels += fmt::format("set label 103 'At the critical speeds' at screen 0.5,{} center "
+                              "font ',13'\n",
+                              (top + 40) / height) +
+                  group_script(result.critical, "c", top, result, height);
+    }
+    return figure_of(
+        1080, height, "Mode shapes: " + title_of(scene),
         fmt::format("at {} rpm{}; the orbits' envelope, x where most is seen, y a quarter period "
                     "later (equal curves: forward, mirrored: backward)",
                     readable(result.speed * rpm),
                     result.critical.empty() ? "" : " and at the critical speeds"),
-        figure.height);
-    const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
-    figure.script +=
-        panel_margins(0.05, 0.975, 0.01, 0.02) + curve_legend(1 - 80.0 / figure.height);
-    figure.script += outline_data(scene.rotor, 1) +
-                     "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\nset ytics -1,1,1\n" +
-                     fmt::format("set xrange [{}:{}]\n", -0.03 * length, 1.03 * length);
-    double top = figure.height - head;
-    figure.script += result.modes.empty() ? "plot NaN notitle\n" : "";
-    figure.script += group_script(result.modes, "m", top, result, figure.height);
-    if (!result.critical.empty()) {
-        top -= pitch * rows + between;
-        figure.script +=
-            fmt::format("set label 103 'At the critical speeds' at screen 0.5,{} center "
-                        "font ',13'\n",
-                        (top + 40) / figure.height);
-        figure.script += group_script(result.critical, "c", top, result, figure.height);
-    }
-    figure.script += "unset multiplot\n";
-    return figure;
+        panels);
 }
 
 } // namespace whirl::report

@@ -132,10 +132,8 @@ std::string two_planes(const results::Placement &map, double length, double pixe
 } // namespace
 
 Figure placement_figure(const model::Case &scene, const results::Placement &map) {
-    Figure figure;
-    figure.width = 1180;
-    figure.height = 760;
-    const double pixel = 1.0 / figure.height;
+    constexpr int height = 760;
+    constexpr double pixel = 1.0 / height;
     const std::vector<double> speeds = scaled(map.speeds, rpm);
     const double length = scene.rotor.shaft.length() * metres;
     // A speed alone has no area: its colours go up to the edge of the panel, 1 rpm higher.
@@ -145,28 +143,29 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
         drawn_speeds.push_back(speeds.front() + 1);
         drawn.push_back(drawn.front());
     }
-    figure.script =
-        figure_head("Where along the shaft auto-balancers work: " + title_of(scene),
-                    "green: balances; orange: does not; dark: as strongly as a free rigid body",
-                    figure.height) +
+    return figure_of(
+        1180, height, "Where along the shaft auto-balancers work: " + title_of(scene),
+        "green: balances; orange: does not; dark: as strongly as a free rigid body",
         palette + matrix_block("one", scaled(map.z, metres), drawn_speeds, drawn) +
-        matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
-                     map.pair_value) +
-        (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
-        contour("$two", "$twoline") +
-        fmt::format("unset colorbox\nset xrange [0:{}]\nset format x ''\n", length) +
-        panel_margins(0.09, 0.5, 1 - 585 * pixel, 1 - 100 * pixel) +
-        fmt::format("set yrange [{}:{}]\nset ylabel 'Spin speed (rpm)'\nset label 1 {} at graph "
-                    "0,1.03 left\n",
-                    speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
-                    plot_text("one plane; best (dashed) " + best_place_text(map.best))) +
-        best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
-        operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) + heat_plot("one") +
-        "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel 'z "
-        "(m)'\n" +
-        panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
-        two_planes(map, length, pixel) + "\nunset multiplot\n";
-    return figure;
+            matrix_block("two", scaled(map.pair_z, metres), scaled(map.pair_z, metres),
+                         map.pair_value) +
+            (speeds.size() > 1 ? contour("$one", "$oneline") : "$oneline << EOD\nNaN NaN\nEOD\n") +
+            contour("$two", "$twoline") +
+            fmt::format("unset colorbox\nset xrange [0:{}]\nset format x ''\n", length) +
+            panel_margins(0.09, 0.5, 1 - 585 * pixel, 1 - 100 * pixel) +
+            fmt::format(
+                "set yrange [{}:{}]\nset ylabel 'Spin speed (rpm)'\nset label 1 {} at graph "
+                "0,1.03 left\n",
+                speeds.front(), speeds.size() > 1 ? speeds.back() : speeds.front() + 1,
+                plot_text("one plane; best (dashed) " + best_place_text(map.best))) +
+            best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
+            operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) +
+            heat_plot("one") +
+            "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel "
+            "'z "
+            "(m)'\n" +
+            panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
+            two_planes(map, length, pixel) + "\n");
 }
 
 } // namespace whirl::report

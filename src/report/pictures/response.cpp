@@ -65,22 +65,17 @@ std::vector<PlotPoint> phase_points(const std::vector<double> &speeds,
 /// @param further  entries of the legend, each after a comma
 std::string draw(const std::string &panel, const std::vector<Curve> &curves, bool legend,
                  const std::string &further = "") {
-    std::string data;
-    std::string plots;
+    Curves drawn(panel);
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const LineStyle style = series_style(i);
-        const std::size_t count = curves[i].points.size();
-        const std::size_t step = std::max<std::size_t>(1, count / 9);
-        data += data_block(panel + std::to_string(i), {curves[i].points});
-        plots += fmt::format("${}{} with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 "
-                             "pointinterval {} {}, ",
-                             panel, i, style.colour, style.dash, style.point, step,
-                             legend ? "title " + plot_text(curves[i].name) : "notitle");
+        const std::size_t step = std::max<std::size_t>(1, curves[i].points.size() / 9);
+        drawn.add(
+            curves[i].points,
+            fmt::format("with linespoints lc rgb '{}' lw 1.8 dt {} pt {} ps 0.8 pointinterval {}",
+                        style.colour, style.dash, style.point, step),
+            legend ? plot_text(curves[i].name) : "");
     }
-    if (curves.empty())
-        plots = "NaN notitle, ";
-    plots.resize(plots.size() - 2);
-    return data + "plot " + plots + further + "\n";
+    return drawn.script(further);
 }
 
 /// Logarithmic axis over the curves, at most three powers of ten down from the largest value of the
@@ -110,9 +105,7 @@ Range logarithmic_range(const std::vector<Curve> &curves) {
 
 std::string logarithmic_axis(const std::vector<Curve> &curves) {
     const Range y = logarithmic_range(curves);
-    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset ytics auto\n"
-                       "set yrange [{}:{}]\n",
-                       y.low, y.high);
+    return logarithmic_y + fmt::format("set ytics auto\nset yrange [{}:{}]\n", y.low, y.high);
 }
 
 /// rpm
@@ -123,10 +116,8 @@ Range speed_axis(const ResponseResult &result) {
 
 std::string panel_axes(const ResponseResult &result, const std::string &label, bool last) {
     const Range x = speed_axis(result);
-    return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\nset key at graph 1.02,1 left top "
-                       "reverse Left vertical samplen 3\n",
-                       x.low, x.high, plot_text(label),
-                       last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel");
+    return fmt::format("set xrange [{}:{}]\nset ylabel {}\n{}\n{}", x.low, x.high, plot_text(label),
+                       last ? "set xlabel 'Spin speed (rpm)'" : "unset xlabel", legend_beside);
 }
 
 /// At most `count` of a list, evenly spread, with its first and last.
@@ -174,38 +165,43 @@ struct Panels {
     std::size_t nodes = 0; ///< curves of nodes among the amplitudes
 };
 
+/// The values at the speeds of the case, or those of the i-th dense curve where there is one.
+std::vector<PlotPoint> dense(const results::ResponseCurves &curves, std::size_t i,
+                             const std::vector<double> &speeds, const std::vector<double> &values,
+                             double factor) {
+    return i < curves.values.size() ? over_speed(curves.speeds, curves.values[i], factor)
+                                    : over_speed(speeds, values, factor);
+}
+
+std::string name_or(const std::string &name, const char *kind) {
+    return name.empty() ? kind : name;
+}
+
 Panels panels_of(const ResponseResult &result) {
     Panels panels;
-    auto &[amplitude, phase, force, nodes] = panels;
-    for (const std::size_t i : drawn_nodes(result)) {
-        const auto &node = result.nodes[i];
-        const bool fine = i < result.curves.values.size();
-        const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
-        amplitude.push_back(
-            {place_text(node.name, node.z),
-             over_speed(speeds, fine ? result.curves.values[i] : node.amplitude, micrometres)});
-        phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[i] : node.phase)});
-    }
-    nodes = amplitude.size();
+    std::vector<Curve> &amplitude = panels.amplitude;
+    const results::ResponseCurves &curves = result.curves;
+    const auto add = [&](std::size_t i, const std::string &name, const auto &of) {
+        amplitude.push_back({name, dense(curves, i, result.speeds, of.amplitude, micrometres)});
+        const bool fine = i < curves.values.size();
+        panels.phase.push_back({"", phase_points(fine ? curves.speeds : result.speeds,
+                                                 fine ? curves.phases[i] : of.phase)});
+    };
+    for (const std::size_t i : drawn_nodes(result))
+        add(i, place_text(result.nodes[i].name, result.nodes[i].z), result.nodes[i]);
+    panels.nodes = amplitude.size();
     for (std::size_t i = 0; i < result.probes.size() && amplitude.size() < 2 * most_curves; ++i) {
         const auto &probe = result.probes[i];
-        const std::size_t j = result.nodes.size() + result.bearings.size() + i;
-        const bool fine = j < result.curves.values.size();
-        const std::vector<double> &speeds = fine ? result.curves.speeds : result.speeds;
-        amplitude.push_back(
-            {fmt::format("{} at {}°",
-                         place_text(probe.name.empty() ? "probe" : probe.name, probe.z),
-                         readable(probe.angle * 180 / pi, 4)),
-             over_speed(speeds, fine ? result.curves.values[j] : probe.amplitude, micrometres)});
-        phase.push_back({"", phase_points(speeds, fine ? result.curves.phases[j] : probe.phase)});
+        add(result.nodes.size() + result.bearings.size() + i,
+            fmt::format("{} at {}°", place_text(name_or(probe.name, "probe"), probe.z),
+                        readable(probe.angle * 180 / pi, 4)),
+            probe);
     }
     for (std::size_t i = 0; i < result.bearings.size() && i < most_curves; ++i) {
         const auto &bearing = result.bearings[i];
-        const std::size_t j = result.nodes.size() + i;
-        const bool fine = j < result.curves.values.size();
-        force.push_back({place_text(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
-                         over_speed(fine ? result.curves.speeds : result.speeds,
-                                    fine ? result.curves.values[j] : bearing.force, newtons)});
+        panels.force.push_back(
+            {place_text(name_or(bearing.name, "bearing"), bearing.z),
+             dense(curves, result.nodes.size() + i, result.speeds, bearing.force, newtons)});
     }
     return panels;
 }
@@ -225,34 +221,23 @@ Figure response_figure(const model::Case &scene, const ResponseResult &result) {
         names.push_back("peaks of " +
                         place_text(result.nodes[*largest].name, result.nodes[*largest].z));
     }
-    const LegendedFigure room = beside_legend(92, 842, 1080, names);
-    Figure figure;
-    figure.width = room.width;
-    figure.height = force.empty() ? 780 : 1040;
-    const double pixel = 1.0 / figure.height;
-    figure.script =
-        figure_head("Unbalance response: " + title_of(scene),
-                    fmt::format("{} stations drawn of {}", nodes, result.nodes.size()),
-                    figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
-        logarithmic_axis(amplitude) +
-        panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
+    LegendedFigure room = beside_legend(92, 842, 1080, names);
+    room.height = force.empty() ? 780 : 1040;
+    std::string panels =
+        grid + operation_band(scene, x) + logarithmic_axis(amplitude) + room.panel(75, 430) +
         panel_axes(result, "Amplitude (µm)", false) + marks.before +
         draw("a", amplitude, true, marks.plots + operation_key(scene, x)) + marks.after +
-        "unset label\nunset logscale y\nset format y '%g'\n"
-        "set yrange [-190:190]\nset ytics 90\n" +
-        panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +
+        "unset label\n" + linear_y + "set yrange [-190:190]\nset ytics 90\n" +
+        room.panel(460, 700) +
         panel_axes(result,
                    result.probes.empty() ? "Phase of x (deg)" : "Phase of x, of a probe (deg)",
                    force.empty()) +
         draw("p", phase, false);
     if (!force.empty())
-        figure.script += logarithmic_axis(force) +
-                         panel_margins(room.left, room.right, 1 - 975 * pixel, 1 - 730 * pixel) +
-                         panel_axes(result, "Largest bearing force (N)", true) +
-                         draw("f", force, true);
-    figure.script += "unset multiplot\n";
-    return figure;
+        panels += logarithmic_axis(force) + room.panel(730, 975) +
+                  panel_axes(result, "Largest bearing force (N)", true) + draw("f", force, true);
+    return figure_of(room.width, room.height, "Unbalance response: " + title_of(scene),
+                     fmt::format("{} stations drawn of {}", nodes, result.nodes.size()), panels);
 }
 
 namespace {
@@ -271,19 +256,14 @@ Figure sag_figure(const model::Case &scene, const ResponseResult &result) {
         still.push_back({place_text(station.name, station.z),
                          over_speed(result.speeds, station.sag, still_micrometres)});
     }
-    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(still, {}));
-    Figure figure;
-    figure.width = room.width;
-    figure.height = 500;
-    const double pixel = 1.0 / figure.height;
+    LegendedFigure room = beside_legend(92, 842, 1080, names_of(still, {}));
+    room.height = 500;
     const Range x = speed_axis(result);
-    figure.script = figure_head("Sag under the weight: " + title_of(scene),
-                                gravity_subtitle(of, still.size()), figure.height) +
-                    "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
-                    panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
-                    panel_axes(result, "Static deflection (µm)", true) +
-                    draw("p", still, true, operation_key(scene, x)) + "unset multiplot\n";
-    return figure;
+    return figure_of(room.width, room.height, "Sag under the weight: " + title_of(scene),
+                     gravity_subtitle(of, still.size()),
+                     grid + operation_band(scene, x) + room.panel(75, 430) +
+                         panel_axes(result, "Static deflection (µm)", true) +
+                         draw("p", still, true, operation_key(scene, x)));
 }
 
 bool moves(const results::GravityResponse &of) {
@@ -299,47 +279,34 @@ Figure gravity_figure(const model::Case &scene, const ResponseResult &result) {
     const results::GravityResponse &of = *result.gravity;
     if (!moves(of))
         return sag_figure(scene, result);
-    const bool fine = !of.curves.speeds.empty();
-    const std::vector<double> &speeds = fine ? of.curves.speeds : result.speeds;
     std::vector<Curve> circle;
     std::vector<Curve> still;
     std::vector<Curve> force;
     for (const std::size_t i : drawn_of(of.stations)) {
         const auto &station = of.stations[i];
-        circle.push_back(
-            {place_text(station.name, station.z),
-             over_speed(speeds, fine ? of.curves.values[i] : station.twice, micrometres)});
+        circle.push_back({place_text(station.name, station.z),
+                          dense(of.curves, i, result.speeds, station.twice, micrometres)});
         still.push_back({"", over_speed(result.speeds, station.sag, still_micrometres)});
     }
     for (std::size_t i = 0; i < of.bearings.size() && i < most_curves; ++i) {
         const auto &bearing = of.bearings[i];
         force.push_back(
-            {place_text(bearing.name.empty() ? "bearing" : bearing.name, bearing.z),
-             over_speed(speeds, fine ? of.curves.values[of.stations.size() + i] : bearing.twice,
-                        newtons)});
+            {place_text(name_or(bearing.name, "bearing"), bearing.z),
+             dense(of.curves, of.stations.size() + i, result.speeds, bearing.twice, newtons)});
     }
-    const LegendedFigure room = beside_legend(92, 842, 1080, names_of(circle, force));
-    Figure figure;
-    figure.width = room.width;
-    figure.height = 1040;
-    const double pixel = 1.0 / figure.height;
+    LegendedFigure room = beside_legend(92, 842, 1080, names_of(circle, force));
+    room.height = 1040;
     const Range x = speed_axis(result);
-    figure.script =
-        figure_head("Motion under the weight: " + title_of(scene),
-                    gravity_subtitle(of, circle.size()), figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + operation_band(scene, x) +
-        logarithmic_axis(circle) +
-        panel_margins(room.left, room.right, 1 - 430 * pixel, 1 - 75 * pixel) +
-        panel_axes(result, "Circle at twice the spin speed (µm)", false) +
-        draw("a", circle, true, operation_key(scene, x)) +
-        "unset label\nunset logscale y\nset format y '%g'\nset autoscale y\nset ytics auto\n" +
-        panel_margins(room.left, room.right, 1 - 700 * pixel, 1 - 460 * pixel) +
-        panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +
-        logarithmic_axis(force) +
-        panel_margins(room.left, room.right, 1 - 975 * pixel, 1 - 730 * pixel) +
-        panel_axes(result, "Bearing force at 2x (N)", true) + draw("f", force, true) +
-        "unset multiplot\n";
-    return figure;
+    return figure_of(
+        room.width, room.height, "Motion under the weight: " + title_of(scene),
+        gravity_subtitle(of, circle.size()),
+        grid + operation_band(scene, x) + logarithmic_axis(circle) + room.panel(75, 430) +
+            panel_axes(result, "Circle at twice the spin speed (µm)", false) +
+            draw("a", circle, true, operation_key(scene, x)) + "unset label\n" + linear_y +
+            "set autoscale y\nset ytics auto\n" + room.panel(460, 700) +
+            panel_axes(result, "Static deflection (µm)", false) + draw("p", still, false) +
+            logarithmic_axis(force) + room.panel(730, 975) +
+            panel_axes(result, "Bearing force at 2x (N)", true) + draw("f", force, true));
 }
 
 } // namespace whirl::report

@@ -19,13 +19,6 @@ namespace {
 /// Differences below this are drawn here: zero has no logarithm.
 constexpr double least_shown = 1e-17;
 
-struct Series {
-    std::string block;
-    std::string title;
-    LineStyle style;
-    bool filled = true;
-};
-
 /// Quantities get their style by the order of their first row.
 class Styles {
   public:
@@ -48,20 +41,21 @@ std::vector<PlotPoint> points_of(const RigidLimitRow &row) {
     return points;
 }
 
-/// What a panel draws: its series, and their data blocks in front.
+/// What a panel draws, and how far it reaches.
 struct Panel {
-    std::string prefix; ///< of the names of its data
-    std::string data;
-    std::vector<Series> series;
+    Curves curves;
+    bool legend = false;
     double least_x = INFINITY, largest_x = 0, largest_y = 0, least_y = INFINITY;
 
     void add(const std::string &title, const LineStyle &style, bool filled,
              const std::vector<PlotPoint> &points) {
         if (points.empty())
             return;
-        const std::string name = fmt::format("{}{}", prefix, series.size());
-        data += data_block(name, {points});
-        series.push_back({"$" + name, title, style, filled});
+        curves.add(points,
+                   fmt::format("with linespoints lw {} dt {} pt {} ps 1 lc rgb '{}'",
+                               filled ? 1.8 : 1.0, filled ? "1" : "(4,4)", style.point,
+                               style.colour),
+                   legend && !title.empty() ? plot_text(title) : "");
         for (const PlotPoint &point : points) {
             least_x = std::min(least_x, point.x);
             largest_x = std::max(largest_x, point.x);
@@ -69,28 +63,19 @@ struct Panel {
             least_y = std::min(least_y, *point.y);
         }
     }
+    [[nodiscard]] bool empty() const { return largest_y == 0; }
+    [[nodiscard]] std::string script(const std::string &before) const {
+        return empty() ? "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n"
+                       : curves.script("", before);
+    }
 };
 
-std::string plot_of(const Panel &panel, const std::string &more, bool legend) {
-    if (panel.series.empty())
-        return "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n";
-    std::string text = "plot " + more;
-    for (const Series &series : panel.series)
-        text += fmt::format("{} using 1:2 with linespoints lw {} dt {} pt {} ps 1 lc rgb '{}' {}, ",
-                            series.block, series.filled ? 1.8 : 1.0, series.filled ? "1" : "(4,4)",
-                            series.style.point, series.style.colour,
-                            legend && !series.title.empty() ? "title " + plot_text(series.title)
-                                                            : "notitle");
-    text.resize(text.size() - 2);
-    return text + "\n";
-}
-
 std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
-    Panel panel{"stiffness", {}, {}};
+    Panel panel{Curves("stiffness")};
     for (const RigidLimitRow &row : result.rows)
         if (row.elements.empty())
             panel.add(row.quantity, styles.of(row.quantity), true, points_of(row));
-    std::string text = panel.data;
+    std::string text;
     std::string guide;
     if (panel.largest_x > panel.least_x) {
         text += fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", panel.least_x / 1.5,
@@ -100,7 +85,7 @@ std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
                             "0.01 with lines lw 1 dt (8,4) lc rgb '#999999' notitle, ",
                             3 * panel.largest_y * panel.least_x);
     }
-    if (panel.series.empty())
+    if (panel.empty())
         text += "set label 1 'a rigid shaft: no stiffness to vary' at graph 0.5,0.5 center\n"
                 "unset xtics\nunset ytics\n";
     if (result.one_percent)
@@ -111,8 +96,7 @@ std::string stiffness_panel(const RigidLimitResult &result, Styles &styles) {
     return text +
            "set xlabel 'Stiffness of the shaft, 48 EI/L^3 (N/m)'\n"
            "set ylabel 'Relative difference from the closed form'\nunset key\n" +
-           plot_of(panel, guide, false) +
-           "unset arrow\nunset label\nset autoscale\nset xtics\nset ytics\n";
+           panel.script(guide) + "unset arrow\nunset label\nset autoscale\nset xtics\nset ytics\n";
 }
 
 /// Of the composite inertia the quantity that differs most, at every mesh.
@@ -131,7 +115,7 @@ std::vector<PlotPoint> inertia_points(const RigidLimitResult &result, int order)
 }
 
 std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
-    Panel panel{"mesh", {}, {}};
+    Panel panel{Curves("mesh"), true};
     std::vector<int> orders;
     for (const RigidLimitRow &row : result.rows) {
         if (row.elements.empty())
@@ -152,8 +136,8 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
                        "lines lw 1 dt (8,4) lc rgb '#999999' title '1 %', ";
     if (orders.size() > 1)
         keys += "NaN with lines lw 1 dt (4,4) lc rgb '#555555' title 'thin: classical elements', ";
-    std::string text = panel.data;
-    if (!panel.series.empty())
+    std::string text;
+    if (!panel.empty())
         text +=
             fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", 0.8 * panel.least_x,
                         1.25 * panel.largest_x, least_shown / 2,
@@ -166,29 +150,25 @@ std::string mesh_panel(const RigidLimitResult &result, Styles &styles) {
     return text +
            "set xlabel 'Elements of the shaft'\nunset ylabel\nset xtics (1,2,3,4,6,8,12,16,24,32)\n"
            "set format x '%g'\nset key at graph 1.04,1 left top reverse Left vertical samplen 3\n" +
-           plot_of(panel, keys, true);
+           panel.script(keys);
 }
 
 } // namespace
 
 Figure rigid_limit_figure(const model::Case &scene, const RigidLimitResult &result) {
-    Figure figure;
-    figure.width = 1400;
-    figure.height = 620;
     const std::string subtitle =
         std::isfinite(result.mesh_factor)
             ? fmt::format("left: while the shaft stiffens; right: while the mesh coarsens, E and G "
                           "times {}",
                           readable(result.mesh_factor))
             : "the shaft is rigid";
-    figure.script = figure_head("Flexible model and rigid closed forms: " + title_of(scene),
-                                subtitle, figure.height);
     Styles styles;
-    figure.script +=
-        "set logscale xy\nset format xy '10^{%L}'\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" +
-        panel_margins(0.07, 0.375, 0.115, 0.87) + stiffness_panel(result, styles) +
-        panel_margins(0.425, 0.7, 0.115, 0.87) + mesh_panel(result, styles) + "unset multiplot\n";
-    return figure;
+    const std::string left =
+        panel_margins(0.07, 0.375, 0.115, 0.87) + stiffness_panel(result, styles);
+    return figure_of(1400, 620, "Flexible model and rigid closed forms: " + title_of(scene),
+                     subtitle,
+                     std::string("set logscale xy\nset format xy '10^{%L}'\n") + grid + left +
+                         panel_margins(0.425, 0.7, 0.115, 0.87) + mesh_panel(result, styles));
 }
 
 } // namespace whirl::report

@@ -149,29 +149,25 @@ Figure samples_figure(const model::Case &scene, const SamplesResult &result) {
     }
     const std::size_t columns = drawn.size() == 4 ? 2 : std::clamp<std::size_t>(drawn.size(), 1, 3);
     const std::size_t rows = std::max<std::size_t>((drawn.size() + columns - 1) / columns, 1);
-    Figure figure;
-    figure.width = columns == 1 ? 900 : 1300;
-    const int head = 70;
-    const int row_height = 290;
-    figure.height = head + static_cast<int>(rows) * row_height;
-    figure.script = figure_head("Uncertain entries: " + title_of(scene),
-                                subtitle_of(scene, result, drawn.size(), all), figure.height) +
-                    "set grid y lc rgb '#E4E4E4' lt 1 lw 0.6\nunset key\nset format x '%g'\n";
+    constexpr int head = 70;
+    constexpr int row_height = 290;
+    const int height = head + static_cast<int>(rows) * row_height;
     const double across = 1.0 / static_cast<double>(columns);
-    const double down = static_cast<double>(row_height) / figure.height;
-    const double top = 1 - static_cast<double>(head) / figure.height;
+    const double down = static_cast<double>(row_height) / height;
+    const double top = 1 - static_cast<double>(head) / height;
+    std::string panels = "set grid y lc rgb '#E4E4E4' lt 1 lw 0.6\nunset key\nset format x '%g'\n";
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const double left = static_cast<double>(i % columns) * across;
         const std::size_t row = i / columns;
         const double upper = top - static_cast<double>(row) * down;
-        figure.script += panel_margins(left + 0.2 * across, left + 0.94 * across,
-                                       upper - 0.8 * down, upper - 0.2 * down) +
-                         panel_of(scene, *drawn[i], i);
+        panels += panel_margins(left + 0.2 * across, left + 0.94 * across, upper - 0.8 * down,
+                                upper - 0.2 * down) +
+                  panel_of(scene, *drawn[i], i);
     }
     if (drawn.empty())
-        figure.script += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
-    figure.script += "unset multiplot\n";
-    return figure;
+        panels += "set xrange [0:1]\nset yrange [0:1]\nplot NaN notitle\n";
+    return figure_of(columns == 1 ? 900 : 1300, height, "Uncertain entries: " + title_of(scene),
+                     subtitle_of(scene, result, drawn.size(), all), panels);
 }
 
 } // namespace whirl::report

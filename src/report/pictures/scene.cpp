@@ -115,16 +115,24 @@ std::string stiffness_text(const model::Bearing &bearing) {
            " " + unit_name("stiffness", "N/m");
 }
 
+/// A callout for each of a kind: its place and its name, or its number among them.
+/// @param height  of the end of its line
+void add_callouts(std::vector<Callout> &callouts, const Sheet &sheet, const auto &parts,
+                  const char *kind, const auto &height) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        callouts.push_back({sheet.across(parts[i].z), height(parts[i]),
+                            name_or(parts[i].name, kind, i, parts.size())});
+}
+
 std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &sheet) {
     std::vector<Callout> callouts;
     const auto top = [&](double radius) { return sheet.axis - sheet.pixels(radius) - 2; };
-    for (std::size_t i = 0; i < rotor.discs.size(); ++i) {
-        const auto &disc = rotor.discs[i];
-        callouts.push_back(
-            {sheet.across(disc.z), top(disc_radius(disc)),
-             fmt::format("{}: {} {}", name_or(disc.name, "disc", i, rotor.discs.size()),
-                         readable(disc.mass * kilograms, 4), unit_name("mass", "kg"))});
-    }
+    const auto above = [&](const auto &) { return sheet.axis - sheet.radius - 10; };
+    add_callouts(callouts, sheet, rotor.discs, "disc",
+                 [&](const model::Disc &disc) { return top(disc_radius(disc)); });
+    for (std::size_t i = 0; i < rotor.discs.size(); ++i)
+        callouts[i].text += fmt::format(": {} {}", readable(rotor.discs[i].mass * kilograms, 4),
+                                        unit_name("mass", "kg"));
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const auto &balancer = rotor.balancers[i];
         const balancers::Outline outline = balancers::kind_of(balancer)->outline();
@@ -132,18 +140,12 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
             {sheet.across(balancer.z), top(outline.radius()) - 5,
              name_or(balancer.name, outline.label.c_str(), i, rotor.balancers.size())});
     }
-    for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i)
-        callouts.push_back(
-            {sheet.across(rotor.anisotropies[i].z), sheet.axis - 21,
-             name_or(rotor.anisotropies[i].name, "anisotropy", i, rotor.anisotropies.size())});
-    for (std::size_t i = 0; i < rotor.planes.size(); ++i)
-        callouts.push_back({sheet.across(rotor.planes[i].z), sheet.axis - sheet.radius - 10,
-                            name_or(rotor.planes[i].name, "plane", i, rotor.planes.size())});
-    const auto seals = rotor.seals();
-    for (std::size_t i = 0; i < seals.size(); ++i)
-        callouts.push_back({sheet.across(seals[i].z),
-                            top(shaft_radius(rotor.shaft, seals[i].z)) - 9,
-                            name_or(seals[i].name, "seal", i, seals.size())});
+    add_callouts(callouts, sheet, rotor.anisotropies, "anisotropy",
+                 [&](const auto &) { return sheet.axis - 21; });
+    add_callouts(callouts, sheet, rotor.planes, "plane", above);
+    add_callouts(callouts, sheet, rotor.seals(), "seal", [&](const model::Bearing &seal) {
+        return top(shaft_radius(rotor.shaft, seal.z)) - 9;
+    });
     constexpr Reading gram_millimetres{"imbalance", 1e6};
     for (std::size_t i = 0; i < rotor.imbalances.size(); ++i) {
         const auto &imbalance = rotor.imbalances[i];
@@ -156,9 +158,7 @@ std::vector<Callout> upper_callouts(const model::Rotor &rotor, const Sheet &shee
                              readable(std::abs(imbalance.mr) * gram_millimetres, 4),
                              unit_name("imbalance", "g mm"))});
     }
-    for (std::size_t i = 0; i < rotor.probes.size(); ++i)
-        callouts.push_back({sheet.across(rotor.probes[i].z), sheet.axis - sheet.radius - 10,
-                            name_or(rotor.probes[i].name, "probe", i, rotor.probes.size())});
+    add_callouts(callouts, sheet, rotor.probes, "probe", above);
     return callouts;
 }
 
@@ -192,11 +192,9 @@ std::vector<Callout> bearing_callouts(const model::Rotor &rotor, const Sheet &sh
                                       double ground) {
     std::vector<Callout> callouts;
     const auto bearings = rotor.supports();
+    add_callouts(callouts, sheet, bearings, "bearing", [&](const auto &) { return ground + 7; });
     for (std::size_t i = 0; i < bearings.size(); ++i)
-        callouts.push_back(
-            {sheet.across(bearings[i].z), ground + 7,
-             fmt::format("{}: {}", name_or(bearings[i].name, "bearing", i, bearings.size()),
-                         stiffness_text(bearings[i]))});
+        callouts[i].text += ": " + stiffness_text(bearings[i]);
     return callouts;
 }
 

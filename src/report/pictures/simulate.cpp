@@ -26,20 +26,19 @@ struct Curve {
 std::vector<Curve> amplitude_curves(const SimulateResult &result) {
     std::vector<Curve> curves;
     const std::vector<double> &time = result.series.time;
+    const auto after_rest = [&time](const std::vector<double> &amplitude) {
+        std::vector<PlotPoint> points = points_over(time, 1, amplitude, micrometres);
+        points.erase(points.begin(), points.begin() + (points.empty() ? 0 : 1));
+        return points; // at rest there is nothing to draw
+    };
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 1; k < time.size(); ++k) // at rest there is nothing to draw
-            points.push_back({time[k], result.series.amplitude[i][k] * micrometres});
-        curves.push_back({place_text(result.balancers[i].name, result.balancers[i].z), {points}});
+        curves.push_back({place_text(result.balancers[i].name, result.balancers[i].z),
+                          {after_rest(result.series.amplitude[i])}});
     }
     for (std::size_t i = 0; i < result.other_starts.size(); ++i) {
-        const std::vector<double> &amplitude = result.other_starts[i].amplitude;
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 1; k < std::min(time.size(), amplitude.size()); ++k)
-            points.push_back({time[k], amplitude[k] * micrometres});
         curves.push_back({fmt::format("start {}: {}", i + 2,
                                       results::outcome_name(result.other_starts[i].outcome)),
-                          {points}});
+                          {after_rest(result.other_starts[i].amplitude)}});
     }
     for (const results::BalancerMotion &b : result.balancers)
         if (b.reference > 0 && !time.empty())
@@ -97,16 +96,14 @@ std::vector<Curve> angle_curves(const SimulateResult &result) {
 }
 
 std::string draw(const std::string &panel, const std::vector<Curve> &curves, std::size_t solid) {
-    std::string data;
-    std::string plots;
+    Curves drawn(panel);
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const LineStyle style = series_style(i < solid ? i : i - solid);
-        data += data_block(panel + std::to_string(i), curves[i].points);
-        plots += fmt::format("{}${}{} with lines lc rgb '{}' lw {} dt {} title {}",
-                             i == 0 ? "plot " : ", ", panel, i, style.colour, i < solid ? 1.4 : 1,
-                             i < solid ? "1" : "(3,4)", plot_text(curves[i].name));
+        LineStyle style = series_style(i < solid ? i : i - solid);
+        style.dash = i < solid ? "1" : "(3,4)";
+        drawn.add_pieces(curves[i].points, line_look(style, i < solid ? 1.4 : 1),
+                         plot_text(curves[i].name));
     }
-    return data + (curves.empty() ? "plot NaN notitle" : plots) + "\n";
+    return drawn.script();
 }
 
 std::string logarithmic_axis(const std::vector<Curve> &curves) {
@@ -122,15 +119,14 @@ std::string logarithmic_axis(const std::vector<Curve> &curves) {
     if (high <= 0)
         high = low = 1;
     low = std::max(low, 1e-6 * high);
-    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:{}]\n",
-                       std::pow(10, std::floor(std::log10(low))),
-                       std::pow(10, std::floor(std::log10(high)) + 1));
+    return logarithmic_y + fmt::format("set yrange [{}:{}]\n",
+                                       std::pow(10, std::floor(std::log10(low))),
+                                       std::pow(10, std::floor(std::log10(high)) + 1));
 }
 
 std::string axes(const std::string &label, bool last) {
-    return fmt::format("set ylabel {}\n{}\nset key at graph 1.02,1 left top reverse Left vertical "
-                       "samplen 3\n",
-                       plot_text(label), last ? "set xlabel 'Time (s)'" : "unset xlabel");
+    return fmt::format("set ylabel {}\n{}\n{}", plot_text(label),
+                       last ? "set xlabel 'Time (s)'" : "unset xlabel", legend_beside);
 }
 
 } // namespace
@@ -146,39 +142,29 @@ Figure simulate_figure(const model::Case &scene, const SimulateResult &result) {
     for (const std::vector<Curve> *list : {&amplitude, &angles})
         for (const Curve &curve : *list)
             names.push_back(curve.name);
-    const LegendedFigure room = beside_legend(92, 864, 1080, names);
-    Figure figure;
-    figure.width = room.width;
-    figure.height = constant ? 780 : 960;
-    const double pixel = 1.0 / figure.height;
-    const auto panel = [&](int top, int bottom) {
-        return panel_margins(room.left, room.right, 1 - bottom * pixel, 1 - top * pixel);
-    };
-    figure.script =
-        figure_head("Motion in time: " + title_of(scene),
-                    fmt::format("outcome: {}, at the end {} rpm",
-                                results::outcome_name(result.outcome),
-                                readable(result.speed * rpm)),
-                    figure.height) +
-        fmt::format("set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xrange [0:{}]\n", result.time) +
-        logarithmic_axis(amplitude) + panel(75, 400) + axes("Amplitude (µm)", false) +
+    LegendedFigure room = beside_legend(92, 864, 1080, names);
+    room.height = constant ? 780 : 960;
+    std::string panels =
+        grid + fmt::format("set xrange [0:{}]\n", result.time) + logarithmic_axis(amplitude) +
+        room.panel(75, 400) + axes("Amplitude (µm)", false) +
         draw("a", amplitude, result.balancers.size() + result.other_starts.size()) +
-        "unset label\nunset logscale y\nset format y '%g'\n" +
+        "unset label\n" + linear_y +
         (lagging ? "set yrange [*:*]\n" : "set yrange [-190:190]\nset ytics 90\n") +
-        panel(430, 715) +
+        room.panel(430, 715) +
         axes(lagging ? "Ball speed / rotor speed" : "Angle in the rotor (deg)", constant) +
         draw("g", angles, most_curves);
     if (!constant) {
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < speed.size(); ++k)
-            points.push_back({result.series.time[k], speed[k] * rpm});
         const auto [low, high] = std::minmax_element(speed.begin(), speed.end());
-        figure.script += operation_band(scene, {*low * rpm, *high * rpm}, SpeedAxis::y) +
-                         "set yrange [*:*]\nset ytics auto\n" + panel(745, 895) +
-                         axes("Speed (rpm)", true) + draw("s", {{"rotor", {points}}}, 1);
+        panels += operation_band(scene, {*low * rpm, *high * rpm}, SpeedAxis::y) +
+                  "set yrange [*:*]\nset ytics auto\n" + room.panel(745, 895) +
+                  axes("Speed (rpm)", true) +
+                  draw("s", {{"rotor", {points_over(result.series.time, 1, speed, rpm)}}}, 1);
     }
-    figure.script += "unset multiplot\n";
-    return figure;
+    return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
+                     fmt::format("outcome: {}, at the end {} rpm",
+                                 results::outcome_name(result.outcome),
+                                 readable(result.speed * rpm)),
+                     panels);
 }
 
 } // namespace whirl::report

@@ -112,33 +112,30 @@ std::string growth_range(const StabilityResult &result) {
 }
 
 std::string growth_panel(const model::Case &scene, const StabilityResult &result) {
-    const std::vector<PlotPoint> points = growth_points(result, result.growth, result.unstable);
     const bool one = result.speeds.size() == 1; // a point amid its panel
     const Range x = {range_of(result.speeds).low * rpm, range_of(result.speeds).high * rpm};
-    std::string text = data_block("growth", {points}) + operation_band(scene, x);
+    std::string text = operation_band(scene, x);
     if (result.family)
         text += shaded(result.family->unstable, shade_some);
     text += shaded(result.unstable, shade) + operation_edges(scene, x);
     text +=
         marks(result.critical_speeds, "#0072B2", 2) + marks(result.additional_speeds, "#D55E00", 4);
     text += fmt::format("set xrange [{}:{}]\n", x.low, x.high) + growth_range(result);
-    std::string curves;
-    if (result.resolved_up_to) {
-        text += data_block(
-            "resolved", {growth_points(result, result.resolved_growth, result.resolved_unstable)});
-        curves = fmt::format(", $resolved using 1:2 with {} lw 2 lc rgb '#009E73' title 'growth of "
-                             "motions that the elements resolve'",
-                             one ? "points pt 7" : "lines dt 2");
-    }
-    return text +
-           "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\nset xzeroaxis lc rgb '#555555' lw 1\n"
+    Curves drawn("growth");
+    drawn.add(growth_points(result, result.growth, result.unstable),
+              fmt::format("with {} lw 2 lc rgb '#222222'", one ? "points pt 7" : "lines"),
+              "'growth'");
+    if (result.resolved_up_to)
+        drawn.add(growth_points(result, result.resolved_growth, result.resolved_unstable),
+                  fmt::format("with {} lw 2 lc rgb '#009E73'", one ? "points pt 7" : "lines dt 2"),
+                  "'growth of motions that the elements resolve'");
+    return text + grid +
+           "set xzeroaxis lc rgb '#555555' lw 1\n"
            "set xlabel 'Spin speed (rpm)'\nset ylabel 'Growth, largest real part (1/s)'\n"
            "set key at graph 0,1.02 left bottom horizontal reverse Left samplen 2 maxrows 3\n" +
-           fmt::format("plot $growth using 1:2 with {} lw 2 lc rgb '#222222' title 'growth'",
-                       one ? "points pt 7" : "lines") +
-           curves + growth_keys(scene, result) + operation_key(scene, x) +
-           "\nunset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\nset format "
-           "y\n";
+           drawn.script(growth_keys(scene, result) + operation_key(scene, x)) +
+           "unset label\nunset object\nunset arrow\nunset xzeroaxis\nset autoscale y\n"
+           "set format y\n";
 }
 
 std::string family_panel(const model::Case &scene, const StabilityResult &result) {
@@ -192,30 +189,26 @@ std::string map_panel(const model::Case &scene, const results::StabilityMap &map
 } // namespace
 
 Figure stability_figure(const model::Case &scene, const StabilityResult &result) {
-    Figure figure;
-    figure.width = 1180;
-    const int panels = 1 + (result.family ? 1 : 0) + (result.map ? 1 : 0);
-    figure.height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
-    const auto share = [&figure](double pixels) { return pixels / figure.height; };
-    figure.script = figure_head("Stability: " + title_of(scene),
-                                panels > 1 ? "over spin speed, and what the case asks for below"
-                                           : "over spin speed",
-                                figure.height);
+    const int height = 545 + (result.family ? 240 : 0) + (result.map ? 560 : 0);
+    const auto share = [height](double pixels) { return pixels / height; };
     double top = 1 - share(130); // three rows of the key
     double bottom = top - share(345);
-    figure.script += panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
+    std::string panels = panel_margins(0.125, 0.95, bottom, top) + growth_panel(scene, result);
     if (result.family) {
         top = bottom - share(75);
         bottom = top - share(165);
-        figure.script += panel_margins(0.125, 0.95, bottom, top) + family_panel(scene, result);
+        panels += panel_margins(0.125, 0.95, bottom, top) + family_panel(scene, result);
     }
     if (result.map) {
         top = bottom - share(95);
         bottom = top - share(410);
-        figure.script += panel_margins(0.125, 0.85, bottom, top) + map_panel(scene, *result.map);
+        panels += panel_margins(0.125, 0.85, bottom, top) + map_panel(scene, *result.map);
     }
-    figure.script += "unset multiplot\n";
-    return figure;
+    return figure_of(1180, height, "Stability: " + title_of(scene),
+                     result.family || result.map
+                         ? "over spin speed, and what the case asks for below"
+                         : "over spin speed",
+                     panels);
 }
 
 } // namespace whirl::report

@@ -58,32 +58,11 @@ bool speed_changes(const SimulateResult &result) {
                        [&](double value) { return value != speed.front(); });
 }
 
-/// Lines of one panel, collected: data blocks and elements of the plot command.
-class Lines {
-  public:
-    explicit Lines(std::string panel) : _panel(std::move(panel)) {}
-
-    void add(const std::vector<PlotPoint> &points, const std::string &look,
-             const std::string &title) {
-        const std::string name = fmt::format("{}{}", _panel, _count++);
-        _data += data_block(name, {points});
-        _plots += fmt::format("{}${} {} {}", _plots.empty() ? "plot " : ", ", name, look,
-                              title.empty() ? "notitle" : "title " + plot_text(title));
-    }
-    [[nodiscard]] std::string text() const {
-        return _data + (_plots.empty() ? "plot NaN notitle" : _plots) + "\n";
-    }
-
-  private:
-    std::string _panel;
-    std::string _data;
-    std::string _plots;
-    int _count = 0;
-};
-
-std::string line_look(std::size_t index, const char *dash, double width) {
-    return fmt::format("with lines lc rgb '{}' lw {} dt {}", series_style(index).colour, width,
-                       dash);
+/// Of the index-th station that is drawn.
+std::string station_look(std::size_t index, const char *dash, double width) {
+    LineStyle style = series_style(index);
+    style.dash = dash;
+    return line_look(style, width);
 }
 std::string peak_look(std::size_t index) {
     const LineStyle style = series_style(index);
@@ -97,31 +76,23 @@ LegendedFigure room_of(const SimulateResult &result) {
     return beside_legend(92, 821, 1080, names);
 }
 
-std::string panel_of(const Figure &figure, const LegendedFigure &room, int top, int bottom) {
-    const double pixel = 1.0 / figure.height;
-    return panel_margins(room.left, room.right, 1 - bottom * pixel, 1 - top * pixel);
-}
-
 std::string station_axes(const std::string &label, const std::string &below) {
-    return fmt::format("set ylabel {}\nset xlabel {}\nset key at graph 1.02,1 left top reverse "
-                       "Left vertical samplen 3\n",
-                       plot_text(label), plot_text(below));
+    return fmt::format("set ylabel {}\nset xlabel {}\n{}", plot_text(label), plot_text(below),
+                       legend_beside);
 }
 
 std::string amplitude_over_time(const SimulateResult &result) {
-    Lines lines("t");
+    Curves lines("t");
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < result.series.time.size(); ++k)
-            points.push_back(
-                {result.series.time[k], result.series.amplitude[drawn[i]][k] * micrometres});
-        lines.add(points, line_look(i, "1", 1.4), station_name(station));
-        lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i), "");
+        lines.add(
+            points_over(result.series.time, 1, result.series.amplitude[drawn[i]], micrometres),
+            station_look(i, "1", 1.4), plot_text(station_name(station)));
+        lines.add({{station.peak.time, station.peak.value * micrometres}}, peak_look(i));
     }
     return station_axes("Amplitude (µm)", "Time (s)") +
-           fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.text();
+           fmt::format("set xrange [0:{}]\nset yrange [0:*]\n", result.time) + lines.script();
 }
 
 /// Linear, or logarithmic where the steady peaks would leave nothing of the motion to see.
@@ -135,22 +106,16 @@ std::string amplitude_range(const SimulateResult &result) {
     const double peak = result.stations[results::largest_station(result.stations)].peak.value;
     if (steady <= comparable * peak)
         return "set yrange [0:*]\n";
-    return fmt::format("set logscale y\nset format y '10^{{%L}}'\nset yrange [{}:*]\n",
-                       decades * peak * micrometres);
+    return logarithmic_y + fmt::format("set yrange [{}:*]\n", decades * peak * micrometres);
 }
 
 /// The steady response behind, the motion in front.
 std::string amplitude_over_speed(const SimulateResult &result) {
-    Lines lines("s");
+    Curves lines("s");
     const std::vector<std::size_t> drawn = drawn_stations(result);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < result.steady.speeds.size(); ++k) {
-            const double value = result.steady.amplitudes[drawn[i]][k];
-            points.push_back(
-                {result.steady.speeds[k] * rpm,
-                 std::isfinite(value) ? std::optional(value * micrometres) : std::nullopt});
-        }
+        std::vector<PlotPoint> points =
+            points_over(result.steady.speeds, rpm, result.steady.amplitudes[drawn[i]], micrometres);
         const StationMotion &station = result.stations[drawn[i]];
         if (station.steady_peak && std::isfinite(*station.steady_peak)) {
             const double speed = *station.steady_peak_speed * rpm;
@@ -159,78 +124,65 @@ std::string amplitude_over_speed(const SimulateResult &result) {
                           {speed, *station.steady_peak * micrometres});
         }
         if (!points.empty())
-            lines.add(points, line_look(i, "(3,4)", 1), i == 0 ? "steady (dashed)" : "");
+            lines.add(points, station_look(i, "(3,4)", 1),
+                      i == 0 ? plot_text("steady (dashed)") : "");
     }
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const StationMotion &station = result.stations[drawn[i]];
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < result.series.time.size(); ++k)
-            points.push_back(
-                {result.series.speed[k] * rpm, result.series.amplitude[drawn[i]][k] * micrometres});
-        lines.add(points, line_look(i, "1", 1.4), i == 0 ? "in this motion" : "");
+        lines.add(
+            points_over(result.series.speed, rpm, result.series.amplitude[drawn[i]], micrometres),
+            station_look(i, "1", 1.4), i == 0 ? plot_text("in this motion") : "");
         lines.add({{station.peak.speed * rpm, station.peak.value * micrometres}}, peak_look(i),
-                  i == 0 ? "its peak" : "");
+                  i == 0 ? plot_text("its peak") : "");
     }
     const auto [low, high] =
         std::minmax_element(result.series.speed.begin(), result.series.speed.end());
     return station_axes("Amplitude (µm)", "Spin speed (rpm)") +
            fmt::format("set xrange [{}:{}]\n", *low * rpm, *high * rpm) + amplitude_range(result) +
-           lines.text() + "unset logscale y\nset format y '%g'\n";
+           lines.script() + linear_y;
 }
 
 /// x and y of the station that moves most.
 std::string deflection_over_time(const SimulateResult &result) {
     const std::size_t largest = results::largest_station(result.stations);
-    Lines lines("d");
-    for (const auto &[name, values] :
-         {std::pair("x", &result.series.x[largest]), std::pair("y", &result.series.y[largest])}) {
-        std::vector<PlotPoint> points;
-        for (std::size_t k = 0; k < values->size(); ++k)
-            points.push_back({result.series.time[k], (*values)[k] * micrometres});
-        lines.add(points, line_look(name == std::string("x") ? 0 : 1, "1", 1),
-                  fmt::format("{} at {}", name, station_name(result.stations[largest])));
-    }
+    Curves lines("d");
+    const std::string of = " at " + station_name(result.stations[largest]);
+    lines.add(points_over(result.series.time, 1, result.series.x[largest], micrometres),
+              station_look(0, "1", 1), plot_text("x" + of));
+    lines.add(points_over(result.series.time, 1, result.series.y[largest], micrometres),
+              station_look(1, "1", 1), plot_text("y" + of));
     return station_axes("Deflection (µm)", "Time (s)") +
-           fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.text();
+           fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
 std::string speed_over_time(const SimulateResult &result) {
-    Lines lines("n");
-    std::vector<PlotPoint> points;
-    for (std::size_t k = 0; k < result.series.time.size(); ++k)
-        points.push_back({result.series.time[k], result.series.speed[k] * rpm});
-    lines.add(points, line_look(0, "1", 1.4), "rotor");
+    Curves lines("n");
+    lines.add(points_over(result.series.time, 1, result.series.speed, rpm),
+              station_look(0, "1", 1.4), plot_text("rotor"));
     return station_axes("Speed (rpm)", "Time (s)") +
-           fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.text();
+           fmt::format("set xrange [0:{}]\nset yrange [*:*]\n", result.time) + lines.script();
 }
 
 } // namespace
 
 Figure stations_figure(const model::Case &scene, const SimulateResult &result) {
     const bool changes = speed_changes(result);
-    const LegendedFigure room = room_of(result);
-    Figure figure;
-    figure.width = room.width;
-    figure.height = changes ? 1010 : 760;
-    figure.script =
-        figure_head("Motion in time: " + title_of(scene),
-                    fmt::format("{} after {} s at {} rpm", results::outcome_name(result.outcome),
-                                readable(result.time), readable(result.speed * rpm)),
-                    figure.height) +
-        "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n" + panel_of(figure, room, 75, 380) +
-        amplitude_over_time(result) + "unset label\n";
+    LegendedFigure room = room_of(result);
+    room.height = changes ? 1010 : 760;
+    std::string panels = grid + room.panel(75, 380) + amplitude_over_time(result) + "unset label\n";
     if (changes) {
         const auto [low, high] =
             std::minmax_element(result.series.speed.begin(), result.series.speed.end());
-        figure.script += operation_band(scene, {*low * rpm, *high * rpm}) +
-                         panel_of(figure, room, 445, 750) + amplitude_over_speed(result) +
-                         "unset object\nunset arrow\n" + panel_of(figure, room, 815, 950) +
-                         speed_over_time(result);
+        panels += operation_band(scene, {*low * rpm, *high * rpm}) + room.panel(445, 750) +
+                  amplitude_over_speed(result) + "unset object\nunset arrow\n" +
+                  room.panel(815, 950) + speed_over_time(result);
     } else {
-        figure.script += panel_of(figure, room, 445, 700) + deflection_over_time(result);
+        panels += room.panel(445, 700) + deflection_over_time(result);
     }
-    figure.script += "unset multiplot\n";
-    return figure;
+    return figure_of(room.width, room.height, "Motion in time: " + title_of(scene),
+                     fmt::format("{} after {} s at {} rpm", results::outcome_name(result.outcome),
+                                 readable(result.time), readable(result.speed * rpm)),
+                     panels);
 }
 
 } // namespace whirl::report

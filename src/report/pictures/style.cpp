@@ -1,6 +1,5 @@
 #include "report/pictures/style.h"
 
-#include "report/common/gnuplot.h"
 #include "report/common/text_width.h"
 #include "report/common/units.h"
 #include "results/whirl.h"
@@ -60,12 +59,49 @@ std::string data_block(const std::string &name,
     return block + "NaN NaN\nEOD\n";
 }
 
-std::string figure_head(const std::string &title, const std::string &subtitle, int height) {
+std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
+                                   const std::vector<double> &y, double y_factor) {
+    std::vector<PlotPoint> points;
+    for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
+        points.push_back({x[i] * x_factor, y[i] * y_factor});
+    return points;
+}
+
+void Curves::add(const std::vector<PlotPoint> &line, const std::string &look,
+                 const std::string &title) {
+    add_pieces({line}, look, title);
+}
+
+void Curves::add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
+                        const std::string &title) {
+    const std::string block = _name + std::to_string(_count++);
+    _data += data_block(block, pieces);
+    add(fmt::format("${} {} {}", block, look, title.empty() ? "notitle" : "title " + title));
+}
+
+void Curves::add(const std::string &element) {
+    _elements += (_elements.empty() ? "" : ", ") + element;
+}
+
+std::string Curves::script(const std::string &further, const std::string &before) const {
+    return _data + "plot " + before + (_elements.empty() ? "NaN notitle" : _elements) + further +
+           "\n";
+}
+
+std::string line_look(const LineStyle &style, double width) {
+    return fmt::format("with lines lc rgb '{}' lw {} dt {}", style.colour, width, style.dash);
+}
+
+Figure figure_of(int width, int height, const std::string &title, const std::string &subtitle,
+                 const std::string &panels) {
     const double pixel = 1.0 / height;
-    return fmt::format("set multiplot\n"
-                       "set label 101 {} at screen 0.5,{} center font ',15'\n"
-                       "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n",
-                       plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel);
+    return {fmt::format("set multiplot\n"
+                        "set label 101 {} at screen 0.5,{} center font ',15'\n"
+                        "set label 102 {} at screen 0.5,{} center font ',11' textcolor '#555555'\n"
+                        "{}unset multiplot\n",
+                        plot_text(title), 1 - 22 * pixel, plot_text(subtitle), 1 - 48 * pixel,
+                        panels),
+            width, height};
 }
 
 std::string panel_margins(double left, double right, double bottom, double top) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "report/common/gnuplot.h"
 #include "report/common/words.h"
 #include "results/whirl.h"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace whirl::report {
@@ -37,21 +39,63 @@ struct PlotPoint {
 [[nodiscard]] std::string data_block(const std::string &name,
                                      const std::vector<std::vector<PlotPoint>> &polylines);
 
-/// `set multiplot`, the bold heading and the grey line under it.
-[[nodiscard]] std::string figure_head(const std::string &title, const std::string &subtitle,
-                                      int height);
+/// One value over another, each times a factor, as far as both lists go.
+[[nodiscard]] std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
+                                                 const std::vector<double> &y, double y_factor);
+
+/// A plot command with its data: curve by curve, as the legend lists them.
+class Curves {
+  public:
+    /// @param name  that its data blocks begin with, of no other plot of the figure
+    explicit Curves(std::string name) : _name(std::move(name)) {}
+    /// @param look   for gnuplot: "with lines lw 2"
+    /// @param title  for gnuplot, in its quotation marks; empty: not in the legend
+    void add(const std::vector<PlotPoint> &line, const std::string &look,
+             const std::string &title = "");
+    void add_pieces(const std::vector<std::vector<PlotPoint>> &pieces, const std::string &look,
+                    const std::string &title = "");
+    /// What has no data of its own: "NaN with boxes title 'unstable'".
+    void add(const std::string &element);
+    /// @param further  elements behind the others, each after a comma
+    /// @param before   elements in front of them, each with a comma behind it
+    [[nodiscard]] std::string script(const std::string &further = "",
+                                     const std::string &before = "") const;
+
+  private:
+    std::string _name, _data, _elements;
+    int _count = 0;
+};
+/// "with lines lc rgb '#0072B2' lw 2 dt 1"
+[[nodiscard]] std::string line_look(const LineStyle &style, double width);
+
+/// A figure of several panels below its bold heading and the grey line under that.
+[[nodiscard]] Figure figure_of(int width, int height, const std::string &title,
+                               const std::string &subtitle, const std::string &panels);
 /// Margins of a panel in fractions of the figure.
 [[nodiscard]] std::string panel_margins(double left, double right, double bottom, double top);
+
+inline constexpr const char *grid = "set grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
+inline constexpr const char *logarithmic_y = "set logscale y\nset format y '10^{%L}'\n";
+inline constexpr const char *linear_y = "unset logscale y\nset format y '%g'\n";
+/// Of a LegendedFigure.
+inline constexpr const char *legend_beside =
+    "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n";
 
 constexpr double picture_font = 14; ///< of gnuplot (common/gnuplot.cpp), pixels
 /// Width of the widest of some texts as they are written, in the units asked for, pixels.
 [[nodiscard]] double widest_text(const std::vector<std::string> &texts);
 
-/// A figure whose panels have their legends at their right, `set key at graph 1.02,1 left top
-/// reverse Left samplen 3`: as wide as the longest name needs.
+/// A figure whose panels have their legends at their right (legend_beside): as wide as the longest
+/// name needs.
 struct LegendedFigure {
     int width = 0;              ///< pixels
     double left = 0, right = 0; ///< margins of the panels, fractions of the width
+    int height = 0;             ///< pixels, to be set
+    /// Margins of a panel between two heights, pixels from above.
+    [[nodiscard]] std::string panel(int top, int bottom) const {
+        const double pixel = 1.0 / height;
+        return panel_margins(left, right, 1 - bottom * pixel, 1 - top * pixel);
+    }
 };
 /// @param left, right  ends of the panels, pixels
 /// @param least        width of the figure where the names are short

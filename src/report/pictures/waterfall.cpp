@@ -99,50 +99,40 @@ std::string order_name(double order) { return readable(order) + "× spin speed";
 
 /// Data blocks and plot command.
 std::string lines_of(const Layout &layout) {
-    std::string data;
-    std::string plots;
+    Curves drawn("w");
     for (const std::size_t k : layout.order()) {
-        data += data_block(fmt::format("w{}", k), {layout.line(k)});
-        plots += fmt::format("$w{0} with filledcurves y1={1} fc rgb '#FFFFFF' notitle, $w{0} with "
-                             "lines lc rgb '{2}' lw 0.9 notitle, ",
-                             k, layout.base(k), series_style(0).colour);
+        const std::vector<PlotPoint> line = layout.line(k);
+        drawn.add(line, fmt::format("with filledcurves y1={} fc rgb '#FFFFFF'", layout.base(k)));
+        drawn.add(line, fmt::format("with lines lc rgb '{}' lw 0.9", series_style(0).colour));
     }
     std::size_t number = 0;
-    for (const double order : orders) {
-        const std::string name = fmt::format("o{}", ++number);
-        data += data_block(name, {layout.multiple(order)});
-        plots += fmt::format("{}${} with lines lc rgb '{}' lw 1.3 dt (4,4) title {}",
-                             number > 1 ? ", " : "", name, series_style(number).colour,
-                             plot_text(order_name(order)));
-    }
-    return data + "plot " + plots + "\n";
+    for (const double order : orders)
+        drawn.add(
+            layout.multiple(order),
+            fmt::format("with lines lc rgb '{}' lw 1.3 dt (4,4)", series_style(++number).colour),
+            plot_text(order_name(order)));
+    return drawn.script();
 }
 
 } // namespace
 
 Figure waterfall_figure(const model::Case &scene, const Waterfall &waterfall) {
     const Layout layout(waterfall);
-    Figure figure;
-    figure.height = 760;
     const std::string place = place_text(waterfall.name, waterfall.z);
     std::vector<std::string> names;
     for (const double order : orders)
         names.push_back(order_name(order));
     const LegendedFigure room = beside_legend(92, 907, 1080, names);
-    figure.width = room.width;
-    figure.script =
-        figure_head("Waterfall: " + title_of(scene),
-                    fmt::format("{}, windows of {} s; the highest line is {} µm", place,
-                                readable(waterfall.window, 3),
-                                readable(layout.largest() * micrometres, 4)),
-                    figure.height) +
+    return figure_of(
+        room.width, 760, "Waterfall: " + title_of(scene),
+        fmt::format("{}, windows of {} s; the highest line is {} µm", place,
+                    readable(waterfall.window, 3), readable(layout.largest() * micrometres, 4)),
         panel_margins(room.left, room.right, 0.09, 0.885) +
-        fmt::format("set xlabel 'Frequency (Hz)'\nset ylabel {}\nset xrange [0:{}]\nset yrange "
-                    "[{}:{}]\nset key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
-                    plot_text(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)"),
-                    layout.right(), layout.lowest(), layout.top()) +
-        lines_of(layout) + "unset multiplot\n";
-    return figure;
+            fmt::format("set xlabel 'Frequency (Hz)'\nset ylabel {}\nset xrange [0:{}]\n"
+                        "set yrange [{}:{}]\n{}",
+                        plot_text(layout.over_speed() ? "Spin speed (rpm)" : "Time (s)"),
+                        layout.right(), layout.lowest(), layout.top(), legend_beside) +
+            lines_of(layout));
 }
 
 } // namespace whirl::report

@@ -331,39 +331,31 @@ Figure polar_figure(const model::Case &scene, const ResponseResult &result) {
         }
     const double range = 1.15 * most;
     std::vector<std::string> names{"peaks of " + largest->name};
-    std::string data;
-    std::string plots = "$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle";
+    Curves drawn("p");
+    drawn.add("$rings with lines lc rgb '#DDDDDD' lw 0.8 notitle");
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const LineStyle style = series_style(i);
         names.push_back(lines[i].name);
-        data += data_block(fmt::format("p{}", i), {smooth(polar_points(result, lines[i].curve))});
-        plots += fmt::format(", $p{} with lines lc rgb '{}' lw 1.8 dt {} title {}", i, style.colour,
-                             style.dash, plot_text(names.back()));
+        drawn.add(smooth(polar_points(result, lines[i].curve)), line_look(series_style(i), 1.8),
+                  plot_text(lines[i].name));
     }
-    plots += ", $tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]);
-    constexpr double pixels = 640;
-    const LegendedFigure room = beside_legend(92, 92 + pixels, 980, names);
-    Figure figure;
-    figure.width = room.width;
-    figure.height = 800;
-    const double pixel = 1.0 / figure.height;
-    figure.script =
-        figure_head("Polar plot: " + title_of(scene),
-                    fmt::format("{} (µm) at the angle of {}, from {} to {} rpm",
-                                result.probes.empty() ? "amplitude" : "reading of the probes",
-                                result.probes.empty() ? "the phase of x" : "its phase",
-                                short_speed(result.speeds.front() * rpm),
-                                short_speed(result.speeds.back() * rpm)),
-                    figure.height) +
-        panel_margins(room.left, room.right, 1 - 730 * pixel, 1 - (730 - pixels) * pixel) +
-        fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb '#BBBBBB'\n"
-                    "set yzeroaxis lc rgb '#BBBBBB'\nset xlabel '{2} (µm)'\nset ylabel '{3} (µm)'\n"
-                    "set key at graph 1.02,1 left top reverse Left vertical samplen 3\n",
-                    -range, range, result.probes.empty() ? "x" : "in phase",
-                    result.probes.empty() ? "y" : "a quarter ahead") +
-        rings(most) + polar_peaks(result, lines, *largest, range, pixels) + data + "plot " + plots +
-        "\nunset multiplot\n";
-    return figure;
+    drawn.add("$tops with points pt 6 ps 1.5 lw 1.6 lc rgb '#000000' title " + plot_text(names[0]));
+    constexpr int pixels = 640;
+    LegendedFigure room = beside_legend(92, 92 + pixels, 980, names);
+    room.height = 800;
+    const bool probes = !result.probes.empty();
+    return figure_of(
+        room.width, room.height, "Polar plot: " + title_of(scene),
+        fmt::format(
+            "{} (µm) at the angle of {}, from {} to {} rpm",
+            probes ? "reading of the probes" : "amplitude", probes ? "its phase" : "the phase of x",
+            short_speed(result.speeds.front() * rpm), short_speed(result.speeds.back() * rpm)),
+        room.panel(730 - pixels, 730) +
+            fmt::format("set xrange [{0}:{1}]\nset yrange [{0}:{1}]\nset xzeroaxis lc rgb "
+                        "'#BBBBBB'\nset yzeroaxis lc rgb '#BBBBBB'\nset xlabel '{2} (µm)'\n"
+                        "set ylabel '{3} (µm)'\n{4}",
+                        -range, range, probes ? "in phase" : "x", probes ? "a quarter ahead" : "y",
+                        legend_beside) +
+            rings(most) + polar_peaks(result, lines, *largest, range, pixels) + drawn.script());
 }
 
 } // namespace whirl::report

@@ -142,18 +142,12 @@ std::string orbit_panel(const Orbit &orbit, double sign) {
 Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits) {
     const std::vector<std::size_t> drawn = drawn_places(orbits);
     const std::size_t rows = std::min(orbits.size(), most_rows);
-    Figure figure;
-    figure.width =
+    const int width =
         std::max(860, static_cast<int>(70 + cell_width * static_cast<double>(drawn.size())));
-    figure.height = static_cast<int>(90 + cell_height * static_cast<double>(rows));
-    const double high = figure.height;
-    const double wide = figure.width;
-    figure.script = figure_head(
-        "Orbits: " + title_of(scene),
-        "disc: Ωt = 0; arrow: the way it is run through; broken circle: radial clearance; in a "
-        "bearing against its pedestal",
-        figure.height);
-    figure.script += "unset key\nset tics scale 0.5\nset grid lc rgb '#E4E4E4' lt 1 lw 0.6\n";
+    const int height = static_cast<int>(90 + cell_height * static_cast<double>(rows));
+    const double high = height;
+    const double wide = width;
+    std::string panels = std::string("unset key\nset tics scale 0.5\n") + grid;
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < drawn.size(); ++column) {
             const Orbit &orbit = orbits[row].stations[drawn[column]];
@@ -165,24 +159,25 @@ Figure orbits_figure(const model::Case &scene, const std::vector<Orbits> &orbits
                                    x / wide, 1 - y / high, look);
             };
             if (column == 0)
-                figure.script +=
-                    label(1, fmt::format("at {} rpm", readable(orbits[row].speed * rpm, 6)), 20,
-                          top + 8, "left font ',12'");
-            figure.script +=
-                label(2, fitting(place_text(orbit.name, orbit.z), 12.5, cell_width - 20),
-                      left + square / 2, top + 32, "center font ',10'") +
-                label(3, orbit_words(orbit), left + square / 2, top + 51,
-                      "center font ',9' textcolor '#555555'") +
-                panel_margins(left / wide, (left + square) / wide, 1 - (top + 64 + square) / high,
-                              1 - (top + 64) / high) +
-                fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n", axis_name("x"),
-                            column == 0
-                                ? fmt::format("set ylabel {} font ',9' offset 1,0", axis_name("y"))
-                                : "unset ylabel") +
-                orbit_panel(orbit, orbits[row].speed < 0 ? -1 : 1);
+                panels += label(1, fmt::format("at {} rpm", readable(orbits[row].speed * rpm, 6)),
+                                20, top + 8, "left font ',12'");
+            panels += label(2, fitting(place_text(orbit.name, orbit.z), 12.5, cell_width - 20),
+                            left + square / 2, top + 32, "center font ',10'") +
+                      label(3, orbit_words(orbit), left + square / 2, top + 51,
+                            "center font ',9' textcolor '#555555'") +
+                      panel_margins(left / wide, (left + square) / wide,
+                                    1 - (top + 64 + square) / high, 1 - (top + 64) / high) +
+                      fmt::format("set xlabel {} font ',9' offset 0,0.5\n{}\n", axis_name("x"),
+                                  column == 0 ? fmt::format("set ylabel {} font ',9' offset 1,0",
+                                                            axis_name("y"))
+                                              : "unset ylabel") +
+                      orbit_panel(orbit, orbits[row].speed < 0 ? -1 : 1);
         }
-    figure.script += "unset multiplot\n";
-    return figure;
+    return figure_of(
+        width, height, "Orbits: " + title_of(scene),
+        "disc: Ωt = 0; arrow: the way it is run through; broken circle: radial clearance; in a "
+        "bearing against its pedestal",
+        panels);
 }
 
 namespace {
@@ -201,25 +196,18 @@ std::string shape_data(const DeflectedShape &shape) {
 Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape> &shapes) {
     const std::size_t rows = std::min(shapes.size(), most_rows);
     constexpr double panel = 250;
-    Figure figure;
-    figure.width = 1080;
-    figure.height = static_cast<int>(125 + panel * static_cast<double>(rows));
-    const double high = figure.height;
+    const int height = static_cast<int>(125 + panel * static_cast<double>(rows));
+    const double high = height;
     const double length = std::max(scene.rotor.shaft.length(), 1e-9) * metres;
-    figure.script =
-        figure_head("Deflected shapes: " + title_of(scene),
-                    "at the instant of the largest deflection, with the envelope of the orbits; "
-                    "the outline of the rotor is not to that scale",
-                    figure.height) +
-        panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
-        "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
-        fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length, 1.03 * length,
-                    axis_name("Deflection"));
+    std::string panels = panel_margins(0.1, 0.975, 0.01, 0.02) + curve_legend(1 - 78 / high) +
+                         "set grid lc rgb '#EEEEEE' lt 1 lw 0.6\n" +
+                         fmt::format("set xrange [{}:{}]\nset ylabel {}\n", -0.03 * length,
+                                     1.03 * length, axis_name("Deflection"));
     for (std::size_t row = 0; row < rows; ++row) {
         const DeflectedShape &shape = shapes[row];
         const double largest = shape.largest > 0 ? shape.largest * still_micrometres : 1;
         const double top = 120 + panel * static_cast<double>(row);
-        figure.script +=
+        panels +=
             outline_data(scene.rotor, largest) + shape_data(shape) +
             panel_margins(0.1, 0.975, 1 - (top + 185) / high, 1 - top / high) +
             fmt::format("set yrange [{}:{}]\nset title {} font ',12' offset 0,-0.4\n{}\n",
@@ -231,8 +219,11 @@ Figure shapes_figure(const model::Case &scene, const std::vector<DeflectedShape>
                         row + 1 == rows ? "set xlabel 'z (m)'" : "unset xlabel") +
             curves_over_outline("shape");
     }
-    figure.script += "unset multiplot\n";
-    return figure;
+    return figure_of(
+        1080, height, "Deflected shapes: " + title_of(scene),
+        "at the instant of the largest deflection, with the envelope of the orbits; the outline of "
+        "the rotor is not to that scale",
+        panels);
 }
 
 } // namespace whirl::report
