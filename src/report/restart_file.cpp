@@ -8,6 +8,12 @@
 
 #include <fstream>
 
+namespace whirl::model {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Restart, signature, time, step, displacements, velocities,
+                                   angles, rates, spin, books, energy, momentum, largest, last,
+                                   series)
+} // namespace whirl::model
+
 namespace whirl::report {
 
 using nlohmann::json;
@@ -16,32 +22,13 @@ namespace {
 
 constexpr const char *kind = "restart of simulate";
 
-json content(const model::Restart &r) {
-    return {{"program", "whirl"},
-            {"format", 1},
-            {"kind", kind},
-            {"case", r.case_name},
-            {"signature", r.signature},
-            {"time", r.time},
-            {"step", r.step},
-            {"displacements", r.displacements},
-            {"velocities", r.velocities},
-            {"angles", r.angles},
-            {"rates", r.rates},
-            {"spin", r.spin},
-            {"books", r.books},
-            {"energy", r.energy},
-            {"momentum", r.momentum},
-            {"largest", r.largest},
-            {"last", r.last},
-            {"series", r.series}};
-}
-
 } // namespace
 
 void write_restart(const std::filesystem::path &file, const model::Restart &restart) {
-    write_file_atomically(file,
-                          content(restart).dump(-1, ' ', false, json::error_handler_t::replace));
+    json content = restart;
+    content.update(
+        {{"program", "whirl"}, {"format", 1}, {"kind", kind}, {"case", restart.case_name}});
+    write_file_atomically(file, content.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 model::Restart read_restart(const std::filesystem::path &file) {
@@ -56,22 +43,8 @@ model::Restart read_restart(const std::filesystem::path &file) {
         const json j = json::parse(stream);
         if (j.at("kind") != kind || j.at("format") != 1)
             throw model::BadInput(expected + ", which is another file");
-        model::Restart r;
+        auto r = j.get<model::Restart>();
         j.at("case").get_to(r.case_name);
-        j.at("signature").get_to(r.signature);
-        j.at("time").get_to(r.time);
-        j.at("step").get_to(r.step);
-        j.at("displacements").get_to(r.displacements);
-        j.at("velocities").get_to(r.velocities);
-        j.at("angles").get_to(r.angles);
-        j.at("rates").get_to(r.rates);
-        j.at("spin").get_to(r.spin);
-        j.at("books").get_to(r.books);
-        j.at("energy").get_to(r.energy);
-        j.at("momentum").get_to(r.momentum);
-        j.at("largest").get_to(r.largest);
-        j.at("last").get_to(r.last);
-        j.at("series").get_to(r.series);
         return r;
     } catch (const json::exception &) {
         throw model::BadInput(expected + ", which is another file or was cut short");

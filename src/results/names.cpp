@@ -6,78 +6,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace whirl::results {
 
+namespace {
+
+/// @param names  of all values of an enumeration, in its order
+template <class Enum> std::string name_of(Enum value, std::initializer_list<const char *> names) {
+    return names.begin()[static_cast<std::size_t>(value)];
+}
+
+} // namespace
+
 std::string form_name(Form form) {
-    switch (form) {
-    case Form::planar:
-        return "planar";
-    case Form::planar_damped:
-        return "planar_damped";
-    case Form::hyperbolic:
-        return "hyperbolic";
-    case Form::rotating:
-        return "rotating";
-    case Form::hill:
-        return "hill";
-    default:
-        return "general";
-    }
+    return name_of(form, {"planar", "planar_damped", "hyperbolic", "general", "rotating", "hill"});
 }
 
 std::string frame_name(Form form) { return in_rotating_axes(form) ? form_name(form) : "fixed"; }
 
 std::string unknowns_name(Form form) { return is_planar(form) ? "planar" : "real"; }
 
-std::string whirl_name(Whirl whirl) {
-    switch (whirl) {
-    case Whirl::forward:
-        return "forward";
-    case Whirl::backward:
-        return "backward";
-    default:
-        return "mixed";
-    }
-}
+std::string whirl_name(Whirl whirl) { return name_of(whirl, {"forward", "backward", "mixed"}); }
 
 std::string end_kind_name(EndKind kind) {
-    switch (kind) {
-    case EndKind::zero:
-        return "zero";
-    case EndKind::pair:
-        return "pair";
-    case EndKind::collision:
-        return "collision";
-    default:
-        return "multiplier";
-    }
+    return name_of(kind, {"zero", "pair", "collision", "multiplier"});
 }
 
 std::string margin_side_name(MarginSide side) {
-    switch (side) {
-    case MarginSide::below:
-        return "below";
-    case MarginSide::above:
-        return "above";
-    default:
-        return "inside";
-    }
+    return name_of(side, {"below", "inside", "above"});
 }
 
 std::string verdict_name(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::stable:
-        return "stable";
-    case Verdict::neutral:
-        return "neutral";
-    case Verdict::unstable:
-        return "unstable";
-    case Verdict::diverges:
-        return "diverges";
-    default:
-        return {};
-    }
+    return name_of(verdict, {"stable", "neutral", "unstable", "diverges", ""});
 }
 
 std::size_t largest_station(const std::vector<StationMotion> &stations) {
@@ -96,24 +57,8 @@ std::size_t largest_station(const std::vector<StationMotion> &stations) {
 }
 
 std::string outcome_name(Outcome outcome) {
-    switch (outcome) {
-    case Outcome::balanced:
-        return "balanced";
-    case Outcome::offset:
-        return "offset";
-    case Outcome::lagging:
-        return "lagging";
-    case Outcome::whirling:
-        return "whirling";
-    case Outcome::growing:
-        return "growing";
-    case Outcome::steady:
-        return "steady";
-    case Outcome::transient:
-        return "transient";
-    default:
-        return "undecided";
-    }
+    return name_of(outcome, {"balanced", "offset", "lagging", "whirling", "growing", "steady",
+                             "transient", "undecided"});
 }
 
 } // namespace whirl::results
