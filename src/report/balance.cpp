@@ -49,7 +49,8 @@ std::string largest_error(const BalanceBands &of, double factor) {
 /// A plane, all of them together, or the real balancers: where they balance.
 struct Planes {
     std::string on_page, on_terminal; ///< name
-    std::string number, z;            ///< in the file
+    std::string number;               ///< in the file
+    std::optional<double> z;
     const BalanceBands *of;
 };
 
@@ -62,7 +63,7 @@ std::vector<Planes> all_planes(const BalanceResult &result) {
             {fmt::format("{}, z = {:.5g} m", plane.name.empty() ? "plane " + number : plane.name,
                          plane.z),
              fmt::format("{} z = {:.4g} m", plane.name.empty() ? number : plane.name, plane.z),
-             number, csv_cell(plane.z), &plane.bands});
+             number, plane.z, &plane.bands});
     }
     return all;
 }
@@ -71,7 +72,7 @@ std::vector<Planes> all_planes(const BalanceResult &result) {
 std::vector<Planes> planes_and_joint(const BalanceResult &result) {
     std::vector<Planes> all = all_planes(result);
     if (all.size() > 1)
-        all.push_back({"all together", "all together", "joint", "", &result.joint.bands});
+        all.push_back({"all together", "all together", "joint", {}, &result.joint.bands});
     return all;
 }
 
@@ -115,8 +116,8 @@ Json bands_json(const BalanceBands &of) {
 
 /// One value a column that holds something; the line of the file that has several kinds.
 struct CsvLine {
-    std::string kind, which, z;
-    std::optional<double> speed{}, from{}, to{}, value{}, ratio{};
+    std::string kind, which{};
+    std::optional<double> z{}, speed{}, from{}, to{}, value{}, ratio{};
 };
 
 const Columns<CsvLine> line_columns{{InCsv("kind"), &CsvLine::kind},
@@ -144,11 +145,12 @@ void add_pendulum_lines(std::vector<CsvLine> &lines, const BalanceResult &result
     for (std::size_t i = 0; i < result.pendulum.size(); ++i) {
         const results::PendulumBalance &of = result.pendulum[i];
         for (std::size_t k = 0; k < of.speeds.size(); ++k)
-            for (const auto &state : of.states[k]) {
-                lines.push_back({state.stable ? "pendulum_stable" : "pendulum_unstable",
-                                 std::to_string(i + 1), csv_cell(of.z), of.speeds[k]});
-                lines.back().ratio = state.ratio;
-            }
+            for (const auto &state : of.states[k])
+                lines.push_back({.kind = state.stable ? "pendulum_stable" : "pendulum_unstable",
+                                 .which = std::to_string(i + 1),
+                                 .z = of.z,
+                                 .speed = of.speeds[k],
+                                 .ratio = state.ratio});
     }
 }
 
@@ -157,32 +159,27 @@ std::string csv_of(const BalanceResult &result) {
     const std::vector<Planes> planes = all_planes(result);
     for (const Planes &plane : planes)
         add_band_lines(lines, plane);
-    add_band_lines(lines, {"", "", "joint", "", &result.joint.bands});
+    add_band_lines(lines, {"", "", "joint", {}, &result.joint.bands});
     for (const SignaturePoint &point : result.joint.signature)
         for (std::size_t k = 0; k < point.eigenvalues.size(); ++k)
-            lines.push_back({"eigenvalue",
-                             std::to_string(k + 1),
-                             "",
-                             point.speed,
-                             {},
-                             {},
-                             point.eigenvalues[k]});
+            lines.push_back({.kind = "eigenvalue",
+                             .which = std::to_string(k + 1),
+                             .speed = point.speed,
+                             .value = point.eigenvalues[k]});
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (std::size_t k = 0; k < result.planes[i].criterion.size(); ++k)
-            lines.push_back({"criterion",
-                             planes[i].number,
-                             planes[i].z,
-                             result.speeds[k],
-                             {},
-                             {},
-                             result.planes[i].criterion[k]});
+            lines.push_back({.kind = "criterion",
+                             .which = planes[i].number,
+                             .z = planes[i].z,
+                             .speed = result.speeds[k],
+                             .value = result.planes[i].criterion[k]});
     add_pendulum_lines(lines, result);
     if (result.balanced_position)
         for (const auto &band : result.balanced_position->bands)
-            lines.push_back({"balanced_position", "", "", {}, band.from, band.to});
+            lines.push_back({.kind = "balanced_position", .from = band.from, .to = band.to});
     for (const SimulatedSpeed &run : result.simulated)
         lines.push_back(
-            {"simulated_" + run.outcome, "", "", run.speed, {}, {}, {}, run.residual_ratio});
+            {.kind = "simulated_" + run.outcome, .speed = run.speed, .ratio = run.residual_ratio});
     return csv_table(line_columns, lines);
 }
 

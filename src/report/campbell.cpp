@@ -174,7 +174,7 @@ Json json_of(const CampbellResult &result) {
 
 std::string csv_of(const CampbellResult &result) {
     const std::vector<std::string> head = csv_head(mode_columns);
-    std::string csv = csv_line(head);
+    std::string csv = csv_head_line(head);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         csv += csv_rows(head, mode_columns, at_speed(result, i));
     return csv;

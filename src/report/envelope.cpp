@@ -1,7 +1,7 @@
 // What every result begins with in JSON.
 
 #include "report/common/json.h"
-#include "report/common/unit_files.h"
+#include "report/common/json_units.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/report.h"

@@ -3,7 +3,6 @@
 #include "report/common/files.h"
 #include "report/common/html.h"
 #include "report/common/plotly.h"
-#include "report/common/unit_files.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 
@@ -35,7 +34,7 @@ class Writer {
             for (const Picture &picture : _report.pictures())
                 start_further(picture);
         add(_report.command + ".json", to_json(_report));
-        add(_report.command + ".csv", csv_in_written_units(_report.csv()));
+        add(_report.command + ".csv", _report.csv());
         if (_report.vtp)
             add(_report.command + ".vtp", _report.vtp());
         write_page();
@@ -100,7 +99,7 @@ class Writer {
             _linked.push_back(picture.name + ".svg");
         }
         if (!picture.csv.empty())
-            add(picture.name + ".csv", csv_in_written_units(picture.csv));
+            add(picture.name + ".csv", picture.csv);
     }
 
     void write_page() {

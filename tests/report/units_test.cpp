@@ -1,6 +1,7 @@
 // What is written in other units: headings, tables, text and pictures. The numbers by hand.
 
-#include "report/common/unit_files.h"
+#include "report/common/csv.h"
+#include "report/common/json_units.h"
 #include "report/common/units.h"
 
 #include "report/common/table.h"
@@ -32,6 +33,14 @@ const Columns<Row> columns{{OnPage("rpm", "{:.10g}"), InText("rpm"), in(rpm, &Ro
                             InText("rad/s", precise), &Row::speed},
                            {"z", InCsv("z [m]"), ForReaders("z (m)"), &Row::z}};
 const std::vector<Row> rows{{20 * pi, 0.508}};
+
+/// A file of one row: headings and cells.
+std::string file_of(const std::vector<std::pair<std::string, Json>> &cells) {
+    Columns<int> all;
+    for (const auto &[heading, cell] : cells)
+        all.push_back({InCsv(heading), [value = cell](int) { return value; }});
+    return csv_table(all, std::vector{0});
+}
 
 /// Cell by cell, numbers within the rounding of a factor.
 void expect_same_table(const std::string &found, const std::string &expected) {
@@ -65,7 +74,7 @@ TEST(WrittenUnits, AreTheUsualOnesWhereNoneAreGiven) {
     EXPECT_EQ(in_written_units("at 3000 rpm, z = 0.5 m"), "at 3000 rpm, z = 0.5 m");
     EXPECT_EQ(note_in_written_units("from 3.14159265359 to 6.28318530718 rad/s, z = 0.5 m"),
               "from 30 to 60 rpm, z = 0.5 m"); // as the text around it
-    EXPECT_EQ(csv_in_written_units("z [m]\n0.508\n"), "z [m]\n0.508\n");
+    EXPECT_EQ(file_of({{"z [m]", 0.508}}), "z [m]\n0.508\n");
     EXPECT_EQ(texts_of(columns, rows, &Column<Row>::text, "-")[0],
               (std::vector<std::string>{"rpm", "rad/s", "z (m)"}));
 }
@@ -79,21 +88,26 @@ TEST(WrittenUnits, OfATableFollowFromItsHeadingsAndEqualColumnsAreOne) {
 
 TEST(WrittenUnits, OfAFileAreThoseInBrackets) {
     const WrittenIn units(american());
-    expect_same_table(
-        csv_in_written_units(
-            "speed [rad/s],\"a, b\",amplitude [m],force [N],real [1/s],frequency [rad/s],N,z [m]\n"
-            "6.283185307179586,\"1,2\",2.54e-05,4.4482216152605,3,3.141592653589793,7,0.0254\n"),
-        "speed [Hz],\"a, b\",amplitude [mil],force [lbf],real [1/s],frequency "
-        "[rpm],N,z [in]\n1,\"1,2\",1,1,3,30,7,1\n");
+    expect_same_table(file_of({{"speed [rad/s]", 6.283185307179586},
+                               {"\"a, b\"", "1,2"},
+                               {"amplitude [m]", 2.54e-05},
+                               {"force [N]", 4.4482216152605},
+                               {"real [1/s]", 3},
+                               {"frequency [rad/s]", 3.141592653589793},
+                               {"N", 7},
+                               {"z [m]", 0.0254}}),
+                      "speed [Hz],\"a, b\",amplitude [mil],force [lbf],real [1/s],frequency "
+                      "[rpm],N,z [in]\n1,\"1,2\",1,1,3,30,7,1\n");
 }
 
 TEST(WrittenUnits, FromPeakToPeakAreTwiceThoseFromZero) {
     model::OutputUnits units = american();
     units.peak_to_peak = true;
-    const std::string table = "amplitude [m],x [m],x_0 [m],force [N]\n0.000254,0.000254,0.000254,"
-                              "4.4482216152605\n";
     const WrittenIn peak_to_peak(units);
-    expect_same_table(csv_in_written_units(table),
+    expect_same_table(file_of({{"amplitude [m]", 0.000254},
+                               {"x [m]", 0.000254},
+                               {"x_0 [m]", 0.000254},
+                               {"force [N]", 4.4482216152605}}),
                       "amplitude pk-pk [mil],x pk-pk [mil],x_0 [mil],force [lbf]\n20,20,10,1\n");
     EXPECT_DOUBLE_EQ(double(micrometres), 2 / 2.54e-5);
     EXPECT_DOUBLE_EQ(double(still_micrometres), 1 / 2.54e-5); // a deflection that stands still

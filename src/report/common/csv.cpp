@@ -1,5 +1,7 @@
 #include "report/common/csv.h"
 
+#include "report/common/units.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,17 +17,36 @@ std::string in_quotes(const std::string &text) {
     return quoted + "\"";
 }
 
+UnitHeading converted(const std::string &heading) {
+    const bool has_unit = heading.ends_with("]") || heading.ends_with("]\"");
+    return has_unit ? heading_in_written_units(heading, "") : UnitHeading{heading, 1, false};
+}
+
 } // namespace
 
-std::string csv_cell(const Json &value) {
-    if (value.is_number_float()) {
-        const double number = value.get<double>();
+std::string csv_cell(const Json &value, double factor) {
+    if (value.is_number_float() || (value.is_number() && factor != 1)) {
+        const double number = value.get<double>() * factor;
         return std::isfinite(number) ? fmt::format("{}", number) : "";
     }
     if (!value.is_string())
         return value.is_null() ? "" : value.dump();
     const std::string text = value.get<std::string>();
     return text.find_first_of(",\"\r\n") == std::string::npos ? text : in_quotes(text);
+}
+
+std::string csv_head_line(const std::vector<std::string> &head) {
+    std::vector<std::string> cells;
+    for (const std::string &heading : head)
+        cells.push_back(converted(heading).text);
+    return csv_line(cells);
+}
+
+std::vector<double> csv_factors(const std::vector<std::string> &head) {
+    std::vector<double> factors;
+    for (const std::string &heading : head)
+        factors.push_back(converted(heading).factor);
+    return factors;
 }
 
 std::string csv_line(const std::vector<std::string> &cells) {

@@ -6,7 +6,11 @@ namespace whirl::report {
 
 /// A value for a CSV file: numbers with all digits, empty for what is missing or not finite, text
 /// in quotes where a comma, a quote or a line end would break the row.
-[[nodiscard]] std::string csv_cell(const Json &value);
+[[nodiscard]] std::string csv_cell(const Json &value, double factor = 1);
+/// The first line of a file, its units, in brackets at the ends of headings, those asked for.
+[[nodiscard]] std::string csv_head_line(const std::vector<std::string> &head);
+/// What the numbers below the headings are multiplied by for these.
+[[nodiscard]] std::vector<double> csv_factors(const std::vector<std::string> &head);
 /// Cells with commas between and a line end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string> &cells);
 
@@ -23,13 +27,14 @@ template <class Row> [[nodiscard]] std::vector<std::string> csv_head(const Colum
 template <class Row, class Rows>
 [[nodiscard]] std::string csv_rows(const std::vector<std::string> &head,
                                    const Columns<Row> &columns, const Rows &rows) {
+    const std::vector<double> factors = csv_factors(head);
     std::string text;
     for (std::size_t index = 0; const Row &row : rows) {
         std::vector<std::string> cells(head.size());
         for (const Column<Row> &column : columns)
             for (std::size_t i = 0; i < head.size() && !column.csv.empty(); ++i)
                 if (head[i] == column.csv)
-                    cells[i] = csv_cell(column.value(row, index));
+                    cells[i] = csv_cell(column.value(row, index), factors[i]);
         text += csv_line(cells);
         ++index;
     }
@@ -38,7 +43,7 @@ template <class Row, class Rows>
 template <class Row, class Rows>
 [[nodiscard]] std::string csv_table(const Columns<Row> &columns, const Rows &rows) {
     const std::vector<std::string> head = csv_head(columns);
-    return csv_line(head) + csv_rows(head, columns, rows);
+    return csv_head_line(head) + csv_rows(head, columns, rows);
 }
 
 } // namespace whirl::report

@@ -35,16 +35,12 @@ const std::vector<std::string> gravity_headings{
     "twice force [N]", "error",        "static_error"};
 
 Json curves_json(const GravityResponse &response) {
-    const auto list = [&](std::size_t from, std::size_t count) {
-        Json out = Json::array();
-        for (std::size_t i = from; i < from + count && i < response.curves.values.size(); ++i)
-            out.push_back(
-                {{"twice", response.curves.values[i]}, {"phase", response.curves.phases[i]}});
-        return out;
-    };
-    return {{"speeds", response.curves.speeds},
-            {"stations", list(0, response.stations.size())},
-            {"bearings", list(response.stations.size(), response.bearings.size())}};
+    const results::ResponseCurves &curves = response.curves;
+    const std::size_t stations = response.stations.size();
+    return {{"speeds", curves.speeds},
+            {"stations", curves_of_kind(curves, 0, stations, "twice")},
+            {"bearings",
+             curves_of_kind(curves, stations, stations + response.bearings.size(), "twice")}};
 }
 
 /// Largest circle of a place beside what stands still there at the first speed.
@@ -104,7 +100,7 @@ Json gravity_json(const GravityResponse &response, const std::vector<double> &sp
 }
 
 std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds) {
-    std::string csv = csv_line(gravity_headings);
+    std::string csv = csv_head_line(gravity_headings);
     for (std::size_t i = 0; i < speeds.size(); ++i)
         csv += csv_of_kind(gravity_headings, speeds[i], i, response.stations,
                            place_columns<GravityStation>("station"), station_series) +

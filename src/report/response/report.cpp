@@ -115,6 +115,14 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
 
 const Columns<ResponsePeak> &curve_peaks() { return peaks_found; }
 
+Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from, std::size_t to,
+                    const char *key) {
+    Json list = Json::array();
+    for (std::size_t i = from; i < to && i < curves.values.size(); ++i)
+        list.push_back({{key, curves.values[i]}, {"phase", curves.phases[i]}});
+    return list;
+}
+
 namespace {
 constexpr std::size_t amplitude_column = 3; ///< of peak_columns
 } // namespace
@@ -146,20 +154,25 @@ Columns<LargestValue> probe_peak_columns() {
     return columns;
 }
 
+std::vector<LargestValue> largest_amplitudes(const ResponseResult &result) {
+    return peaks_of(result.speeds, result.peaks, result.nodes, &ResponseNode::amplitude, "station");
+}
+std::vector<LargestValue> largest_readings(const ResponseResult &result) {
+    return peaks_of(result.speeds, result.peaks, result.probes, &ResponseProbe::amplitude, "probe");
+}
+std::vector<LargestValue> largest_forces(const ResponseResult &result) {
+    return peaks_of(result.speeds, result.peaks, result.bearings, &ResponseBearing::force,
+                    "bearing");
+}
+
 Json curves_json(const ResponseResult &result) {
     const results::ResponseCurves &curves = result.curves;
-    const auto of_places = [&](std::size_t from, std::size_t to, const char *key) {
-        Json list = Json::array();
-        for (std::size_t i = from; i < to && i < curves.values.size(); ++i)
-            list.push_back({{key, curves.values[i]}, {"phase", curves.phases[i]}});
-        return list;
-    };
     const std::size_t nodes = result.nodes.size();
     const std::size_t probes = nodes + result.bearings.size();
     return {{"speeds", curves.speeds},
-            {"nodes", of_places(0, nodes, "amplitude")},
-            {"bearings", of_places(nodes, probes, "force")},
-            {"probes", of_places(probes, curves.values.size(), "amplitude")}};
+            {"nodes", curves_of_kind(curves, 0, nodes, "amplitude")},
+            {"bearings", curves_of_kind(curves, nodes, probes, "force")},
+            {"probes", curves_of_kind(curves, probes, curves.values.size(), "amplitude")}};
 }
 
 Json json_of(const ResponseResult &result) {
@@ -184,7 +197,7 @@ bool weight_alone(const ResponseResult &result) { return result.gravity && resul
 std::string csv_of(const ResponseResult &result) {
     if (weight_alone(result))
         return gravity_csv(*result.gravity, result.speeds);
-    std::string csv = csv_line(csv_headings);
+    std::string csv = csv_head_line(csv_headings);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
         csv += csv_of_kind(csv_headings, result.speeds[i], i, result.nodes,
                            place_columns<ResponseNode>("node"), node_series) +
@@ -201,20 +214,16 @@ std::vector<Section> sections_of(const ResponseResult &result) {
         of_weight = gravity_sections(*result.gravity, result.speeds);
     if (weight_alone(result))
         return of_weight;
-    std::vector<Section> sections{{"Peaks", result.peaks.empty()
-                                                ? "<p>None inside the range.</p>"
-                                                : page_table(curve_peaks(), result.peaks)},
-                                  {"Largest amplitudes in the range",
-                                   page_table(peak_columns("Place", "", ""),
-                                              peaks_of(result.speeds, result.peaks, result.nodes,
-                                                       &ResponseNode::amplitude, "station"))}};
+    std::vector<Section> sections{
+        {"Peaks", result.peaks.empty() ? "<p>None inside the range.</p>"
+                                       : page_table(curve_peaks(), result.peaks)},
+        {"Largest amplitudes in the range",
+         page_table(peak_columns("Place", "", ""), largest_amplitudes(result))}};
     if (result.margins)
         sections.insert(sections.begin() + 1, {margins_heading, margins_page(*result.margins)});
     if (!result.probes.empty())
-        sections.push_back(
-            {"Largest readings of the probes",
-             page_table(probe_peak_columns(), peaks_of(result.speeds, result.peaks, result.probes,
-                                                       &ResponseProbe::amplitude, "probe"))});
+        sections.push_back({"Largest readings of the probes",
+                            page_table(probe_peak_columns(), largest_readings(result))});
     const std::vector<Section> of_orbits = orbit_sections(result);
     sections.insert(sections.end(), of_orbits.begin(), of_orbits.end());
     sections.insert(sections.end(), of_weight.begin(), of_weight.end());
@@ -222,20 +231,15 @@ std::vector<Section> sections_of(const ResponseResult &result) {
 }
 
 std::string imbalance_text(const ResponseResult &result) {
-    std::string text = (result.peaks.empty() ? "No peak inside the range.\n"
-                                             : text_table(curve_peaks(), result.peaks)) +
-                       margins_text(result.margins) + "\n" +
-                       text_table(peak_columns("", "station", "largest amplitude µm"),
-                                  peaks_of(result.speeds, result.peaks, result.nodes,
-                                           &ResponseNode::amplitude, "station"));
+    std::string text =
+        (result.peaks.empty() ? "No peak inside the range.\n"
+                              : text_table(curve_peaks(), result.peaks)) +
+        margins_text(result.margins) + "\n" +
+        text_table(peak_columns("", "station", "largest amplitude µm"), largest_amplitudes(result));
     if (!result.probes.empty())
-        text += "\n" + text_table(probe_peak_columns(),
-                                  peaks_of(result.speeds, result.peaks, result.probes,
-                                           &ResponseProbe::amplitude, "probe"));
+        text += "\n" + text_table(probe_peak_columns(), largest_readings(result));
     if (!result.bearings.empty())
-        text += "\n" +
-                text_table(force_columns(), peaks_of(result.speeds, result.peaks, result.bearings,
-                                                     &ResponseBearing::force, "bearing"));
+        text += "\n" + text_table(force_columns(), largest_forces(result));
     return text + orbit_text(result);
 }
 

@@ -51,6 +51,11 @@ Json json_of_kind(const std::vector<double> &speeds, const std::vector<Of> &all,
     });
 }
 
+/// The curves of a kind, which stand one after another, as far as there are any.
+/// @param key  of their values
+[[nodiscard]] Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from,
+                                  std::size_t to, const char *key);
+
 template <class Of>
 std::string csv_of_kind(const std::vector<std::string> &headings, double speed, std::size_t index,
                         const std::vector<Of> &all, Columns<At<Of>> columns,

@@ -118,7 +118,7 @@ std::string csv_of(const StabilityResult &result) {
         if (std::find(head.begin(), head.end(), heading) == head.end())
             head.push_back(heading);
     const auto rows = [&](const std::vector<BandLine> &of) { return csv_rows(head, all, of); };
-    std::string csv = csv_line(head) + rows(growth_lines(result)) +
+    std::string csv = csv_head_line(head) + rows(growth_lines(result)) +
                       rows(band_lines("unstable", result.unstable, result.unstable_error)) +
                       rows(band_lines("unstable, resolved", result.resolved_unstable,
                                       result.resolved_unstable_error)) +

@@ -1,49 +1,13 @@
-// Tables and JSON in the units that were asked for.
-
-#include "report/common/unit_files.h"
+#include "report/common/json_units.h"
 #include "report/common/json.h"
 #include "report/common/units.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
 #include <map>
-#include <string_view>
+#include <string>
 
 namespace whirl::report {
 
 namespace {
-
-/// The cells of a line; commas between quotation marks are part of them.
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    bool quoted = false;
-    std::size_t start = 0;
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-        if (i < line.size() && line[i] == '"')
-            quoted = !quoted;
-        if (i == line.size() || (line[i] == ',' && !quoted)) {
-            cells.push_back(line.substr(start, i - start));
-            start = i + 1;
-        }
-    }
-    return cells;
-}
-
-UnitHeading converted_heading(std::string_view cell) {
-    const std::string heading(cell);
-    const bool has_unit = cell.ends_with("]") || cell.ends_with("]\"");
-    return has_unit ? heading_in_written_units(heading, "") : UnitHeading{heading, 1, false};
-}
-
-std::string converted_cell(std::string_view cell, double factor) {
-    double value = 0;
-    const char *end = cell.data() + cell.size();
-    const auto [rest, error] = std::from_chars(cell.data(), end, value);
-    const bool number = error == std::errc() && rest == end;
-    return number && factor != 1 ? fmt::format("{}", value * factor) : std::string(cell);
-}
 
 /// What the numbers of a key are, wherever it stands in a result.
 const std::map<std::string, std::string> &key_quantities() {
@@ -166,33 +130,6 @@ void convert(Json &json, std::map<std::string, std::string> &names) {
 }
 
 } // namespace
-
-std::string csv_in_written_units(const std::string &csv) {
-    if (!written_units().given())
-        return csv;
-    const auto line_end = [&csv](std::size_t from) {
-        return std::min(csv.find('\n', from), csv.size());
-    };
-    std::string out;
-    std::vector<double> factors;
-    for (std::size_t start = 0; start < csv.size();) {
-        const std::size_t end = line_end(start);
-        std::vector<std::string> line;
-        for (const std::string_view cell :
-             cells_of(std::string_view(csv).substr(start, end - start))) {
-            if (start > 0) {
-                line.push_back(converted_cell(cell, factors.at(line.size())));
-                continue;
-            }
-            const UnitHeading heading = converted_heading(cell);
-            factors.push_back(heading.factor);
-            line.push_back(heading.text);
-        }
-        out += fmt::format("{}{}", fmt::join(line, ","), end < csv.size() ? "\n" : "");
-        start = end + 1;
-    }
-    return out;
-}
 
 void convert_json(Json &json) {
     std::map<std::string, std::string> names;
