@@ -7,7 +7,6 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
-#include "report/static_sag.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +18,10 @@ using results::AnisotropyChart;
 using results::BalancerNumbers;
 using results::CompositeCurves;
 using results::DimensionlessNumbers;
+using results::SagBearing;
+using results::SagStation;
 using results::ShowResult;
+using results::StaticSag;
 
 namespace {
 
@@ -40,6 +42,49 @@ const Columns<ShowResult> show_columns{
     {"length", InCsv("length [m]"), &ShowResult::length},
     {"dI", &ShowResult::dI},
     {"dI_angle", &ShowResult::dI_angle}};
+
+// At rest under its weight.
+const Columns<SagStation> sag_columns{
+    {"z", OnPage("z (m)"), InText("z m"), &SagStation::z},
+    {"name", OnPage("Station"), InText("station"), &SagStation::name},
+    {"x", &SagStation::x},
+    {"y", &SagStation::y},
+    {OnPage("Static deflection x (µm)", "{:.5g}"), InText("static x µm", "{:.4g}"),
+     in(still_micrometres, &SagStation::x)},
+    {OnPage("Static deflection y (µm)", "{:.5g}"), InText("static y µm", "{:.4g}"),
+     in(still_micrometres, &SagStation::y)},
+    {"slope_x", OnPage("Slope x (rad)", "{:.5g}"), &SagStation::slope_x},
+    {"slope_y", OnPage("Slope y (rad)", "{:.5g}"), InText("slope y rad", "{:.4g}"),
+     &SagStation::slope_y},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagStation::error},
+    {"slope_error", &SagStation::slope_error}};
+
+const Columns<SagBearing> load_columns{
+    {"z", OnPage("z (m)"), InText("z m"), &SagBearing::z},
+    {"name", OnPage("Bearing"), InText("bearing"), &SagBearing::name},
+    {"load", OnPage("Load downwards (N)", "{:.7g}"), InText("load downwards N", "{:.6g}"),
+     &SagBearing::load},
+    {"side", OnPage("Load along x (N)", "{:.5g}"), &SagBearing::side},
+    {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &SagBearing::error}};
+
+std::string sag_heading(const StaticSag &sag) {
+    return fmt::format("At rest under its weight ({:.6g} m/s²)", sag.gravity);
+}
+
+Json sag_json(const StaticSag &sag) {
+    return {{"gravity", sag.gravity},
+            {"stations", json_rows(sag_columns, sag.stations)},
+            {"bearings", json_rows(load_columns, sag.bearings)}};
+}
+
+std::string sag_page(const StaticSag &sag) {
+    return page_table(load_columns, sag.bearings) + page_table(sag_columns, sag.stations);
+}
+
+std::string sag_text(const StaticSag &sag) {
+    return sag_heading(sag) + "\n" + text_table(load_columns, sag.bearings) + "\n" +
+           text_table(sag_columns, sag.stations) + "\n";
+}
 
 /// Two ends in one cell.
 std::string interval(const std::optional<results::Interval> &of, const char *format) {

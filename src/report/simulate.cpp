@@ -9,7 +9,6 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
-#include "report/simulate_stations.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +18,8 @@ using results::BalancerMotion;
 using results::MotionAudit;
 using results::OtherStart;
 using results::SimulateResult;
+using results::StationMotion;
+using results::Waterfall;
 
 namespace {
 
@@ -109,6 +110,70 @@ std::vector<OtherStart> all_starts(const SimulateResult &result) {
     return all;
 }
 
+/// Of a rotor without balancers: what the stations did.
+std::optional<double> over_steady(const StationMotion &station) {
+    if (!station.steady_peak || *station.steady_peak == 0)
+        return std::nullopt;
+    return station.peak.value / *station.steady_peak;
+}
+
+const Columns<StationMotion> station_columns{
+    {OnPage("Station"), InText("station"),
+     [](const auto &s) { return s.name.empty() ? place("", s.z) : s.name; }},
+    {"name", &StationMotion::name},
+    {"z", OnPage("z (m)", "{:.5g}"), &StationMotion::z},
+    {"peak", [](const auto &s) { return s.peak.value; }},
+    {OnPage("Peak (µm)", "{:.5g}"), InText("peak µm", "{:.5g}"),
+     [](const auto &s) { return s.peak.value * micrometres; }},
+    {"peak_time", OnPage("at (s)", "{:.6g}"), InText("at s", "{:.6g}"),
+     [](const auto &s) { return s.peak.time; }},
+    {"peak_speed", [](const auto &s) { return s.peak.speed; }},
+    {OnPage("at (rpm)", "{:.6g}"), InText("at rpm", "{:.6g}"),
+     [](const auto &s) { return s.peak.speed * rpm; }},
+    {"at_end", [](const auto &s) { return s.peak.at_end; }},
+    {"amplitude", &StationMotion::amplitude},
+    {OnPage("At the end (µm)", "{:.5g}"), InText("at the end µm", "{:.4g}"),
+     in(micrometres, &StationMotion::amplitude)},
+    {"steady", &StationMotion::steady},
+    {OnPage("Steady at that speed (µm)", "{:.5g}"), InText("steady µm", "{:.4g}"),
+     in(micrometres, &StationMotion::steady)},
+    {"steady_peak", &StationMotion::steady_peak},
+    {OnPage("Steady peak (µm)", "{:.5g}"), InText("steady peak µm", "{:.5g}"),
+     in(micrometres, &StationMotion::steady_peak)},
+    {"steady_peak_speed", &StationMotion::steady_peak_speed},
+    {OnPage("at (rpm)", "{:.6g}"), InText("at rpm", "{:.6g}"),
+     in(rpm, &StationMotion::steady_peak_speed)},
+    {"over_steady_peak", OnPage("Peak over steady peak", "{:.4g}"), InText("ratio", "{:.4g}"),
+     over_steady}};
+
+Json waterfall_json(const Waterfall &w) {
+    return {{"z", w.z},
+            {"name", w.name},
+            {"window", w.window},
+            {"times", w.times},
+            {"speeds", w.speeds},
+            {"frequencies", w.frequencies},
+            {"amplitude", w.amplitude}};
+}
+
+/// A row for each window and frequency.
+std::string waterfall_csv(const Waterfall &waterfall) {
+    const std::size_t width = waterfall.frequencies.size();
+    const auto column = [width](const std::string &name, const auto &value) {
+        return Column<std::size_t>(InCsv(name), [=](const std::size_t &, std::size_t i) {
+            return value(i / width, i % width);
+        });
+    };
+    const Columns<std::size_t> all{
+        column("time [s]", [&](std::size_t k, std::size_t) { return waterfall.times[k]; }),
+        column("speed [rad/s]", [&](std::size_t k, std::size_t) { return waterfall.speeds[k]; }),
+        column("frequency [rad/s]",
+               [&](std::size_t, std::size_t i) { return waterfall.frequencies[i]; }),
+        column("amplitude [m]",
+               [&](std::size_t k, std::size_t i) { return waterfall.amplitude[k][i]; })};
+    return csv_table(all, std::vector<std::size_t>(waterfall.times.size() * width));
+}
+
 /// How good the numbers are.
 const Columns<SimulateResult> quality_columns{
     {OnPage("Shapes of the shaft"),
@@ -138,9 +203,9 @@ Json json_of(const SimulateResult &result) {
     json["balls"] = json_list(result.balancers, [](const auto &b) { return b.angles; });
     json["balancers"] = json_rows(balancer_motion_columns, result.balancers);
     json["other_starts"] = json_rows(start_columns, result.other_starts);
-    json["stations"] = stations_json(result);
+    json["stations"] = json_rows(station_columns, result.stations);
     json["steady"] = {{"speeds", result.steady.speeds}, {"amplitude", result.steady.amplitudes}};
-    json["waterfall"] = waterfall_json(result);
+    json["waterfall"] = result.waterfall ? waterfall_json(*result.waterfall) : Json();
     json["reduction"] = {{"modes", result.modes},
                          {"shapes", result.shapes},
                          {"response_error", result.response_error},
@@ -186,7 +251,7 @@ std::vector<Section> sections_of(const SimulateResult &result) {
     if (!result.balancers.empty())
         sections.push_back({"Balancers", page_table(balancer_motion_columns, result.balancers)});
     if (!result.stations.empty())
-        sections.push_back({"Stations", stations_page(result)});
+        sections.push_back({"Stations", page_table(station_columns, result.stations)});
     if (!result.other_starts.empty())
         sections.push_back({"From other starts", page_table(start_columns, all_starts(result))});
     sections.push_back({"How good the numbers are", page_properties(quality_columns, result)});
@@ -231,7 +296,7 @@ std::string text_of(const model::Case &scene, const SimulateResult &result) {
                                    result.time, result.revolutions, result.speed * rpm)) +
         outcome_text(result) + "\n" +
         (result.stations.empty() ? text_table(balancer_motion_columns, result.balancers)
-                                 : stations_text(result));
+                                 : text_table(station_columns, result.stations));
     for (const OtherStart &start : result.other_starts)
         text += fmt::format(
             "from another start ({}): {}{}\n", text_angles(start.start_angles),

@@ -2,6 +2,7 @@
 #include "results/rigid_limit.h"
 #include "sample_results.h"
 #include "whole_report.h"
+#include "written_in.h"
 
 #include <nlohmann/json.hpp>
 

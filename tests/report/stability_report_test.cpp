@@ -4,6 +4,7 @@
 
 #include "report/common/units.h"
 #include "whole_report.h"
+#include "written_in.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 
 #include "report/common/table.h"
 #include "report/common/words.h"
+#include "written_in.h"
 
 #include <gtest/gtest.h>
 

@@ -18,22 +18,6 @@ namespace whirl::report {
 void write_in(const model::OutputUnits &units);
 [[nodiscard]] const model::OutputUnits &written_units();
 
-/// Units of what is written while it lives; those before come back.
-class WrittenIn {
-  public:
-    explicit WrittenIn(const model::OutputUnits &units) : _before(written_units()) {
-        write_in(units);
-    }
-    ~WrittenIn() { write_in(_before); }
-    WrittenIn(const WrittenIn &) = delete;
-    WrittenIn &operator=(const WrittenIn &) = delete;
-    WrittenIn(WrittenIn &&) = delete;
-    WrittenIn &operator=(WrittenIn &&) = delete;
-
-  private:
-    model::OutputUnits _before;
-};
-
 /// From SI to readers: a number times this is in the unit that was asked for, or in the usual one.
 class Reading {
   public:
