@@ -7,6 +7,11 @@
 
 namespace whirl::process {
 
+/// Every process learns whether one of them failed, and throws the same. Collective.
+/// @param mine  what failed on this one, or empty
+/// @throws model::AnalysisFailure with the words of the first that failed
+void agree_on_failure(const std::string &mine);
+
 /// One row of numbers for each speed, the speeds shared among the processes started by mpirun.
 /// Collective; complete on process 0, empty on the others. Rows may differ in length.
 /// @throws model::AnalysisFailure on every process where one of them failed.

@@ -1,53 +1,25 @@
 #include "tracking/spectra.h"
 
 #include "model/errors.h"
-#include "process/processes.h"
+#include "process/bytes.h"
+#include "process/parallel.h"
 #include "process/progress.h"
 #include "results/whirl.h"
 
-#include <cstring>
 #include <string>
 
 namespace whirl::tracking {
 
 namespace {
 
-/// Appends and reads plain values: all processes are one program on like machines.
-class Bytes {
-  public:
-    explicit Bytes(std::vector<char> data = {}) : _data(std::move(data)) {}
-
-    template <class T> void put(const T *values, std::size_t count) {
-        const auto *first = reinterpret_cast<const char *>(values);
-        _data.insert(_data.end(), first, first + count * sizeof(T));
-    }
-    template <class T> void put(const T &value) { put(&value, 1); }
-
-    template <class T> void get(T *values, std::size_t count) {
-        std::memcpy(values, _data.data() + _next, count * sizeof(T));
-        _next += count * sizeof(T);
-    }
-    template <class T> T get() {
-        T value{};
-        get(&value, 1);
-        return value;
-    }
-    [[nodiscard]] const std::vector<char> &data() const { return _data; }
-    [[nodiscard]] bool at_end() const { return _next == _data.size(); }
-
-  private:
-    std::vector<char> _data;
-    std::size_t _next = 0;
-};
+using process::Bytes;
 
 void put(Bytes &bytes, const modes::Spectrum &spectrum) {
     bytes.put(spectrum.speed);
     bytes.put(spectrum.complete_radius);
-    bytes.put(spectrum.overdamped.size());
-    bytes.put(spectrum.overdamped.data(), spectrum.overdamped.size());
+    bytes.put_list(spectrum.overdamped);
+    bytes.put_list(spectrum.growing);
     bytes.put(spectrum.modes.size());
-    bytes.put(spectrum.growing.size());
-    bytes.put(spectrum.growing.data(), spectrum.growing.size());
     for (const modes::WhirlMode &mode : spectrum.modes) {
         bytes.put(mode.eigenvalue);
         bytes.put(mode.whirl);
@@ -59,10 +31,8 @@ void put(Bytes &bytes, const modes::Spectrum &spectrum) {
         bytes.put(mode.other_frequency);
         bytes.put(mode.rotating_value);
         for (const Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
-            bytes.put(vector->size());
-            bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
-        }
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left})
+            bytes.put_list(*vector);
     }
 }
 
@@ -70,11 +40,9 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
     modes::Spectrum spectrum;
     spectrum.speed = bytes.get<double>();
     spectrum.complete_radius = bytes.get<double>();
-    spectrum.overdamped.resize(bytes.get<std::size_t>());
-    bytes.get(spectrum.overdamped.data(), spectrum.overdamped.size());
+    bytes.get_list(spectrum.overdamped);
+    bytes.get_list(spectrum.growing);
     spectrum.modes.resize(bytes.get<std::size_t>());
-    spectrum.growing.resize(bytes.get<std::size_t>());
-    bytes.get(spectrum.growing.data(), spectrum.growing.size());
     for (modes::WhirlMode &mode : spectrum.modes) {
         mode.eigenvalue = bytes.get<std::complex<double>>();
         mode.whirl = bytes.get<results::Whirl>();
@@ -86,25 +54,10 @@ modes::Spectrum get_spectrum(Bytes &bytes) {
         mode.other_frequency = bytes.get<std::optional<double>>();
         mode.rotating_value = bytes.get<std::complex<double>>();
         for (Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
-            vector->resize(bytes.get<Eigen::Index>());
-            bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
-        }
+             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left})
+            bytes.get_list(*vector);
     }
     return spectrum;
-}
-
-/// Every process learns whether one of them failed, and throws the same.
-void agree_on_failure(std::string failure) {
-    const std::vector<char> mine(failure.begin(), failure.end());
-    failure.clear();
-    for (const std::vector<char> &part : process::gather(mine))
-        if (failure.empty())
-            failure.assign(part.begin(), part.end());
-    std::vector<char> all(failure.begin(), failure.end());
-    process::broadcast(all);
-    if (!all.empty())
-        throw model::AnalysisFailure(std::string(all.begin(), all.end()));
 }
 
 } // namespace
@@ -141,11 +94,9 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();
     }
-    agree_on_failure(failure);
+    process::agree_on_failure(failure);
     std::vector<modes::Spectrum> spectra;
-    std::vector<Bytes> parts;
-    for (std::vector<char> &part : process::gather(mine.data()))
-        parts.emplace_back(std::move(part));
+    std::vector<Bytes> parts = process::gather(mine);
     if (!parts.empty())
         for (std::size_t i = 0; i < speeds.size(); ++i)
             spectra.push_back(get_spectrum(parts[i % processes]));
