@@ -1,5 +1,6 @@
 #pragma once
 
+#include "closed_form/arrangement_interval.h"
 #include "model/balancer.h"
 
 #include <complex>
@@ -46,12 +47,7 @@ struct AddedInertias {
 [[nodiscard]] double mass_of(const model::Balancer &balancer);
 
 /// Least and largest value over all balanced positions, with positions that attain them.
-struct PositionInterval {
-    double least = 0;
-    double largest = 0;
-    std::vector<double> least_position;
-    std::vector<double> largest_position;
-};
+using PositionInterval = closed_form::ArrangementInterval;
 
 /// Most masses for which the intervals over the family are searched; the time grows as n^3.
 inline constexpr int largest_searched_count = 40;
