@@ -139,8 +139,7 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMot
     std::vector<std::size_t> order(peaks.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return peaks[a].speed < peaks[b].speed; });
+    std::ranges::sort(order, {}, [&](std::size_t i) { return peaks[i].speed; });
     double middle = 0;
     double width = 0;
     for (const std::size_t i : order) {

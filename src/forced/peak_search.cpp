@@ -36,8 +36,7 @@ std::vector<Resonance> resonances_of(const std::vector<std::complex<double>> &po
     for (const std::complex<double> &pole : poles)
         if (pole.real() > from && pole.real() < to)
             out.push_back({pole.real(), std::abs(pole.imag())});
-    std::sort(out.begin(), out.end(),
-              [](const Resonance &a, const Resonance &b) { return a.speed < b.speed; });
+    std::ranges::sort(out, {}, &Resonance::speed);
     return out;
 }
 
@@ -134,10 +133,9 @@ void PeakSearch::find(int quantity) {
         const bool inside = b.speed > _from && a.speed < _to;
         if (!inside || !(a.slope[q] > 0) || !(b.slope[q] <= 0))
             continue;
-        const bool pole =
-            std::any_of(_resonances.begin(), _resonances.end(), [&](const Resonance &r) {
-                return r.speed > a.speed && r.speed < b.speed && r.undamped();
-            });
+        const bool pole = std::ranges::any_of(_resonances, [&](const Resonance &r) {
+            return r.speed > a.speed && r.speed < b.speed && r.undamped();
+        });
         if (pole && a.piece == b.piece)
             endless_peak(quantity, i);
         else if (stands_out(i, q))

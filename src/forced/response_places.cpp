@@ -126,8 +126,8 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         add_between(range.from, std::min(range.to, 0.0));
     if (range.to > 0)
         add_between(std::max(range.from, 0.0), range.to);
-    std::stable_sort(found_at.begin(), found_at.end(),
-                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::ranges::stable_sort(found_at,
+                             [](const auto &a, const auto &b) { return a.first < b.first; });
     for (auto &[quantity, peak] : found_at)
         peaks.push_back(std::move(peak));
 }

@@ -46,8 +46,8 @@ RigidRotor rigid_body(const model::Rotor &rotor, double bearing_speed) {
 }
 
 std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor) {
-    const bool pedestals = std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
-                                       [](const model::Bearing &b) { return b.pedestal; });
+    const bool pedestals = std::ranges::any_of(
+        rotor.bearings, [](const model::Bearing &b) { return b.pedestal.has_value(); });
     if (pedestals || !rotor.bearings_isotropic())
         return std::nullopt;
     return rigid_body(rotor, 0);

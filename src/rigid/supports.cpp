@@ -11,11 +11,11 @@ std::string reason_against(const model::Rotor &rotor) {
         return "a bearing is not isotropic";
     if (rotor.bearings_depend_on_speed())
         return "a bearing depends on the spin speed";
-    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
-                    [](const model::Bearing &bearing) { return bearing.pedestal.has_value(); }))
+    if (std::ranges::any_of(rotor.bearings, [](const model::Bearing &bearing) {
+            return bearing.pedestal.has_value();
+        }))
         return "a bearing stands on a pedestal";
-    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(),
-                    [](const model::Bearing &bearing) { return bearing.has_mass(); }))
+    if (std::ranges::any_of(rotor.bearings, &model::Bearing::has_mass))
         return "a bearing or seal has mass coefficients";
     if (rotor.shaft.damped_outside())
         return "the shaft has damping of its own";
