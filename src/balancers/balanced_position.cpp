@@ -149,16 +149,23 @@ std::complex<double> second_harmonic_of(const model::Balancer &balancer,
     return sum / all;
 }
 
+double imbalance_mass(const model::Balancer &balancer) {
+    return balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
+}
+
+double imbalance_inertia(const model::Balancer &balancer) {
+    return balancer.imbalance * balancer.imbalance_radius.value_or(0);
+}
+
 AddedInertias added_inertias(const model::Balancer &balancer) {
     if (!balancer.tilt_inertia)
         return {};
     const PartsInertia parts = kind_of(balancer)->inertia();
-    return {parts.on_circle, balancer.imbalance * balancer.imbalance_radius.value_or(0), parts.own};
+    return {parts.on_circle, imbalance_inertia(balancer), parts.own};
 }
 
 double mass_of(const model::Balancer &balancer) {
-    return kind_of(balancer)->inertia().mass +
-           (balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0);
+    return kind_of(balancer)->inertia().mass + imbalance_mass(balancer);
 }
 
 std::optional<PositionInterval> second_harmonic_interval(const model::Balancer &balancer) {

@@ -6,6 +6,7 @@
 #include "model/errors.h"
 #include "model/variants.h"
 #include "process/parallel.h"
+#include "synchronous/parts.h"
 
 #include <fmt/format.h>
 
@@ -75,13 +76,10 @@ std::vector<double> reading_speeds(const BalanceScene &scene) {
     std::vector<double> speeds{scene.from};
     if (!scene.rotor.bearings_depend_on_speed())
         return speeds;
-    for (const model::Bearing &bearing : scene.rotor.bearings)
-        for (const double speed : bearing.speeds)
-            if (speed > scene.from && speed < scene.to)
-                speeds.push_back(speed);
+    for (const double row : synchronous::table_speeds(scene.rotor))
+        if (row > scene.from && row < scene.to)
+            speeds.push_back(row);
     speeds.push_back(scene.to);
-    std::ranges::sort(speeds);
-    speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
     return speeds;
 }
 

@@ -103,16 +103,16 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         return;
     curves.values.resize(all.quantities.size());
     curves.phases.resize(all.quantities.size());
-    std::vector<std::pair<int, results::ResponsePeak>> found_at; // quantity, peak
-    const auto add_between = [&](double from, double to) {       // of one sign
+    std::vector<std::pair<std::size_t, results::ResponsePeak>> found_at; // quantity, peak
+    const auto add_between = [&](double from, double to) {               // of one sign
         const CertifiedPeaks found =
             response_peaks(d, form, all.quantities, all.z, from, to, options);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {
-            const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
+            const std::size_t quantity = found.peaks[i].quantity;
             results::ResponsePeak peak = described(found.peaks[i], all.places[quantity]);
             if (options.with_errors)
                 set_errors(peak, found.errors[i], found.reduction_error, found.peaks[i].rounding);
-            found_at.emplace_back(found.peaks[i].quantity, std::move(peak));
+            found_at.emplace_back(quantity, std::move(peak));
         }
         for (const PeakSearch::Sample &sample : found.curve) {
             curves.speeds.push_back(sample.speed);

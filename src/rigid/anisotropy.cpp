@@ -4,7 +4,6 @@
 #include "model/case.h"
 #include "rigid/composite_rotor.h"
 #include "rigid/projection.h"
-#include "rigid/supports.h"
 
 #include <algorithm>
 #include <cmath>

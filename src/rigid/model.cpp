@@ -143,13 +143,10 @@ double permissible(ZeroRootStiffness &stiffness, const Combination &slope, doubl
                          : std::numeric_limits<double>::infinity();
     };
     constexpr int steps = 200;
-    int best = 0;
     std::vector<double> values;
-    for (int i = 0; i <= steps; ++i) {
+    for (int i = 0; i <= steps; ++i)
         values.push_back(limit(from + (to - from) * i / steps));
-        if (values.back() < values[static_cast<std::size_t>(best)])
-            best = i;
-    }
+    const auto best = static_cast<int>(std::ranges::min_element(values) - values.begin());
     const auto done = [](double low, double high, double) { return high - low <= 1e-8 * high; };
     const double least =
         linalg::least_between(limit, from + (to - from) * std::max(0, best - 1) / steps,

@@ -26,8 +26,8 @@ using std::numbers::pi;
 constexpr double most_revolutions = 1e7;
 
 /// Inertia against tilting of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
-double imbalance_inertia(const model::Balancer &b) {
-    return b.imbalance_radius && b.tilt_inertia ? b.imbalance * *b.imbalance_radius : 0;
+double tilt_inertia_of_imbalance(const model::Balancer &b) {
+    return b.tilt_inertia ? balancers::imbalance_inertia(b) : 0;
 }
 
 /// The rotor with the constant inertia of all that is attached: parts that turn with the rotor as
@@ -46,10 +46,8 @@ model::Rotor rotor_with_masses(const model::Rotor &rotor) {
             disc.Id = (parts.on_circle + parts.own) / 2;
             disc.Ip = parts.turn_with_rotor ? parts.on_circle + parts.own : 0;
         }
-        if (b.imbalance_radius && b.imbalance > 0) {
-            disc.mass += b.imbalance / *b.imbalance_radius;
-            disc.Id += imbalance_inertia(b) / 2;
-        }
+        disc.mass += balancers::imbalance_mass(b);
+        disc.Id += tilt_inertia_of_imbalance(b) / 2;
         with.discs.push_back(disc);
     }
     return with;
@@ -66,13 +64,11 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
         bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
         model::Disc disc; // keeps a node at the balancer
         disc.z = b.z;
-        if (b.imbalance_radius && b.imbalance > 0) {
-            disc.mass = b.imbalance / *b.imbalance_radius;
-            disc.Id = imbalance_inertia(b) / 2;
-            disc.Ip = imbalance_inertia(b);
-            if (disc.Id > 0 && rotor.bearings_isotropic())
-                bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
-        }
+        disc.mass = balancers::imbalance_mass(b);
+        disc.Id = tilt_inertia_of_imbalance(b) / 2;
+        disc.Ip = tilt_inertia_of_imbalance(b);
+        if (disc.Id > 0 && rotor.bearings_isotropic())
+            bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
         bare.discs.push_back(disc);
     }
     return bare;
@@ -171,7 +167,7 @@ void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
     if (b.imbalance > 0) {
         FixedMass mass;
         mass.plane = plane;
-        const double inertia = imbalance_inertia(b);
+        const double inertia = tilt_inertia_of_imbalance(b);
         mass.mass = {b.imbalance, inertia, inertia, b.imbalance * g};
         mass.phase = b.imbalance_phase;
         motion.parts.fixed.push_back(mass);

@@ -37,15 +37,14 @@ double swing_from(const std::vector<double> &angles, std::size_t first) {
     return *high - *low;
 }
 
-/// Largest over the balancers.
-double worst(const results::SimulateResult &result,
-             std::vector<double> results::BalancerMotion::*list) {
-    double largest = 0;
+/// Largest rate of a part in the rotor, rad/s.
+double fastest_rate(const results::SimulateResult &result) {
+    double fastest = 0;
     for (const results::BalancerMotion &b : result.balancers)
-        for (const double value : b.*list)
-            if (std::abs(value) > std::abs(largest))
-                largest = value;
-    return largest;
+        for (const double rate : b.rates)
+            if (std::abs(rate) > std::abs(fastest))
+                fastest = rate;
+    return fastest;
 }
 
 /// Of the imbalances, or without any of the balls side by side, on a rotor without supports, m.
@@ -227,8 +226,8 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         "ball "
         "in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the angles over the "
         "last fortieth {:.3g} rad{}{}",
-        amplitude * micrometres, reference * micrometres,
-        worst(result, &results::BalancerMotion::rates), look.swing, why.empty() ? "" : "; ", why);
+        amplitude * micrometres, reference * micrometres, fastest_rate(result), look.swing,
+        why.empty() ? "" : "; ", why);
 }
 
 } // namespace whirl::simulation

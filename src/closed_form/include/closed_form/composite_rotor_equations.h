@@ -1,7 +1,7 @@
 #pragma once
 
 #include "closed_form/anisotropic_rotor.h"
-#include "closed_form/supports.h"
+#include "closed_form/composite_rotor.h"
 
 #include <complex>
 #include <vector>
