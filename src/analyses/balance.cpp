@@ -76,36 +76,32 @@ void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakp
     std::vector<double> samples;
     if (!points.sharp)
         samples = criterion::samples_around(points.hints, s.speeds, s.from, s.to);
-    const auto bands = [&](const criterion::SpeedFunction &criterion,
-                           const std::vector<double> &pinned) {
-        return points.sharp
-                   ? criterion::sharp_bands(criterion, points.critical, pinned, s.from, s.to)
-                   : criterion::sampled_bands(criterion, samples);
+    const auto bands = [&](int plane, const std::vector<double> &pinned) {
+        const criterion::SpeedFunction of = [&form, plane](double speed) {
+            return form.value(plane, speed);
+        };
+        return points.sharp ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
+                            : criterion::sampled_bands(of, samples);
     };
     for (std::size_t i = 0; i < s.planes.size(); ++i) {
         results::BalanceBands &plane = result.planes[i].bands;
         plane.pinned = points.pinned[i];
-        plane.bands = bands([&](double speed) { return form.plane(static_cast<int>(i), speed); },
-                            plane.pinned);
+        plane.bands = bands(static_cast<int>(i), plane.pinned);
     }
     results::BalanceBands &joint = result.joint.bands;
     joint.pinned = points.pinned_all;
-    joint.bands = s.planes.size() == 1
-                      ? result.planes[0].bands.bands
-                      : bands([&](double speed) { return form.joint(speed); }, joint.pinned);
+    joint.bands = s.planes.size() == 1 ? result.planes[0].bands.bands
+                                       : bands(criterion::BalanceForm::all_planes, joint.pinned);
 }
 
 void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result) {
     result.rigid = criterion::rigid_equivalent(s.body);
-    std::vector<double> z;
-    for (const model::CorrectionPlane &plane : s.planes)
-        z.push_back(plane.z);
     if (result.rigid && s.has_range()) {
         for (results::BalancePlane &plane : result.planes)
             plane.bands.rigid_bands =
                 criterion::rigid_plane_bands(*result.rigid, plane.z, s.from, s.to);
         result.joint.bands.rigid_bands =
-            criterion::rigid_joint_bands(*result.rigid, z, s.from, s.to);
+            criterion::rigid_joint_bands(*result.rigid, s.plane_positions(), s.from, s.to);
     }
     for (results::BalancePlane &plane : result.planes)
         complete(plane.bands, s.from, s.to);
@@ -122,7 +118,7 @@ void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &fo
         values.push_back(point.negative);
         values.push_back(point.relative);
         for (std::size_t i = 0; i < count; ++i)
-            values.push_back(form.plane(static_cast<int>(i), speed));
+            values.push_back(form.value(static_cast<int>(i), speed));
         for (const std::complex<double> &s_i : point.worst)
             values.insert(values.end(), {s_i.real(), s_i.imag()});
         return values;

@@ -13,7 +13,7 @@ namespace whirl::analyses {
 /// 0, Hermitian. General: l = i W in the quadratic problem, l^2 (M - iG) + l (C - i Kc) + K, of
 /// which Im l is the speed and Re l is reported; roots with |Re l| >= Im l (no resonance peak) are
 /// left out. Bearing tables: the same with the coefficients at the speed found; all such speeds
-/// (SymmetricSynchronous, FollowedSynchronous). Asymmetric rotors on equal bearings: forward, balls
+/// (SymmetricSynchronous, followed_modes). Asymmetric rotors on equal bearings: forward, balls
 /// held, and without damping. Errors: critical_errors; infinite where they are not known.
 ///
 /// @param map  with the critical speed map (critical_map)

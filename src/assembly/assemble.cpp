@@ -1,7 +1,6 @@
 #include "assembly/assemble.h"
 
 #include "linalg/dense/products.h"
-#include "model/axes.h"
 
 #include <vector>
 
@@ -18,6 +17,24 @@ Eigen::MatrixXd rigid_element_motion(const Discretization &d, int span) {
         T(2 * end + 1, 1) = 1;
     }
     return T;
+}
+
+/// Coefficients on (x, y) with the symmetry that they have but for rounding, as after a turn of the
+/// axes (model/bearing.h): what couples the axes against it feeds or drains energy, however small.
+Eigen::Matrix2d without_rounding(const Eigen::Matrix2d &a) {
+    const double mean = a.trace() / 2;
+    if (model::isotropic(a))
+        return mean * Eigen::Matrix2d::Identity();
+    Eigen::Matrix2d out = a;
+    if (model::diagonal(a)) {
+        out(0, 1) = out(1, 0) = 0;
+    } else if (model::symmetric(a)) {
+        out(0, 1) = out(1, 0) = (a(0, 1) + a(1, 0)) / 2;
+    } else if (model::rotation_invariant(a)) {
+        const double across = (a(0, 1) - a(1, 0)) / 2;
+        out << mean, across, -across, mean;
+    }
+    return out;
 }
 
 /// T^T A T
@@ -173,7 +190,7 @@ void assemble_film(const Discretization &discretization, int index, double speed
         discretization.rotor().bearings[static_cast<std::size_t>(index)];
     model::BearingCoefficients at = bearing.at(speed);
     for (Eigen::Matrix2d *block : {&at.k, &at.c, &at.m, &at.kt, &at.ct})
-        *block = model::without_rounding(*block);
+        *block = without_rounding(*block);
     const Combination phi = discretization.slope_at(bearing.z);
     add_product(Term::stiffness, phi, phi, at.kt, add);
     add_product(Term::damping, phi, phi, at.ct, add);

@@ -14,11 +14,6 @@ bool has_positions(const model::Balancer &balancer) {
     return !kind_of(balancer)->circled().empty();
 }
 
-std::vector<double> in_the_rotor(const std::vector<double> &from_the_imbalance,
-                                 const model::Balancer &balancer) {
-    return turned(from_the_imbalance, balancer.imbalance_phase);
-}
-
 std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", index); }
 
 } // namespace
@@ -27,8 +22,8 @@ Arrangement arrangement_at_balance(const model::Rotor &rotor) {
     Arrangement out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         out.push_back(has_positions(rotor.balancers[i])
-                          ? in_the_rotor(angles_at_balance(rotor.balancers[i], label_of(i)),
-                                         rotor.balancers[i])
+                          ? turned(angles_at_balance(rotor.balancers[i], label_of(i)),
+                                   rotor.balancers[i].imbalance_phase)
                           : std::vector<double>{});
     return out;
 }
@@ -56,8 +51,8 @@ std::vector<Arrangement> sampled_arrangements(const model::Rotor &rotor, int cou
     for (std::size_t k = 0; k < most; ++k) {
         Arrangement arrangement;
         for (std::size_t i = 0; i < choices.size(); ++i)
-            arrangement.push_back(
-                in_the_rotor(choices[i][k * (2 * i + 1) % choices[i].size()], rotor.balancers[i]));
+            arrangement.push_back(turned(choices[i][k * (2 * i + 1) % choices[i].size()],
+                                         rotor.balancers[i].imbalance_phase));
         out.push_back(std::move(arrangement));
     }
     return out;

@@ -1,5 +1,7 @@
 #include "balancers/balance_family.h"
 
+#include "closed_form/balanced_position.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -39,9 +41,8 @@ double corner(double along, double other, double across) {
 std::vector<std::size_t> heaviest_first(const std::vector<CircledMass> &masses) {
     std::vector<std::size_t> order(masses.size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return masses[a].moment > masses[b].moment;
-    });
+    std::ranges::stable_sort(order, std::greater{},
+                             [&](std::size_t i) { return masses[i].moment; });
     return order;
 }
 
@@ -52,14 +53,6 @@ std::pair<double, double> reach_of(const std::vector<CircledMass> &masses,
     for (std::size_t k = first; k < order.size(); ++k)
         sum += masses[order[k]].moment;
     return {std::max(0.0, 2 * masses[order[first]].moment - sum), sum};
-}
-
-Complex defect_of(const std::vector<CircledMass> &masses, double imbalance,
-                  const std::vector<double> &angles) {
-    Complex sum = imbalance;
-    for (std::size_t j = 0; j < masses.size(); ++j)
-        sum += std::polar(masses[j].moment, angles[j]);
-    return sum;
 }
 
 double sum_of_moments(const std::vector<CircledMass> &masses) {
@@ -171,6 +164,28 @@ class Climb {
 };
 
 } // namespace
+
+std::vector<double> symmetric_position(int masses, double capacity) {
+    using std::numbers::pi;
+    if (std::isinf(capacity)) {
+        // Two masses at +-pi/2, the limit of their position as E grows.
+        std::vector<double> polygon;
+        for (int j = 0; j < masses; ++j)
+            polygon.push_back(pi * (2 * j + 1) / masses);
+        return polygon;
+    }
+    if (masses == 1)
+        return {pi};
+    return closed_form::symmetric_position(masses, capacity).value();
+}
+
+std::complex<double> defect_of(const std::vector<CircledMass> &masses, double imbalance,
+                               const std::vector<double> &angles) {
+    Complex sum = imbalance;
+    for (std::size_t j = 0; j < masses.size(); ++j)
+        sum += std::polar(masses[j].moment, angles[j]);
+    return sum;
+}
 
 bool balance_exists(const std::vector<CircledMass> &masses, double imbalance) {
     double longest = imbalance;

@@ -2,6 +2,7 @@
 
 #include "balancers/kind.h"
 
+#include <complex>
 #include <vector>
 
 namespace whirl::balancers {
@@ -9,6 +10,16 @@ namespace whirl::balancers {
 // Masses of any moments m_j R_j on circles that balance an imbalance m0 R0 at angle 0:
 // sum m_j R_j exp(i a_j) = -m0 R0. The polygon of these vectors closes where no side is longer than
 // all others together; with three masses or more it is a mechanism, and the positions are a family.
+
+/// Of equal masses the symmetric position at capacity E >= 1 (docs/theory.md, "Composite rotor"):
+/// one mass opposite the imbalance; without an imbalance a regular polygon with a side symmetric
+/// about angle 0.
+/// @param capacity  may be infinite
+[[nodiscard]] std::vector<double> symmetric_position(int masses, double capacity);
+
+/// What masses at these angles leave of the balance: m0 R0 + sum m_j R_j exp(i a_j), kg m.
+[[nodiscard]] std::complex<double> defect_of(const std::vector<CircledMass> &masses,
+                                             double imbalance, const std::vector<double> &angles);
 
 /// There is such a position.
 [[nodiscard]] bool balance_exists(const std::vector<CircledMass> &masses, double imbalance);

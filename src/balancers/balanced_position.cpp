@@ -1,8 +1,7 @@
 #include "balancers/balanced_position.h"
 
 #include "balancers/balance_family.h"
-#include "balancers/equal_masses.h"
-#include "closed_form/arrangement_interval.h"
+#include "closed_form/balanced_position.h"
 #include "model/errors.h"
 
 #include <fmt/core.h>
@@ -22,7 +21,7 @@ constexpr double capacity_rounding = 1e-9;
 using Masses = std::vector<CircledMass>;
 
 bool equal(const Masses &masses) {
-    return std::all_of(masses.begin(), masses.end(), [&](const CircledMass &mass) {
+    return std::ranges::all_of(masses, [&](const CircledMass &mass) {
         return mass.moment == masses.front().moment && mass.inertia == masses.front().inertia;
     });
 }
@@ -43,19 +42,15 @@ std::optional<PositionInterval> interval_of_equal(const Masses &masses, double i
     // The search divides by n/E: a family without imbalance is reached from one with next to none.
     constexpr double almost_infinite = 1e9;
     const int n = static_cast<int>(masses.size());
-    const auto found =
+    std::optional<PositionInterval> interval =
         closed_form::modulus_interval(n, std::min(E, almost_infinite), constant, factor);
-    if (!found)
-        return std::nullopt;
-    PositionInterval interval{found->least, found->largest, found->least_position,
-                              found->largest_position};
-    if (E <= almost_infinite)
+    if (!interval || E <= almost_infinite)
         return interval;
-    interval.least_position = symmetric_position(n, std::numeric_limits<double>::infinity());
-    for (auto *position : {&interval.least_position, &interval.largest_position})
+    interval->least_position = symmetric_position(n, std::numeric_limits<double>::infinity());
+    for (auto *position : {&interval->least_position, &interval->largest_position})
         restore_balance(masses, imbalance, *position); // D = 0, and A_m0 next to nothing
-    interval.least = value(interval.least_position);
-    interval.largest = value(interval.largest_position);
+    interval->least = value(interval->least_position);
+    interval->largest = value(interval->largest_position);
     return interval;
 }
 
@@ -144,7 +139,7 @@ std::complex<double> second_harmonic_of(const model::Balancer &balancer,
     if (masses.empty())
         return 0;
     if (equal(masses))
-        return second_harmonic(angles, 0, angles.size());
+        return closed_form::second_harmonic(angles);
     std::complex<double> sum = 0;
     double all = 0;
     for (std::size_t j = 0; j < masses.size(); ++j) {
@@ -154,16 +149,23 @@ std::complex<double> second_harmonic_of(const model::Balancer &balancer,
     return sum / all;
 }
 
+double imbalance_mass(const model::Balancer &balancer) {
+    return balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
+}
+
+double imbalance_inertia(const model::Balancer &balancer) {
+    return balancer.imbalance * balancer.imbalance_radius.value_or(0);
+}
+
 AddedInertias added_inertias(const model::Balancer &balancer) {
     if (!balancer.tilt_inertia)
         return {};
     const PartsInertia parts = kind_of(balancer)->inertia();
-    return {parts.on_circle, balancer.imbalance * balancer.imbalance_radius.value_or(0), parts.own};
+    return {parts.on_circle, imbalance_inertia(balancer), parts.own};
 }
 
 double mass_of(const model::Balancer &balancer) {
-    return kind_of(balancer)->inertia().mass +
-           (balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0);
+    return kind_of(balancer)->inertia().mass + imbalance_mass(balancer);
 }
 
 std::optional<PositionInterval> second_harmonic_interval(const model::Balancer &balancer) {
@@ -185,9 +187,8 @@ std::vector<std::vector<double>> sampled_positions(const model::Balancer &balanc
     std::vector<std::complex<double>> harmonics{second_harmonic_of(balancer, positions.front())};
     const auto add = [&](const std::vector<double> &angles) {
         const auto D = second_harmonic_of(balancer, angles);
-        const bool known = std::any_of(harmonics.begin(), harmonics.end(), [&](const auto &other) {
-            return std::abs(other - D) < 1e-9;
-        });
+        const bool known = std::ranges::any_of(
+            harmonics, [&](const auto &other) { return std::abs(other - D) < 1e-9; });
         if (known || std::ssize(positions) >= count)
             return;
         positions.push_back(angles);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "closed_form/arrangement_interval.h"
 #include "model/balancer.h"
 
 #include <complex>
@@ -34,10 +35,14 @@ namespace whirl::balancers {
 [[nodiscard]] std::complex<double> second_harmonic_of(const model::Balancer &balancer,
                                                       const std::vector<double> &angles);
 
+/// The imbalance as a point mass m0 at R0: kg, and m0 R0^2, kg m2; 0 without imbalance_radius.
+[[nodiscard]] double imbalance_mass(const model::Balancer &balancer);
+[[nodiscard]] double imbalance_inertia(const model::Balancer &balancer);
+
 /// Moments of inertia, kg m2. Zero with tilt_inertia = false.
 struct AddedInertias {
     double parts = 0;     ///< A_m = sum m R^2; pendulum4: R their radius at rest, pivot + arm
-    double imbalance = 0; ///< A_m0 = m0 R0^2; 0 without imbalance_radius
+    double imbalance = 0; ///< A_m0: imbalance_inertia()
     double own = 0;       ///< of parts about axes of their own
 };
 [[nodiscard]] AddedInertias added_inertias(const model::Balancer &balancer);
@@ -46,12 +51,7 @@ struct AddedInertias {
 [[nodiscard]] double mass_of(const model::Balancer &balancer);
 
 /// Least and largest value over all balanced positions, with positions that attain them.
-struct PositionInterval {
-    double least = 0;
-    double largest = 0;
-    std::vector<double> least_position;
-    std::vector<double> largest_position;
-};
+using PositionInterval = closed_form::ArrangementInterval;
 
 /// Most masses for which the intervals over the family are searched; the time grows as n^3.
 inline constexpr int largest_searched_count = 40;

@@ -1,10 +1,12 @@
-#include "balancers/ball.h"
+#include "balancers/kind.h"
 
+#include "balancers/balance_family.h"
 #include "balancers/circle_mass.h"
-#include "balancers/equal_masses.h"
+#include "closed_form/balanced_position.h"
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace whirl::balancers {
 
@@ -28,16 +30,17 @@ std::vector<Group> groups_of(const model::Balls &balls, const std::vector<double
     std::size_t first = 0;
     for (const model::BallRow &row : balls.rows) {
         const double rate = row.damping / row.mass;
-        auto group = std::find_if(groups.begin(), groups.end(), [rate](const Group &g) {
+        auto group = std::ranges::find_if(groups, [rate](const Group &g) {
             return std::abs(g.rate - rate) <= same_rate * std::max(g.rate, rate);
         });
         if (group == groups.end())
             group = groups.insert(groups.end(), {rate, 0, 0});
         const double mass = row.n * row.mass;
-        const std::size_t last = first + static_cast<std::size_t>(row.n);
+        const auto count = static_cast<std::size_t>(row.n);
         group->mass += mass;
-        group->conjugate += mass * second_harmonic(angles, first, last);
-        first = last;
+        group->conjugate +=
+            mass * closed_form::second_harmonic(std::span(angles).subspan(first, count));
+        first += count;
     }
     return groups;
 }
@@ -114,126 +117,148 @@ class BallMotion final : public PartsMotion {
     }
 };
 
+/// Balls in one race or several side by side, each ball held back by h_A times its speed along the
+/// race. Linear: A. N. Gorbenko, Mass-inertia characteristics and dimensionless equations of motion
+/// of a rotor with an auto-balancer, with the complex second harmonic of the arrangement; several
+/// rows of different balls as in G. Filimonikhin's multi-row balancers. docs/theory.md.
+class BallKind final : public Kind {
+  public:
+    explicit BallKind(const model::Balls &balls) : _balls(balls) {}
+
+    [[nodiscard]] std::string name() const override { return "ball"; }
+    [[nodiscard]] std::string parts() const override { return "balls"; }
+
+    [[nodiscard]] PartsInertia inertia() const override {
+        PartsInertia out;
+        for (const model::BallRow &row : _balls.rows) {
+            out.mass += row.n * row.mass;
+            out.on_circle += row.n * row.mass * row.radius * row.radius;
+        }
+        return out;
+    }
+
+    [[nodiscard]] Reach reach() const override {
+        Reach out;
+        int balls = 0;
+        for (const model::BallRow &row : _balls.rows) {
+            out.imbalance += row.n * row.mass * row.radius;
+            balls += row.n;
+        }
+        out.side_by_side = out.imbalance;
+        out.formula = _balls.rows.size() > 1 ? "sum n m R/(m0 R0)"
+                      : balls > 1            ? "n m R/(m0 R0)"
+                                             : "m R/(m0 R0)";
+        return out;
+    }
+
+    [[nodiscard]] bool damped() const override {
+        return std::ranges::all_of(_balls.rows, [](const model::BallRow &row) {
+            return row.damping > 0 || row.rolling > 0;
+        });
+    }
+
+    [[nodiscard]] std::optional<double> rate() const override {
+        if (_balls.rows.size() > 1)
+            return std::nullopt;
+        return _balls.rows.front().damping / _balls.rows.front().mass;
+    }
+
+    [[nodiscard]] std::vector<CircledMass> circled() const override {
+        std::vector<CircledMass> out;
+        for (const model::BallRow &row : _balls.rows)
+            out.insert(out.end(), static_cast<std::size_t>(row.n),
+                       {row.mass * row.radius, row.mass * row.radius * row.radius});
+        return out;
+    }
+
+    /// Every row balances its share of the imbalance, symmetrically.
+    [[nodiscard]] std::optional<std::vector<double>>
+    usual_position(double capacity) const override {
+        std::vector<double> angles;
+        for (const model::BallRow &row : _balls.rows) {
+            if (row.n == 1 && _balls.rows.size() > 1)
+                return std::nullopt;
+            const std::vector<double> own = symmetric_position(row.n, capacity);
+            angles.insert(angles.end(), own.begin(), own.end());
+        }
+        return angles;
+    }
+
+    [[nodiscard]] SmallMotions small_motions(const std::vector<double> &angles) const override {
+        const std::vector<Group> groups = groups_of(_balls, angles);
+        const Index n = std::ssize(groups);
+        Eigen::VectorXd mass(n);
+        Eigen::VectorXd damping(n);
+        Eigen::VectorXcd conjugate(n);
+        double rates = 0;
+        for (Index g = 0; g < n; ++g) {
+            const Group &group = groups[static_cast<std::size_t>(g)];
+            mass(g) = group.mass;
+            damping(g) = group.mass * group.rate;
+            conjugate(g) = group.conjugate;
+            rates += group.rate;
+        }
+        const Eigen::MatrixXd T = means_and_differences(groups);
+        SmallMotions out;
+        out.pull = Eigen::VectorXd::Zero(n);
+        out.pull(0) = mass.sum();
+        out.conjugate = T.transpose() * conjugate;
+        const Eigen::MatrixXd momentum = mass.asDiagonal() * T;
+        const Eigen::MatrixXd drag = damping.asDiagonal() * T;
+        out.inertia = T.transpose() * momentum;
+        out.damping = T.transpose() * drag;
+        out.restoring = Eigen::VectorXd::Zero(n);
+        out.groups = T;
+        // Differences that leave the sum as it is are other balanced positions.
+        out.drift = Eigen::VectorXd::Constant(n, SmallMotions::far_away * rates);
+        out.drift(0) = 0;
+        out.set_diameter(conjugate.sum() / mass.sum(), rates);
+        return out;
+    }
+
+    [[nodiscard]] std::shared_ptr<const PartsMotion> motion(bool tilt,
+                                                            double gravity) const override {
+        std::vector<BallMotion::Ball> balls;
+        std::vector<TouchingRow> touching;
+        for (const model::BallRow &row : _balls.rows) {
+            if (_balls.contact && row.n > 1)
+                touching.push_back({static_cast<int>(balls.size()), row.n, row.touching_angle(),
+                                    _balls.restitution});
+            const double inertia = row.mass * row.radius * row.radius;
+            const CircleMass mass{row.mass * row.radius, inertia, tilt ? inertia : 0,
+                                  row.mass * row.radius * gravity};
+            // The moment on the ball, rolling * N, is a force 2 rolling / diameter * N along the
+            // race.
+            const double lever = row.rolling > 0 ? 2 * row.rolling / row.diameter * row.radius : 0;
+            balls.insert(balls.end(), static_cast<std::size_t>(row.n),
+                         {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever});
+        }
+        return std::make_shared<BallMotion>(std::move(balls), std::move(touching));
+    }
+
+    [[nodiscard]] std::vector<std::string> coordinates() const override {
+        std::vector<std::string> names;
+        for (std::size_t j = 0; j < circled().size(); ++j)
+            names.push_back("ball " + std::to_string(j + 1));
+        return names;
+    }
+
+    [[nodiscard]] Outline outline() const override {
+        Outline out;
+        out.label = "ball balancer";
+        for (const model::BallRow &row : _balls.rows)
+            out.points.push_back(row.radius);
+        return out;
+    }
+
+  private:
+    const model::Balls &_balls;
+};
+
 } // namespace
 
-PartsInertia BallKind::inertia() const {
-    PartsInertia out;
-    for (const model::BallRow &row : _balls.rows) {
-        out.mass += row.n * row.mass;
-        out.on_circle += row.n * row.mass * row.radius * row.radius;
-    }
-    return out;
-}
-
-Reach BallKind::reach() const {
-    Reach out;
-    int balls = 0;
-    for (const model::BallRow &row : _balls.rows) {
-        out.imbalance += row.n * row.mass * row.radius;
-        balls += row.n;
-    }
-    out.side_by_side = out.imbalance;
-    out.formula = _balls.rows.size() > 1 ? "sum n m R/(m0 R0)"
-                  : balls > 1            ? "n m R/(m0 R0)"
-                                         : "m R/(m0 R0)";
-    return out;
-}
-
-bool BallKind::damped() const {
-    return std::all_of(_balls.rows.begin(), _balls.rows.end(), [](const model::BallRow &row) {
-        return row.damping > 0 || row.rolling > 0;
-    });
-}
-
-std::optional<double> BallKind::rate() const {
-    if (_balls.rows.size() > 1)
-        return std::nullopt;
-    return _balls.rows.front().damping / _balls.rows.front().mass;
-}
-
-std::vector<CircledMass> BallKind::circled() const {
-    std::vector<CircledMass> out;
-    for (const model::BallRow &row : _balls.rows)
-        out.insert(out.end(), static_cast<std::size_t>(row.n),
-                   {row.mass * row.radius, row.mass * row.radius * row.radius});
-    return out;
-}
-
-/// Every row balances its share of the imbalance, symmetrically.
-std::optional<std::vector<double>> BallKind::usual_position(double capacity) const {
-    std::vector<double> angles;
-    for (const model::BallRow &row : _balls.rows) {
-        if (row.n == 1 && _balls.rows.size() > 1)
-            return std::nullopt;
-        const std::vector<double> own = symmetric_position(row.n, capacity);
-        angles.insert(angles.end(), own.begin(), own.end());
-    }
-    return angles;
-}
-
-SmallMotions BallKind::small_motions(const std::vector<double> &angles) const {
-    const std::vector<Group> groups = groups_of(_balls, angles);
-    const Index n = std::ssize(groups);
-    Eigen::VectorXd mass(n);
-    Eigen::VectorXd damping(n);
-    Eigen::VectorXcd conjugate(n);
-    double rates = 0;
-    for (Index g = 0; g < n; ++g) {
-        const Group &group = groups[static_cast<std::size_t>(g)];
-        mass(g) = group.mass;
-        damping(g) = group.mass * group.rate;
-        conjugate(g) = group.conjugate;
-        rates += group.rate;
-    }
-    const Eigen::MatrixXd T = means_and_differences(groups);
-    SmallMotions out;
-    out.pull = Eigen::VectorXd::Zero(n);
-    out.pull(0) = mass.sum();
-    out.conjugate = T.transpose() * conjugate;
-    const Eigen::MatrixXd momentum = mass.asDiagonal() * T;
-    const Eigen::MatrixXd drag = damping.asDiagonal() * T;
-    out.inertia = T.transpose() * momentum;
-    out.damping = T.transpose() * drag;
-    out.restoring = Eigen::VectorXd::Zero(n);
-    out.groups = T;
-    // Differences that leave the sum as it is are other balanced positions.
-    out.drift = Eigen::VectorXd::Constant(n, SmallMotions::far_away * rates);
-    out.drift(0) = 0;
-    out.set_diameter(conjugate.sum() / mass.sum(), rates);
-    return out;
-}
-
-std::shared_ptr<const PartsMotion> BallKind::motion(bool tilt, double gravity) const {
-    std::vector<BallMotion::Ball> balls;
-    std::vector<TouchingRow> touching;
-    for (const model::BallRow &row : _balls.rows) {
-        if (_balls.contact && row.n > 1)
-            touching.push_back(
-                {static_cast<int>(balls.size()), row.n, row.touching_angle(), _balls.restitution});
-        const double inertia = row.mass * row.radius * row.radius;
-        const CircleMass mass{row.mass * row.radius, inertia, tilt ? inertia : 0,
-                              row.mass * row.radius * gravity};
-        // The moment on the ball, rolling * N, is a force 2 rolling / diameter * N along the race.
-        const double lever = row.rolling > 0 ? 2 * row.rolling / row.diameter * row.radius : 0;
-        balls.insert(balls.end(), static_cast<std::size_t>(row.n),
-                     {mass, row.damping * row.radius * row.radius, row.mass, gravity, lever});
-    }
-    return std::make_shared<BallMotion>(std::move(balls), std::move(touching));
-}
-
-std::vector<std::string> BallKind::coordinates() const {
-    std::vector<std::string> names;
-    for (std::size_t j = 0; j < circled().size(); ++j)
-        names.push_back("ball " + std::to_string(j + 1));
-    return names;
-}
-
-Outline BallKind::outline() const {
-    Outline out;
-    out.label = "ball balancer";
-    for (const model::BallRow &row : _balls.rows)
-        out.points.push_back(row.radius);
-    return out;
+std::unique_ptr<Kind> kind_of(const model::Balls &balls) {
+    return std::make_unique<BallKind>(balls);
 }
 
 } // namespace whirl::balancers

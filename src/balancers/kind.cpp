@@ -1,21 +1,8 @@
 #include "balancers/kind.h"
 
-#include "balancers/ball.h"
-#include "balancers/pendulum4.h"
-#include "balancers/ring.h"
-
 #include <algorithm>
 
 namespace whirl::balancers {
-
-namespace {
-
-// A new kind: its line here.
-std::unique_ptr<Kind> made(const model::Balls &b) { return std::make_unique<BallKind>(b); }
-std::unique_ptr<Kind> made(const model::Pendulums &p) { return std::make_unique<PendulumKind>(p); }
-std::unique_ptr<Kind> made(const model::Rings &r) { return std::make_unique<RingKind>(r); }
-
-} // namespace
 
 void SmallMotions::set_diameter(std::complex<double> D, double rate) {
     constexpr double rounding = 1e-12;
@@ -36,7 +23,7 @@ double Outline::radius() const {
 }
 
 std::unique_ptr<Kind> kind_of(const model::Balancer &balancer) {
-    return std::visit([](const auto &parts) { return made(parts); }, balancer.parts);
+    return std::visit([](const auto &parts) { return kind_of(parts); }, balancer.parts);
 }
 
 } // namespace whirl::balancers

@@ -124,5 +124,9 @@ class Kind {
 
 /// The kind of a balancer, which must outlive it.
 [[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Balancer &balancer);
+/// That of its parts, each in a source of its own. A new kind: its line here.
+[[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Balls &balls);
+[[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Pendulums &pendulums);
+[[nodiscard]] std::unique_ptr<Kind> kind_of(const model::Rings &rings);
 
 } // namespace whirl::balancers

@@ -1,5 +1,7 @@
 #include "balancers/linear_element.h"
 
+#include "balancers/balanced_position.h"
+
 namespace whirl::balancers {
 
 BalancerElement balancer_element(const model::Balancer &balancer,
@@ -13,12 +15,9 @@ BalancerElement balancer_element(const model::Balancer &balancer,
     out.polar_inertia = inertia.on_circle + inertia.own;
     for (std::size_t j = 0; j < circled.size(); ++j)
         out.anisotropy += std::polar(0.5 * circled[j].inertia, 2 * angles[j]);
-    if (balancer.imbalance_radius) { // a point mass m0 at R0
-        out.mass += balancer.imbalance / *balancer.imbalance_radius;
-        const double point = balancer.imbalance * *balancer.imbalance_radius;
-        out.polar_inertia += point;
-        out.anisotropy += std::polar(0.5 * point, 2 * balancer.imbalance_phase);
-    }
+    out.mass += imbalance_mass(balancer);
+    out.polar_inertia += imbalance_inertia(balancer);
+    out.anisotropy += std::polar(0.5 * imbalance_inertia(balancer), 2 * balancer.imbalance_phase);
     if (!balancer.tilt_inertia) {
         out.polar_inertia = 0;
         out.anisotropy = 0;

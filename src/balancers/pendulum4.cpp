@@ -104,56 +104,78 @@ class PendulumMotion final : public PartsMotion {
     std::array<PendulumPair, 2> _pairs;
 };
 
+/// Two tied pairs of pendulums (masses m on arms l, hinged at +-a) on two perpendicular lines of
+/// the rotor: G. Filimonikhin et al., four-pendulum auto-balancer with ties; small motions are
+/// linear in the angles. docs/theory.md, "Four-pendulum balancers".
+class PendulumKind final : public Kind {
+  public:
+    explicit PendulumKind(const model::Pendulums &pendulums) : _pendulums(pendulums) {}
+
+    [[nodiscard]] std::string name() const override { return "pendulum4"; }
+    [[nodiscard]] std::string parts() const override { return "pendulums"; }
+
+    /// Four hinged arms seen as one body: their masses stand on two perpendicular lines, which
+    /// makes them axisymmetric.
+    [[nodiscard]] PartsInertia inertia() const override {
+        PartsInertia out;
+        const double reach = _pendulums.pivot + _pendulums.arm;
+        out.mass = 4 * _pendulums.mass;
+        out.on_circle = out.mass * reach * reach;
+        out.turn_with_rotor = true;
+        return out;
+    }
+
+    /// One tied pair makes 2 m l at most.
+    [[nodiscard]] Reach reach() const override {
+        return {2 * _pendulums.mass * _pendulums.arm, 4 * _pendulums.mass * _pendulums.arm,
+                "2 m arm/(m0 R0)"};
+    }
+    [[nodiscard]] bool damped() const override { return _pendulums.damping > 0; }
+
+    [[nodiscard]] SmallMotions
+    small_motions(const std::vector<double> & /*angles*/) const override {
+        const double mass = 4 * _pendulums.mass;
+        SmallMotions out;
+        out.pull = Eigen::VectorXd::Constant(1, mass);
+        out.conjugate = Eigen::VectorXcd::Zero(1);
+        out.inertia = Eigen::MatrixXd::Constant(1, 1, mass);
+        out.damping = Eigen::MatrixXd::Constant(
+            1, 1, 4 * _pendulums.damping / (_pendulums.arm * _pendulums.arm));
+        out.restoring = Eigen::VectorXd::Constant(1, mass * _pendulums.pivot / _pendulums.arm);
+        out.drift = Eigen::VectorXd::Zero(1);
+        return out;
+    }
+
+    [[nodiscard]] std::shared_ptr<const PartsMotion> motion(bool /*tilt*/,
+                                                            double gravity) const override {
+        return std::make_shared<PendulumMotion>(_pendulums, gravity);
+    }
+    [[nodiscard]] std::vector<std::string> coordinates() const override { return {"phi", "psi"}; }
+
+    [[nodiscard]] Outline outline() const override {
+        const double reach = _pendulums.pivot + _pendulums.arm;
+        Outline out;
+        out.label = "pendulum balancer";
+        out.points = {reach};
+        out.arms = {{_pendulums.pivot, reach}};
+        return out;
+    }
+
+  private:
+    const model::Pendulums &_pendulums;
+};
+
 } // namespace
+
+std::unique_ptr<Kind> kind_of(const model::Pendulums &pendulums) {
+    return std::make_unique<PendulumKind>(pendulums);
+}
 
 std::vector<PlacedPendulums> pendulums_in(const model::Rotor &rotor) {
     std::vector<PlacedPendulums> out;
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i)
         if (const auto *parts = std::get_if<model::Pendulums>(&rotor.balancers[i].parts))
             out.push_back({*parts, rotor.balancers[i].name, rotor.balancers[i].z, i});
-    return out;
-}
-
-/// Four hinged arms seen as one body: their masses stand on two perpendicular lines, which makes
-/// them axisymmetric.
-PartsInertia PendulumKind::inertia() const {
-    PartsInertia out;
-    const double reach = _pendulums.pivot + _pendulums.arm;
-    out.mass = 4 * _pendulums.mass;
-    out.on_circle = out.mass * reach * reach;
-    out.turn_with_rotor = true;
-    return out;
-}
-
-/// One tied pair makes 2 m l at most.
-Reach PendulumKind::reach() const {
-    return {2 * _pendulums.mass * _pendulums.arm, 4 * _pendulums.mass * _pendulums.arm,
-            "2 m arm/(m0 R0)"};
-}
-
-SmallMotions PendulumKind::small_motions(const std::vector<double> & /*angles*/) const {
-    const double mass = 4 * _pendulums.mass;
-    SmallMotions out;
-    out.pull = Eigen::VectorXd::Constant(1, mass);
-    out.conjugate = Eigen::VectorXcd::Zero(1);
-    out.inertia = Eigen::MatrixXd::Constant(1, 1, mass);
-    out.damping =
-        Eigen::MatrixXd::Constant(1, 1, 4 * _pendulums.damping / (_pendulums.arm * _pendulums.arm));
-    out.restoring = Eigen::VectorXd::Constant(1, mass * _pendulums.pivot / _pendulums.arm);
-    out.drift = Eigen::VectorXd::Zero(1);
-    return out;
-}
-
-std::shared_ptr<const PartsMotion> PendulumKind::motion(bool /*tilt*/, double gravity) const {
-    return std::make_shared<PendulumMotion>(_pendulums, gravity);
-}
-
-Outline PendulumKind::outline() const {
-    const double reach = _pendulums.pivot + _pendulums.arm;
-    Outline out;
-    out.label = "pendulum balancer";
-    out.points = {reach};
-    out.arms = {{_pendulums.pivot, reach}};
     return out;
 }
 

@@ -1,7 +1,8 @@
-#include "balancers/ring.h"
+#include "balancers/kind.h"
 
+#include "balancers/balance_family.h"
 #include "balancers/circle_mass.h"
-#include "balancers/equal_masses.h"
+#include "closed_form/balanced_position.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,77 +89,105 @@ class RingMotion final : public PartsMotion {
     OwnRotation _own;
 };
 
+/// Equal rigid rings (mass m, inertia J about their own axes, bore radius R) side by side that hang
+/// on a journal of the rotor with the clearance e: a ring's centre stands at e exp(i g), g its
+/// angle, and turns by s about itself. A ring resists tilting with its plane of the rotor. The
+/// energy, to second order in slopes, and the loss:
+///
+///     T = circle mass (m, e) + J s'^2/2 - s' J Im(conj(phi) phi')/2 + J |phi'|^2/4
+///     F = c v^2/2 + d (s' - Omega)^2/2,   v = e (g' - Omega) - R (s' - Omega)
+///
+/// v is the speed of sliding at the contact, opposite the centre. docs/theory.md, "Ring balancers".
+class RingKind final : public Kind {
+  public:
+    explicit RingKind(const model::Rings &rings) : _rings(rings) {}
+
+    [[nodiscard]] std::string name() const override { return "ring"; }
+    [[nodiscard]] std::string parts() const override { return "rings"; }
+
+    [[nodiscard]] PartsInertia inertia() const override {
+        PartsInertia out;
+        out.mass = _rings.n * _rings.mass;
+        out.on_circle = out.mass * _rings.clearance * _rings.clearance;
+        out.own = _rings.n * _rings.inertia;
+        return out;
+    }
+
+    [[nodiscard]] Reach reach() const override {
+        const double largest = _rings.n * _rings.mass * _rings.clearance;
+        return {largest, largest, _rings.n > 1 ? "n m e/(m0 R0)" : "m e/(m0 R0)"};
+    }
+    [[nodiscard]] bool damped() const override { return _rings.damping > 0 && _rings.drag > 0; }
+
+    [[nodiscard]] std::vector<CircledMass> circled() const override {
+        const double moment = _rings.mass * _rings.clearance;
+        return {static_cast<std::size_t>(_rings.n), {moment, moment * _rings.clearance}};
+    }
+
+    [[nodiscard]] std::optional<std::vector<double>>
+    usual_position(double capacity) const override {
+        return symmetric_position(_rings.n, capacity);
+    }
+
+    /// y: displacement of the centres sigma, mean of i e exp(i g) dg, and, where rings and journal
+    /// feel each other, that of the bores tau, mean of i R exp(i g) ds, of which only the rate
+    /// matters.
+    [[nodiscard]] SmallMotions small_motions(const std::vector<double> &angles) const override {
+        const double n = _rings.n;
+        const double mass = n * _rings.mass;
+        const double R2 = _rings.bore_radius() * _rings.bore_radius();
+        const std::complex<double> D = closed_form::second_harmonic(angles);
+        const Eigen::Index unknowns = _rings.damping > 0 ? 2 : 1;
+        SmallMotions out;
+        out.pull = mass * Eigen::VectorXd::Unit(unknowns, 0);
+        out.conjugate = mass * D * Eigen::VectorXcd::Unit(unknowns, 0);
+        out.inertia = mass * Eigen::MatrixXd::Identity(unknowns, unknowns);
+        out.damping = Eigen::MatrixXd::Zero(unknowns, unknowns);
+        out.restoring = Eigen::VectorXd::Zero(unknowns);
+        out.drift = Eigen::VectorXd::Zero(unknowns);
+        double rate = 0;
+        if (unknowns == 2) {
+            const double c = n * _rings.damping;
+            out.inertia(1, 1) = n * _rings.inertia / R2;
+            out.damping << c, -c, -c, c + n * _rings.drag / R2;
+            rate = out.damping(1, 1) / out.inertia(1, 1);
+            out.drift(1) = SmallMotions::far_away * rate;
+        }
+        out.set_diameter(D, rate);
+        return out;
+    }
+
+    [[nodiscard]] std::shared_ptr<const PartsMotion> motion(bool tilt,
+                                                            double gravity) const override {
+        return std::make_shared<RingMotion>(_rings, tilt, gravity);
+    }
+
+    [[nodiscard]] std::vector<std::string> coordinates() const override {
+        std::vector<std::string> names;
+        for (const char *what : {"ring ", "rotation of ring "})
+            for (int j = 0; j < _rings.n; ++j)
+                names.push_back(what + std::to_string(j + 1));
+        return names;
+    }
+
+    /// The section of a homogeneous ring of this mass and inertia.
+    [[nodiscard]] Outline outline() const override {
+        const double bore = _rings.bore_radius();
+        Outline out;
+        out.label = "ring balancer";
+        out.sections = {{bore, std::sqrt(std::max(bore * bore, 2 * _rings.inertia / _rings.mass -
+                                                                   bore * bore))}};
+        return out;
+    }
+
+  private:
+    const model::Rings &_rings;
+};
+
 } // namespace
 
-PartsInertia RingKind::inertia() const {
-    PartsInertia out;
-    out.mass = _rings.n * _rings.mass;
-    out.on_circle = out.mass * _rings.clearance * _rings.clearance;
-    out.own = _rings.n * _rings.inertia;
-    return out;
-}
-
-Reach RingKind::reach() const {
-    const double largest = _rings.n * _rings.mass * _rings.clearance;
-    return {largest, largest, _rings.n > 1 ? "n m e/(m0 R0)" : "m e/(m0 R0)"};
-}
-
-std::vector<CircledMass> RingKind::circled() const {
-    const double moment = _rings.mass * _rings.clearance;
-    return {static_cast<std::size_t>(_rings.n), {moment, moment * _rings.clearance}};
-}
-
-std::optional<std::vector<double>> RingKind::usual_position(double capacity) const {
-    return symmetric_position(_rings.n, capacity);
-}
-
-/// y: displacement of the centres sigma, mean of i e exp(i g) dg, and, where rings and journal feel
-/// each other, that of the bores tau, mean of i R exp(i g) ds, of which only the rate matters.
-SmallMotions RingKind::small_motions(const std::vector<double> &angles) const {
-    const double n = _rings.n;
-    const double mass = n * _rings.mass;
-    const double R2 = _rings.bore_radius() * _rings.bore_radius();
-    const std::complex<double> D = second_harmonic(angles, 0, angles.size());
-    const Eigen::Index unknowns = _rings.damping > 0 ? 2 : 1;
-    SmallMotions out;
-    out.pull = mass * Eigen::VectorXd::Unit(unknowns, 0);
-    out.conjugate = mass * D * Eigen::VectorXcd::Unit(unknowns, 0);
-    out.inertia = mass * Eigen::MatrixXd::Identity(unknowns, unknowns);
-    out.damping = Eigen::MatrixXd::Zero(unknowns, unknowns);
-    out.restoring = Eigen::VectorXd::Zero(unknowns);
-    out.drift = Eigen::VectorXd::Zero(unknowns);
-    double rate = 0;
-    if (unknowns == 2) {
-        const double c = n * _rings.damping;
-        out.inertia(1, 1) = n * _rings.inertia / R2;
-        out.damping << c, -c, -c, c + n * _rings.drag / R2;
-        rate = out.damping(1, 1) / out.inertia(1, 1);
-        out.drift(1) = SmallMotions::far_away * rate;
-    }
-    out.set_diameter(D, rate);
-    return out;
-}
-
-std::shared_ptr<const PartsMotion> RingKind::motion(bool tilt, double gravity) const {
-    return std::make_shared<RingMotion>(_rings, tilt, gravity);
-}
-
-std::vector<std::string> RingKind::coordinates() const {
-    std::vector<std::string> names;
-    for (const char *what : {"ring ", "rotation of ring "})
-        for (int j = 0; j < _rings.n; ++j)
-            names.push_back(what + std::to_string(j + 1));
-    return names;
-}
-
-/// The section of a homogeneous ring of this mass and inertia.
-Outline RingKind::outline() const {
-    const double bore = _rings.bore_radius();
-    Outline out;
-    out.label = "ring balancer";
-    out.sections = {
-        {bore, std::sqrt(std::max(bore * bore, 2 * _rings.inertia / _rings.mass - bore * bore))}};
-    return out;
+std::unique_ptr<Kind> kind_of(const model::Rings &rings) {
+    return std::make_unique<RingKind>(rings);
 }
 
 } // namespace whirl::balancers

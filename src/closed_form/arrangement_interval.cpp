@@ -1,7 +1,6 @@
 #include "closed_form/arrangement_interval.h"
 
 #include "arrangement_groups.h"
-#include "closed_form/balanced_position.h"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -132,15 +131,6 @@ std::optional<ArrangementInterval> modulus_interval(int balls, double capacity, 
         }
     }
     return interval;
-}
-
-std::optional<ArrangementInterval> second_harmonic_interval(int balls, double capacity) {
-    return modulus_interval(balls, capacity, 0.0, 1.0);
-}
-
-std::optional<ArrangementInterval>
-anisotropy_interval(int balls, double capacity, double imbalance_inertia, double ball_inertia) {
-    return modulus_interval(balls, capacity, 0.5 * imbalance_inertia, 0.5 * ball_inertia);
 }
 
 } // namespace whirl::closed_form

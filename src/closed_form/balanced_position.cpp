@@ -6,22 +6,6 @@
 
 namespace whirl::closed_form {
 
-namespace {
-
-/// (1/n) sum exp(i multiple a_j).
-std::complex<double> mean_harmonic(const std::vector<double> &angles, double multiple) {
-    std::complex<double> sum = 0.0;
-    for (const double angle : angles)
-        sum += std::polar(1.0, multiple * angle);
-    return sum / static_cast<double>(angles.size());
-}
-
-} // namespace
-
-double capacity(int balls, double ball_mass, double ball_radius, double imbalance_moment) {
-    return balls * ball_mass * ball_radius / imbalance_moment;
-}
-
 std::optional<std::vector<double>> symmetric_position(int balls, double capacity) {
     if (balls < 2 || !(capacity >= 1.0))
         return std::nullopt;
@@ -38,12 +22,11 @@ std::optional<std::vector<double>> symmetric_position(int balls, double capacity
     return angles;
 }
 
-double balance_defect(const std::vector<double> &angles, double capacity) {
-    return std::abs(mean_harmonic(angles, 1.0) + 1.0 / capacity);
-}
-
-std::complex<double> second_harmonic(const std::vector<double> &angles) {
-    return mean_harmonic(angles, 2.0);
+std::complex<double> second_harmonic(std::span<const double> angles) {
+    std::complex<double> sum = 0.0;
+    for (const double angle : angles)
+        sum += std::polar(1.0, 2.0 * angle);
+    return sum / static_cast<double>(angles.size());
 }
 
 } // namespace whirl::closed_form

@@ -21,40 +21,6 @@ std::vector<TwoSupportRotor> principal_rotors(const RotatingCoefficients &c) {
 
 } // namespace
 
-RotatingCoefficients rotating_coefficients(const PhysicalParameters &physical) {
-    const BallSet &balls = physical.balls;
-    const double ball_mass = balls.count * balls.mass;
-    const double A_m = ball_mass * balls.radius * balls.radius;
-    const double A_m0 = physical.imbalance.inertia();
-    RotatingCoefficients c;
-    c.mass = physical.mass;
-    c.mean_inertia = physical.base_inertia + 0.5 * (A_m + A_m0);
-    c.polar_inertia = physical.polar_inertia + A_m + A_m0;
-    c.anisotropy = 0.5 * (A_m0 + A_m * physical.second_harmonic);
-    c.balancer_position = physical.balancer_position;
-    c.supports = physical.supports;
-    c.ball_mass = ball_mass;
-    c.h_s = balls.damping / balls.mass;
-    c.second_harmonic = physical.second_harmonic;
-    c.spin_speed = physical.spin_speed;
-    return c;
-}
-
-RotatingCoefficients rotating_coefficients(const DimensionlessParameters &d) {
-    RotatingCoefficients c;
-    c.mass = 1.0;
-    c.mean_inertia = 1.0;
-    c.polar_inertia = d.polar_inertia;
-    c.anisotropy = d.anisotropy();
-    c.balancer_position = d.balancer_position;
-    c.supports = {1.0, d.p * d.p, d.c_y, d.h_x, d.h_beta, d.h_y};
-    c.ball_mass = d.ball_mass;
-    c.h_s = d.h_s;
-    c.second_harmonic = d.second_harmonic;
-    c.spin_speed = d.spin_speed;
-    return c;
-}
-
 std::vector<double> critical_speeds(const RotatingCoefficients &coefficients) {
     std::vector<double> speeds;
     for (const TwoSupportRotor &rotor : principal_rotors(coefficients)) {

@@ -1,16 +1,10 @@
 #include "closed_form/pendulum_balancer.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace whirl::closed_form {
 
 using namespace std::complex_literals;
-
-bool PendulumMotion::valid() const {
-    const double limit = std::numbers::pi / 4.0;
-    return std::abs(phi) < limit && std::abs(psi) < limit;
-}
 
 double exact_efficiency(const PendulumRotor &rotor, const PendulumMotion &motion,
                         double speed_ratio) {

@@ -28,8 +28,7 @@ std::vector<Breakpoint> breakpoints(const std::vector<double> &critical,
         all.push_back({speed, true, false});
     for (const double speed : pinned)
         all.push_back({speed, false, true});
-    std::sort(all.begin(), all.end(),
-              [](const Breakpoint &a, const Breakpoint &b) { return a.speed < b.speed; });
+    std::ranges::sort(all, {}, &Breakpoint::speed);
     std::vector<Breakpoint> merged;
     for (const Breakpoint &point : all) {
         if (!merged.empty() && point.speed - merged.back().speed < one_speed * point.speed) {
@@ -127,7 +126,7 @@ std::vector<results::SpeedBand> sampled_bands(const SpeedFunction &criterion,
     }
     for (const double speed : turns)
         points.emplace_back(speed, criterion(speed));
-    std::sort(points.begin(), points.end());
+    std::ranges::sort(points);
     std::vector<results::SpeedBand> bands;
     const double last = points.back().first;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -151,7 +150,7 @@ std::vector<double> samples_around(const std::vector<double> &hints,
                                    const std::vector<double> &given, double from, double to) {
     std::vector<double> edges = hints;
     edges.insert(edges.end(), {from, to});
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
     std::vector<double> samples = given;
     samples.insert(samples.end(), {from, to});
     for (std::size_t i = 0; i + 1 < edges.size(); ++i)
@@ -162,7 +161,7 @@ std::vector<double> samples_around(const std::vector<double> &hints,
             samples.push_back(hint * (1 - distance));
             samples.push_back(hint * (1 + distance));
         }
-    std::sort(samples.begin(), samples.end());
+    std::ranges::sort(samples);
     std::vector<double> out;
     for (const double speed : samples)
         if (speed >= from && speed <= to && (out.empty() || speed - out.back() > 1e-12 * to))

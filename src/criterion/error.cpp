@@ -127,14 +127,14 @@ std::vector<std::size_t> counted_bands(const BalanceScene &scene, const BalanceB
     std::vector<std::size_t> counts;
     if (!points.sharp)
         return counts;
-    for (std::size_t i = 0; i < scene.planes.size(); ++i)
+    const auto count = [&](int plane, const std::vector<double> &pinned) {
+        const SpeedFunction criterion = [&](double speed) { return form.value(plane, speed); };
         counts.push_back(
-            sharp_bands([&](double speed) { return form.plane(static_cast<int>(i), speed); },
-                        points.critical, points.pinned[i], scene.from, scene.to)
-                .size());
-    counts.push_back(sharp_bands([&](double speed) { return form.joint(speed); }, points.critical,
-                                 points.pinned_all, scene.from, scene.to)
-                         .size());
+            sharp_bands(criterion, points.critical, pinned, scene.from, scene.to).size());
+    };
+    for (std::size_t i = 0; i < scene.planes.size(); ++i)
+        count(static_cast<int>(i), points.pinned[i]);
+    count(BalanceForm::all_planes, points.pinned_all);
     return counts;
 }
 
@@ -154,24 +154,18 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
                                      rigid ? scene.order : mesh_error::finer_order(scene.order));
     BalanceForm finer(d, scene.formulation.form, scene.places(d), scene.plane_positions());
     std::vector<std::string> &notes = result.model.notes;
-    const auto judge_one = [&](const std::string &which, results::BalanceBands &of, auto &&value,
-                               SpeedFunction rounding) {
-        const Judged given{[&](double speed) { return value(form, speed); }, std::move(rounding)};
-        const SpeedFunction fine = [&](double speed) { return value(finer, speed); };
+    const auto judge_one = [&](const std::string &which, int plane, results::BalanceBands &of) {
+        const Judged given{[&](double speed) { return form.value(plane, speed); },
+                           [&](double speed) { return form.rounding(plane, speed); }};
+        const SpeedFunction fine = [&](double speed) { return finer.value(plane, speed); };
         note_lonely(which, judge(scene, given, rigid ? nullptr : &fine, of), notes);
     };
     for (std::size_t i = 0; i < result.planes.size(); ++i)
-        judge_one(
-            fmt::format("plane {}", i + 1), result.planes[i].bands,
-            [i](BalanceForm &of, double speed) { return of.plane(static_cast<int>(i), speed); },
-            [&form, i](double speed) { return form.plane_rounding(static_cast<int>(i), speed); });
+        judge_one(fmt::format("plane {}", i + 1), static_cast<int>(i), result.planes[i].bands);
     if (result.planes.size() == 1)
         result.joint.bands.errors = result.planes[0].bands.errors;
     else
-        judge_one(
-            "all planes together", result.joint.bands,
-            [](BalanceForm &of, double speed) { return of.joint(speed); },
-            [&form](double speed) { return form.joint_rounding(speed); });
+        judge_one("all planes together", BalanceForm::all_planes, result.joint.bands);
     if (rigid)
         return;
     const std::vector<std::size_t> counts =

@@ -28,9 +28,8 @@ Eigen::MatrixXd range_of_planes(const std::vector<double> &z, double length, boo
             forces.row(i) << 1, (at - length / 2) / length;
             continue;
         }
-        const auto same = std::find_if(z.begin(), z.end(), [&](double other) {
-            return std::abs(other - at) <= one_place * length;
-        });
+        const auto same = std::ranges::find_if(
+            z, [&](double other) { return std::abs(other - at) <= one_place * length; });
         forces(i, same - z.begin()) = 1;
     }
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(forces, Eigen::ComputeFullU);
@@ -63,15 +62,15 @@ const Eigen::MatrixXcd &BalanceForm::at(double speed) {
         "no steady motion at or beside {:.6g} rad/s: the rotor is free to move", speed));
 }
 
-double BalanceForm::plane(int index, double speed) { return at(speed)(index, index).real(); }
-
 Eigen::MatrixXcd BalanceForm::on_range(double speed) {
     const Eigen::MatrixXcd range = _range.cast<std::complex<double>>();
     const Eigen::MatrixXcd of_range = at(speed) * range;
     return range.adjoint() * of_range;
 }
 
-double BalanceForm::joint(double speed) {
+double BalanceForm::value(int plane, double speed) {
+    if (plane != all_planes)
+        return at(speed)(plane, plane).real();
     const Eigen::MatrixXcd form = on_range(speed);
     if (form.rows() == 1)
         return form(0, 0).real();
@@ -80,11 +79,9 @@ double BalanceForm::joint(double speed) {
         .maxCoeff();
 }
 
-double BalanceForm::plane_rounding(int index, double speed) {
-    return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), index));
-}
-
-double BalanceForm::joint_rounding(double speed) {
+double BalanceForm::rounding(int plane, double speed) {
+    if (plane != all_planes)
+        return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), plane));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
     return _receptance.rounding(speed, _range * solver.eigenvectors().rightCols<1>());
 }
@@ -105,7 +102,7 @@ results::SignaturePoint BalanceForm::signature(double speed) {
         worst *= std::conj(worst(largest)) / std::abs(worst(largest));
     point.worst.assign(worst.data(), worst.data() + worst.size());
     point.eigenvalues.resize(static_cast<std::size_t>(_range.rows()), 0.0);
-    std::sort(point.eigenvalues.begin(), point.eigenvalues.end());
+    std::ranges::sort(point.eigenvalues);
     return point;
 }
 

@@ -22,14 +22,14 @@ class BalanceForm {
     /// @throws model::AnalysisFailure where there is none there either.
     [[nodiscard]] const Eigen::MatrixXcd &at(double speed);
 
-    /// Re R_jj.
-    [[nodiscard]] double plane(int index, double speed);
-    /// Largest eigenvalue on the imbalances that make a force at all (all of them, unless the
-    /// rotor is rigid and has more than two planes).
-    [[nodiscard]] double joint(double speed);
-    /// How far plane() and joint() can be off by rounding, 1/kg.
-    [[nodiscard]] double plane_rounding(int index, double speed);
-    [[nodiscard]] double joint_rounding(double speed);
+    /// In place of a plane: all of them.
+    static constexpr int all_planes = -1;
+    /// The criterion: Re R_jj of a plane, or of all planes the largest eigenvalue on the imbalances
+    /// that make a force at all (all of them, unless the rotor is rigid and has more than two
+    /// planes).
+    [[nodiscard]] double value(int plane, double speed);
+    /// How far it can be off by rounding, 1/kg.
+    [[nodiscard]] double rounding(int plane, double speed);
     /// Eigenvalues of the form; those of imbalances without force are exactly zero.
     [[nodiscard]] results::SignaturePoint signature(double speed);
 

@@ -163,14 +163,12 @@ PendulumShaft::motions(double speed, const std::vector<PendulumSteadyMotion> &gi
     for (Eigen::VectorXcd &u : starts) {
         if (!u.allFinite() || !newton(u))
             continue;
-        const bool known = std::any_of(found.begin(), found.end(), [&u](const auto &other) {
-            return (u - other).norm() <= 1e-8 * u.norm();
-        });
+        const bool known = std::ranges::any_of(
+            found, [&u](const auto &other) { return (u - other).norm() <= 1e-8 * u.norm(); });
         if (!known)
             found.push_back(u);
     }
-    std::sort(found.begin(), found.end(),
-              [](const auto &a, const auto &b) { return a.norm() < b.norm(); });
+    std::ranges::sort(found, {}, [](const auto &u) { return u.norm(); });
     std::vector<PendulumSteadyMotion> out;
     for (const Eigen::VectorXcd &u : found)
         out.push_back(motion_of(u));

@@ -71,11 +71,6 @@ class PendulumStability {
     /// @param modes          at rest, that the rotor keeps
     /// @throws linalg::SolverError where the supports leave the rotor free
     PendulumStability(const PendulumShaft &shaft, double bearing_speed, int modes = 8);
-    ~PendulumStability();
-    PendulumStability(const PendulumStability &) = delete;
-    PendulumStability &operator=(const PendulumStability &) = delete;
-    PendulumStability(PendulumStability &&) = delete;
-    PendulumStability &operator=(PendulumStability &&) = delete;
 
     /// Largest real part of the eigenvalues, 1/s.
     [[nodiscard]] double growth(double speed, const PendulumSteadyMotion &motion) const;
@@ -83,8 +78,10 @@ class PendulumStability {
     [[nodiscard]] double rounding(double speed) const;
 
   private:
-    struct Data;
-    std::unique_ptr<Data> _data;
+    std::vector<balancers::PlacedPendulums> _pendulums;
+    Eigen::MatrixXd _M, _G, _K, _Ce, _Ci; ///< of the kept motions
+    Eigen::MatrixXd _places;              ///< their deflections at the balancers, rows
+    double _stiffest = 0;                 ///< highest frequency kept, rad/s
 };
 
 } // namespace whirl::criterion

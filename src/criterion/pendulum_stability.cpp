@@ -47,13 +47,6 @@ forced_places(const assembly::Discretization &d,
     return places;
 }
 
-Sparse support_damping(const assembly::Discretization &d, double speed) {
-    const auto entries = modes::planar_support_damping(d, speed);
-    Sparse C(d.planar_size(), d.planar_size());
-    C.setFromTriplets(entries.begin(), entries.end());
-    return C;
-}
-
 /// P + i Q on (x; y).
 Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
     Eigen::MatrixXd out(2 * P.rows(), 2 * P.cols());
@@ -63,64 +56,54 @@ Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
 
 } // namespace
 
-struct PendulumStability::Data {
-    std::vector<balancers::PlacedPendulums> pendulums;
-    Eigen::MatrixXd M, G, K, Ce, Ci; ///< of the kept motions
-    Eigen::MatrixXd places;          ///< deflections of the kept motions at the balancers, rows
-    double stiffest = 0;             ///< highest frequency kept, rad/s
-};
-
 PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_speed, int modes)
-    : _data(std::make_unique<Data>()) {
-    Data &data = *_data;
+    : _pendulums(shaft.pendulums()) {
     const assembly::Discretization &d = shaft.rotor();
-    data.pendulums = shaft.pendulums();
-    const auto count = static_cast<Eigen::Index>(data.pendulums.size());
+    const auto count = static_cast<Eigen::Index>(_pendulums.size());
     const Eigen::MatrixXd forces =
-        assembly::unit_loads(forced_places(d, data.pendulums), d.planar_size());
+        assembly::unit_loads(forced_places(d, _pendulums), d.planar_size());
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
     const Eigen::MatrixXd V = basis_of(system, forces, modes);
     const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd {
         const Eigen::MatrixXd of_basis = A * V;
         return V.transpose() * of_basis;
     };
-    data.M = kept(system.M.view());
-    data.G = kept(system.G.view());
-    data.K = kept(system.K.view());
-    data.Ce = kept(support_damping(d, bearing_speed));
-    data.Ci = kept(assembly::planar_part(d, assembly::Term::damping));
+    _M = kept(system.M.view());
+    _G = kept(system.G.view());
+    _K = kept(system.K.view());
+    const auto damping = linalg::Matrix::from_entries(
+        d.planar_size(), modes::planar_support_damping(d, bearing_speed));
+    _Ce = kept(damping.view());
+    _Ci = kept(assembly::planar_part(d, assembly::Term::damping));
     const Eigen::MatrixXd places = forces.leftCols(count);
-    data.places = places.transpose() * V;
-    data.stiffest = std::sqrt(data.K.diagonal().maxCoeff());
+    _places = places.transpose() * V;
+    _stiffest = std::sqrt(_K.diagonal().maxCoeff());
 }
-
-PendulumStability::~PendulumStability() = default;
 
 /// With D = d/dt + i W the derivative in the rotating frame, e the deflection at a balancer:
 /// M D^2 w - i W G D w + C_e D w + C_i w' + K w + sum 2 m l e D^2 (i cos(phi) p - cos(psi) q) = 0,
 /// 2 m l^2 p'' + 2 H_1 p' + (2 m a l W^2 / cos(phi)) p + 2 m l cos(phi) Im D^2 (e w) = 0, q
 /// likewise with -Re. Pendulum unknowns are scaled to a unit mass matrix.
 double PendulumStability::growth(double speed, const PendulumSteadyMotion &motion) const {
-    const Data &d = *_data;
     const double W = speed;
-    const Eigen::Index k = d.M.rows();
-    const auto n = static_cast<Eigen::Index>(d.pendulums.size());
+    const Eigen::Index k = _M.rows();
+    const auto n = static_cast<Eigen::Index>(_pendulums.size());
     const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(k, k);
     const Eigen::Index size = 2 * k + 2 * n;
     Eigen::MatrixXd M = Eigen::MatrixXd::Identity(size, size);
     Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size, size);
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
-    M.topLeftCorner(2 * k, 2 * k) = real_form(d.M, none);
-    C.topLeftCorner(2 * k, 2 * k) = real_form(d.Ce + d.Ci, 2 * W * d.M - W * d.G);
-    K.topLeftCorner(2 * k, 2 * k) = real_form(d.K - W * W * (d.M - d.G), W * d.Ce);
+    M.topLeftCorner(2 * k, 2 * k) = real_form(_M, none);
+    C.topLeftCorner(2 * k, 2 * k) = real_form(_Ce + _Ci, 2 * W * _M - W * _G);
+    K.topLeftCorner(2 * k, 2 * k) = real_form(_K - W * W * (_M - _G), W * _Ce);
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(2 * k, 2 * n); // shaft forces of the pendulums
     for (Eigen::Index j = 0; j < n; ++j) {
-        const balancers::PlacedPendulums &p = d.pendulums[static_cast<std::size_t>(j)];
+        const balancers::PlacedPendulums &p = _pendulums[static_cast<std::size_t>(j)];
         const double cos_phi = std::cos(motion.phi(j));
         const double cos_psi = std::cos(motion.psi(j));
         const double force = std::sqrt(2 * p.mass);
-        S.col(2 * j).tail(k) = force * cos_phi * d.places.row(j).transpose();
-        S.col(2 * j + 1).head(k) = -force * cos_psi * d.places.row(j).transpose();
+        S.col(2 * j).tail(k) = force * cos_phi * _places.row(j).transpose();
+        S.col(2 * j + 1).head(k) = -force * cos_psi * _places.row(j).transpose();
         const Eigen::Index at = 2 * k + 2 * j;
         C(at, at) = C(at + 1, at + 1) = p.damping / (p.mass * p.arm * p.arm);
         K(at, at) = W * W * p.pivot / (p.arm * cos_phi);
@@ -148,7 +131,7 @@ double PendulumStability::growth(double speed, const PendulumSteadyMotion &motio
 
 double PendulumStability::rounding(double speed) const {
     // Undamped roots lie on the imaginary axis within rounding; double ones within its root.
-    return 1e-6 * speed + 1e-8 * _data->stiffest;
+    return 1e-6 * speed + 1e-8 * _stiffest;
 }
 
 } // namespace whirl::criterion

@@ -74,7 +74,7 @@ results::BestPlace best_of(const std::vector<results::BestPlace> &places) {
     const auto more = [](const results::BestPlace &a, const results::BestPlace &b) {
         return a.share < b.share;
     };
-    const double largest = std::max_element(places.begin(), places.end(), more)->share;
+    const double largest = std::ranges::max_element(places, more)->share;
     results::BestPlace best;
     best.margin = -2;
     for (const results::BestPlace &place : places) // shares on the grid are equal to about 1e-3

@@ -56,7 +56,7 @@ std::vector<results::SpeedBand> rigid_plane_bands(const results::RigidEquivalent
 std::vector<results::SpeedBand> rigid_joint_bands(const results::RigidEquivalent &rigid,
                                                   const std::vector<double> &planes, double from,
                                                   double to) {
-    const auto [least, largest] = std::minmax_element(planes.begin(), planes.end());
+    const auto [least, largest] = std::ranges::minmax_element(planes);
     // One place, measured by the radius of gyration.
     if (*largest - *least < 1e-9 * std::sqrt(rigid.diametral / rigid.mass))
         return rigid_plane_bands(rigid, *least, from, to);

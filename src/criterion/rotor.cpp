@@ -6,6 +6,7 @@
 #include "model/errors.h"
 #include "model/variants.h"
 #include "process/parallel.h"
+#include "synchronous/parts.h"
 
 #include <fmt/format.h>
 
@@ -45,9 +46,8 @@ std::vector<assembly::Combination> damped_places(const assembly::Discretization 
                                                  const model::Rotor &rotor) {
     std::vector<assembly::Combination> places;
     for (const model::Bearing &bearing : rotor.bearings) {
-        const bool damped =
-            std::any_of(bearing.rows.begin(), bearing.rows.end(),
-                        [](const model::BearingCoefficients &row) { return !row.c.isZero(0); });
+        const bool damped = std::ranges::any_of(
+            bearing.rows, [](const model::BearingCoefficients &row) { return !row.c.isZero(0); });
         if (damped)
             places.push_back(d.deflection_at(bearing.z));
     }
@@ -62,11 +62,8 @@ bool bearings_push_back(const model::Rotor &rotor) {
     const auto pushes_back = [](const Eigen::Matrix2d &k) {
         return model::symmetric(k) && !model::pushes_away(k);
     };
-    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const model::Bearing &b) {
-        return std::all_of(
-            b.rows.begin(), b.rows.end(), [&](const model::BearingCoefficients &row) {
-                return pushes_back(row.k) && pushes_back(row.kt) && model::symmetric(row.m);
-            });
+    return rotor.every_row([&](const model::BearingCoefficients &row) {
+        return pushes_back(row.k) && pushes_back(row.kt) && model::symmetric(row.m);
     });
 }
 
@@ -79,13 +76,10 @@ std::vector<double> reading_speeds(const BalanceScene &scene) {
     std::vector<double> speeds{scene.from};
     if (!scene.rotor.bearings_depend_on_speed())
         return speeds;
-    for (const model::Bearing &bearing : scene.rotor.bearings)
-        for (const double speed : bearing.speeds)
-            if (speed > scene.from && speed < scene.to)
-                speeds.push_back(speed);
+    for (const double row : synchronous::table_speeds(scene.rotor))
+        if (row > scene.from && row < scene.to)
+            speeds.push_back(row);
     speeds.push_back(scene.to);
-    std::sort(speeds.begin(), speeds.end());
-    speeds.erase(std::unique(speeds.begin(), speeds.end()), speeds.end());
     return speeds;
 }
 
@@ -109,7 +103,7 @@ std::vector<double> hints_of(const BalanceScene &scene) {
         if (!locked.empty())
             append(hints, at_speed.pinned_critical_speeds(locked, from, to));
     }
-    std::sort(hints.begin(), hints.end());
+    std::ranges::sort(hints);
     return hints;
 }
 

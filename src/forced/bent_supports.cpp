@@ -18,26 +18,6 @@ namespace {
 using Complex = std::complex<double>;
 using model::BearingCoefficients;
 
-/// Largest departure of the rows between two others from the line, of the largest entry there.
-double bend_between(const model::Bearing &bearing, double from, double to) {
-    const BearingCoefficients a = bearing.at(from);
-    const BearingCoefficients b = bearing.at(to);
-    double out = 0;
-    for (const auto part : {&BearingCoefficients::k, &BearingCoefficients::c}) {
-        const double size =
-            std::max((a.*part).cwiseAbs().maxCoeff(), (b.*part).cwiseAbs().maxCoeff());
-        for (std::size_t i = 0; i < bearing.speeds.size(); ++i) {
-            if (bearing.speeds[i] <= from || bearing.speeds[i] >= to)
-                continue;
-            const double t = (bearing.speeds[i] - from) / (to - from);
-            const double gap =
-                (bearing.rows[i].*part - (1 - t) * (a.*part) - t * (b.*part)).cwiseAbs().maxCoeff();
-            out = std::max(out, gap > 0 ? gap / size : 0);
-        }
-    }
-    return out;
-}
-
 /// Changes of P in place of a row or column of k and c.
 Eigen::MatrixXcd block_of(const ShapeTerms &terms, const Eigen::Matrix2cd &block) {
     return block.topLeftCorner(terms.planes(), terms.planes());
@@ -52,12 +32,11 @@ std::vector<double> rows_of_straight_pieces(const model::Rotor &rotor) {
     std::vector<double> out;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const bool last = i + 1 == rows.size();
-        const bool needed =
-            last || std::binary_search(bends.begin(), bends.end(), rows[i]) ||
-            std::any_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const auto &bearing) {
-                return bearing.depends_on_speed() &&
-                       bend_between(bearing, out.back(), rows[i + 1]) > straight;
-            });
+        const bool needed = last || std::ranges::binary_search(bends, rows[i]) ||
+                            std::ranges::any_of(rotor.bearings, [&](const auto &bearing) {
+                                return bearing.depends_on_speed() &&
+                                       bearing.bend_between(out.back(), rows[i + 1]) > straight;
+                            });
         if (needed)
             out.push_back(rows[i]);
     }
@@ -94,7 +73,7 @@ BentSupports::BentSupports(const assembly::Discretization &discretization, const
         _columns.conservativeResize(more.rows(), _columns.cols() + more.cols());
         _columns.rightCols(more.cols()) = more;
     }
-    std::sort(_inner.begin(), _inner.end());
+    std::ranges::sort(_inner);
     _inner.erase(std::unique(_inner.begin(), _inner.end()), _inner.end());
 }
 
@@ -240,7 +219,7 @@ std::vector<Complex> BentSupports::poles(const QuadraticTerms &lines,
             continue;
         }
         const std::optional<Complex> found = pole(lines, guess);
-        sure = sure && found && std::none_of(near.begin(), near.end(), [&](const Complex &other) {
+        sure = sure && found && std::ranges::none_of(near, [&](const Complex &other) {
                    return std::abs(other - *found) <= one * std::abs(other);
                });
         if (!sure)

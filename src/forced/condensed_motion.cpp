@@ -79,17 +79,11 @@ bool CondensedMotion::describes(const assembly::Discretization &discretization) 
     return !discretization.rigid() && shaft.modal_damping.empty() && shaft.axial_torque == 0;
 }
 
-CondensedMotion::CondensedMotion(const assembly::Discretization &discretization, results::Form form,
-                                 Nodes nodes)
+CondensedMotion::CondensedMotion(const assembly::Discretization &discretization, results::Form form)
     : _discretization(discretization), _rotating(form == results::Form::rotating),
       _parts(part_count(form)), _matrix(0, 0) {
-    const auto count = static_cast<int>(discretization.shaft_mesh().nodes.size());
-    if (nodes == Nodes::attached)
-        for (const auto &[node, name] : attached_nodes(discretization))
-            _places.emplace(node, 0);
-    else
-        for (int node = 0; node < count; ++node)
-            _places.emplace(node, 0);
+    for (const auto &[node, name] : attached_nodes(discretization))
+        _places.emplace(node, 0);
     find_stretches();
     int place = 0;
     for (auto &[node, at] : _places)

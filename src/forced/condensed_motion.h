@@ -14,7 +14,7 @@ namespace whirl::forced {
 
 /// Synchronous steady motion like ForcedMotion, of an elastic shaft, with the internal unknowns of
 /// each element eliminated at each speed: exact, and the cost of a high order stays in the
-/// elements. What is left is a chain of nodes. Of these the ones that nothing is attached to can be
+/// elements. What is left is a chain of nodes. Of these the ones that nothing is attached to are
 /// eliminated too: n equal elements in a row are joined two by two, log2 n times, so that a fine
 /// mesh costs hardly more than a coarse one.
 ///
@@ -24,11 +24,8 @@ namespace whirl::forced {
 /// shaft of two stiffnesses stands still with the motion along and across its stiff axis.
 class CondensedMotion {
   public:
-    enum class Nodes { all, attached }; ///< which of them stay
-
     /// @param discretization  of a shaft that can be described so; must outlive this
-    CondensedMotion(const assembly::Discretization &discretization, results::Form form,
-                    Nodes nodes = Nodes::all);
+    CondensedMotion(const assembly::Discretization &discretization, results::Form form);
 
     /// Nothing acts across its elements, and they bend.
     [[nodiscard]] static bool describes(const assembly::Discretization &discretization);

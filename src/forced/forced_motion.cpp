@@ -82,6 +82,15 @@ struct Linear {
     }
 };
 
+/// Takes what is multiplied by the speed out of A, which is linear between two speeds, into
+/// `per_speed`.
+void split(double from, linalg::Matrix &A, double to, const linalg::Matrix &A_to,
+           linalg::Matrix &per_speed) {
+    Linear parts(from, A, to, A_to);
+    A = std::move(parts.constant);
+    per_speed = linalg::Matrix::sum(1, per_speed, 1, parts.slope);
+}
+
 } // namespace
 
 void ForcedMotion::assemble(double from, double to) {
@@ -102,14 +111,9 @@ void ForcedMotion::assemble_rotating(double from, double to) {
         return;
     // (K + s dK) + s (Ks + s dKs) + s^2 Kss, C + s (Cs + dC)
     const assembly::RotatingSystem end = assembly::assemble_rotating(_discretization, to, {});
-    Linear K(from, _turning->K, to, end.K);
-    Linear Ks(from, _turning->Ks, to, end.Ks);
-    Linear C(from, _turning->C, to, end.C);
-    _turning->K = std::move(K.constant);
-    _turning->Ks = linalg::Matrix::sum(1, Ks.constant, 1, K.slope);
-    _turning->Kss = linalg::Matrix::sum(1, _turning->Kss, 1, Ks.slope);
-    _turning->C = std::move(C.constant);
-    _turning->Cs = linalg::Matrix::sum(1, _turning->Cs, 1, C.slope);
+    split(from, _turning->Ks, to, end.Ks, _turning->Kss);
+    split(from, _turning->K, to, end.K, _turning->Ks);
+    split(from, _turning->C, to, end.C, _turning->Cs);
 }
 
 void ForcedMotion::assemble_planar(double from, double to) {
@@ -133,20 +137,14 @@ void ForcedMotion::assemble_planar(double from, double to) {
 }
 
 void ForcedMotion::assemble_general(double from, double to) {
-    const assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
-    if (!(to > from)) {
-        _solver = std::make_unique<linalg::HarmonicSolver>(
-            linalg::HarmonicTerms{&system.M, &system.C, &system.G, &system.K, &system.Kc});
-        return;
+    assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
+    if (to > from) { // (K + s dK) + s Kc + i s (C + s dC + s G) - s^2 M
+        const assembly::FixedSystem end = assembly::assemble_fixed(_discretization, to);
+        split(from, system.K, to, end.K, system.Kc);
+        split(from, system.C, to, end.C, system.G);
     }
-    // (K + s dK) + s Kc + i s (C + s dC + s G) - s^2 M
-    const assembly::FixedSystem end = assembly::assemble_fixed(_discretization, to);
-    const Linear K(from, system.K, to, end.K);
-    const Linear C(from, system.C, to, end.C);
-    const linalg::Matrix Kc = linalg::Matrix::sum(1, system.Kc, 1, K.slope);
-    const linalg::Matrix G = linalg::Matrix::sum(1, system.G, 1, C.slope);
     _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{&system.M, &C.constant, &G, &K.constant, &Kc});
+        linalg::HarmonicTerms{&system.M, &system.C, &system.G, &system.K, &system.Kc});
 }
 
 void ForcedMotion::assemble_under_weight(double from, double to) {
@@ -157,16 +155,11 @@ void ForcedMotion::assemble_under_weight(double from, double to) {
             linalg::HarmonicTerms{&M, &_turning->C, &_turning->Cs, &_turning->K, &_turning->Ks});
         return;
     }
-    const assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
-    if (!(to > from)) {
-        _solver = std::make_unique<linalg::HarmonicSolver>(
-            linalg::HarmonicTerms{nullptr, nullptr, nullptr, &system.K, &system.Kc});
-        return;
-    }
-    const Linear K(from, system.K, to, assembly::assemble_fixed(_discretization, to).K);
-    const linalg::Matrix Kc = linalg::Matrix::sum(1, system.Kc, 1, K.slope);
+    assembly::FixedSystem system = assembly::assemble_fixed(_discretization, from);
+    if (to > from)
+        split(from, system.K, to, assembly::assemble_fixed(_discretization, to).K, system.Kc);
     _solver = std::make_unique<linalg::HarmonicSolver>(
-        linalg::HarmonicTerms{nullptr, nullptr, nullptr, &K.constant, &Kc});
+        linalg::HarmonicTerms{nullptr, nullptr, nullptr, &system.K, &system.Kc});
 }
 
 void ForcedMotion::enter_piece(double speed) {

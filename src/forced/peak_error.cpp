@@ -78,8 +78,7 @@ PeakError::PeakError(const assembly::Discretization &coarse, results::Form form,
                      Drive drive)
     : _quantities(quantities), _places(places), _finer(coarse, form, drive) {}
 
-Phasor PeakError::finer(int quantity) const {
-    const auto i = static_cast<std::size_t>(quantity);
+Phasor PeakError::finer(std::size_t i) const {
     if (_quantities[i].film)
         return _finer.finer_stretch(*_quantities[i].film);
     return _quantities[i].bearing == Quantity::deflection
@@ -96,13 +95,13 @@ void PeakError::solve_about(double middle, double width) {
         _finer.solve(middle + (i - 1) * width);
         auto &motions = _motions[static_cast<std::size_t>(i)];
         motions.clear();
-        for (int q = 0; q < static_cast<int>(_quantities.size()); ++q)
+        for (std::size_t q = 0; q < _quantities.size(); ++q)
             motions.push_back(finer(q));
     }
 }
 
 PeakErrors PeakError::of(const Peak &peak, double middle, double width, ReducedMotion &reduced) {
-    const auto q = static_cast<std::size_t>(peak.quantity);
+    const std::size_t q = peak.quantity;
     std::array<Phasor, 3> mine;
     for (int i = 0; i < 3; ++i)
         mine[static_cast<std::size_t>(i)] = reduced.at(middle + (i - 1) * width)[q].value;
@@ -139,8 +138,7 @@ std::vector<PeakErrors> PeakError::of(const std::vector<Peak> &peaks, ReducedMot
     std::vector<std::size_t> order(peaks.size());
     for (std::size_t i = 0; i < order.size(); ++i)
         order[i] = i;
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return peaks[a].speed < peaks[b].speed; });
+    std::ranges::sort(order, {}, [&](std::size_t i) { return peaks[i].speed; });
     double middle = 0;
     double width = 0;
     for (const std::size_t i : order) {

@@ -38,7 +38,7 @@ class PeakError {
     double _middle = 0, _width = 0;
 
     void solve_about(double middle, double width);
-    [[nodiscard]] Phasor finer(int quantity) const;
+    [[nodiscard]] Phasor finer(std::size_t quantity) const;
     [[nodiscard]] PeakErrors of(const Peak &peak, double middle, double width,
                                 ReducedMotion &reduced);
 };

@@ -36,8 +36,7 @@ std::vector<Resonance> resonances_of(const std::vector<std::complex<double>> &po
     for (const std::complex<double> &pole : poles)
         if (pole.real() > from && pole.real() < to)
             out.push_back({pole.real(), std::abs(pole.imag())});
-    std::sort(out.begin(), out.end(),
-              [](const Resonance &a, const Resonance &b) { return a.speed < b.speed; });
+    std::ranges::sort(out, {}, &Resonance::speed);
     return out;
 }
 
@@ -59,8 +58,7 @@ PeakSearch::PeakSearch(ReducedMotion &motion, double from, double to)
       _cuts(motion.cuts(_low, _high)) {
     for (int piece = 0; piece + 1 < static_cast<int>(_cuts.size()); ++piece)
         sample_piece(piece);
-    const auto quantities = static_cast<int>(_samples.front().value.size());
-    for (int quantity = 0; quantity < quantities; ++quantity)
+    for (std::size_t quantity = 0; quantity < _samples.front().value.size(); ++quantity)
         find(quantity);
 }
 
@@ -126,22 +124,20 @@ double PeakSearch::width_at(double speed) const {
     return width > 0 ? width : best;
 }
 
-void PeakSearch::find(int quantity) {
-    const auto q = static_cast<std::size_t>(quantity);
+void PeakSearch::find(std::size_t q) {
     for (std::size_t i = 0; i + 1 < _samples.size(); ++i) {
         const Sample &a = _samples[i];
         const Sample &b = _samples[i + 1];
         const bool inside = b.speed > _from && a.speed < _to;
         if (!inside || !(a.slope[q] > 0) || !(b.slope[q] <= 0))
             continue;
-        const bool pole =
-            std::any_of(_resonances.begin(), _resonances.end(), [&](const Resonance &r) {
-                return r.speed > a.speed && r.speed < b.speed && r.undamped();
-            });
+        const bool pole = std::ranges::any_of(_resonances, [&](const Resonance &r) {
+            return r.speed > a.speed && r.speed < b.speed && r.undamped();
+        });
         if (pole && a.piece == b.piece)
-            endless_peak(quantity, i);
+            endless_peak(q, i);
         else if (stands_out(i, q))
-            peak_between(quantity, i);
+            peak_between(q, i);
     }
 }
 
@@ -162,8 +158,7 @@ bool PeakSearch::stands_out(std::size_t left, std::size_t quantity) const {
     return std::min(before.value[quantity], after.value[quantity]) < top - least;
 }
 
-void PeakSearch::endless_peak(int quantity, std::size_t left) {
-    const auto q = static_cast<std::size_t>(quantity);
+void PeakSearch::endless_peak(std::size_t q, std::size_t left) {
     // What is driven grows like the inverse of the distance: by a third at least in two steps.
     constexpr double grown = 1.2;
     // What rounding leaves of terms that cancel grows there as well.
@@ -176,7 +171,7 @@ void PeakSearch::endless_peak(int quantity, std::size_t left) {
     if (!driven)
         return;
     Peak peak;
-    peak.quantity = quantity;
+    peak.quantity = q;
     peak.speed = (_samples[left].speed + _samples[left + 1].speed) / 2;
     for (const Resonance &r : _resonances)
         if (r.speed > _samples[left].speed && r.speed < _samples[left + 1].speed)
@@ -188,20 +183,17 @@ void PeakSearch::endless_peak(int quantity, std::size_t left) {
     _peaks.push_back(peak);
 }
 
-void PeakSearch::peak_between(int quantity, std::size_t left) {
-    const auto q = static_cast<std::size_t>(quantity);
+void PeakSearch::peak_between(std::size_t q, std::size_t left) {
     const Sample &a = _samples[left];
     const Sample &b = _samples[left + 1];
     enter(a.piece);
     Peak peak;
-    peak.quantity = quantity;
+    peak.quantity = q;
     peak.speed = a.speed; // at the row of a bearing table the slope jumps
     if (b.speed > a.speed)
-        peak.speed = corrected(
-            linalg::root_between(
-                [&](double speed) { return _motion.quickly_at(speed, quantity).major_slope(); },
-                a.speed, a.slope[q], b.speed, b.slope[q]),
-            quantity);
+        peak.speed = corrected(linalg::root_between([&](double at) { return slope(at, q); },
+                                                    a.speed, a.slope[q], b.speed, b.slope[q]),
+                               q);
     if (peak.speed <= _from || peak.speed >= _to)
         return;
     const Reading reading = _motion.at(peak.speed)[q];
@@ -215,19 +207,15 @@ void PeakSearch::peak_between(int quantity, std::size_t left) {
     _peaks.push_back(peak);
 }
 
-double PeakSearch::corrected(double speed, int quantity) const {
-    const double slope = _motion.at(speed)[static_cast<std::size_t>(quantity)].major_slope();
-    const auto quick = [&](double at) { return _motion.quickly_at(at, quantity).major_slope(); };
+double PeakSearch::corrected(double speed, std::size_t quantity) const {
+    const double exact = _motion.at(speed)[quantity].major_slope();
     const double apart = 0.01 * width_at(speed);
-    const double curvature = (quick(speed + apart) - quick(speed - apart)) / (2 * apart);
-    const double step = -slope / curvature;
+    const double curvature =
+        (slope(speed + apart, quantity) - slope(speed - apart, quantity)) / (2 * apart);
+    const double step = -exact / curvature;
     constexpr double rounding = 1e-12;
     const bool tells = std::abs(step) > rounding * std::abs(speed) && std::abs(step) < apart;
     return tells ? speed + step : speed;
-}
-
-double PeakSearch::major(double speed, std::size_t quantity) const {
-    return _motion.quickly_at(speed, static_cast<int>(quantity)).major();
 }
 
 double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t quantity) const {
@@ -242,7 +230,7 @@ double PeakSearch::bottom_between(const Sample &a, const Sample &b, std::size_t 
 
 std::optional<double> PeakSearch::half_power(const Peak &peak, std::size_t start,
                                              int direction) const {
-    const auto q = static_cast<std::size_t>(peak.quantity);
+    const std::size_t q = peak.quantity;
     const double level = peak.value / std::numbers::sqrt2;
     const auto crossing = [&](double near, double near_value, double far, double far_value) {
         return linalg::root_between([&](double speed) { return major(speed, q) - level; }, near,

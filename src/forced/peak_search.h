@@ -10,7 +10,7 @@ namespace whirl::forced {
 
 /// A local maximum of a quantity over the spin speed.
 struct Peak {
-    int quantity = 0;
+    std::size_t quantity = 0;
     double speed = 0;            ///< rad/s
     double value = 0;            ///< semi-major axis; infinite: a resonance without damping
     double phase = 0;            ///< of x, rad; NaN where the value is infinite
@@ -73,17 +73,22 @@ class PeakSearch {
     void sample_stretch(int piece, double from, double to,
                         const std::vector<std::complex<double>> &poles);
     [[nodiscard]] Sample sample(int piece, double speed) const;
-    void find(int quantity);
+    void find(std::size_t quantity);
     /// More than rounding: a curve that changes on the scale of the steps falls by far more in two.
     [[nodiscard]] bool stands_out(std::size_t left, std::size_t quantity) const;
-    void peak_between(int quantity, std::size_t left);
-    void endless_peak(int quantity, std::size_t left);
+    void peak_between(std::size_t quantity, std::size_t left);
+    void endless_peak(std::size_t quantity, std::size_t left);
     /// The place of a maximum that the quick readings have, as the exact ones have it.
-    [[nodiscard]] double corrected(double speed, int quantity) const;
+    [[nodiscard]] double corrected(double speed, std::size_t quantity) const;
     [[nodiscard]] std::optional<double> half_power(const Peak &peak, std::size_t start,
                                                    int direction) const;
     /// Of a quantity at a speed of the piece entered.
-    [[nodiscard]] double major(double speed, std::size_t quantity) const;
+    [[nodiscard]] double major(double speed, std::size_t quantity) const {
+        return _motion.quickly_at(speed, quantity).major();
+    }
+    [[nodiscard]] double slope(double speed, std::size_t quantity) const {
+        return _motion.quickly_at(speed, quantity).major_slope();
+    }
     /// Lowest place of a valley between two samples of one piece.
     [[nodiscard]] double bottom_between(const Sample &a, const Sample &b,
                                         std::size_t quantity) const;

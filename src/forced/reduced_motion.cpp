@@ -121,11 +121,11 @@ void ReducedMotion::set_read() {
     }
 }
 
-std::pair<Eigen::Index, Eigen::Index> ReducedMotion::read_of(int quantity) const {
+std::pair<Eigen::Index, Eigen::Index> ReducedMotion::read_of(std::size_t quantity) const {
     if (_drive.weight())
         return {0, _read.rows()};
     const Eigen::Index each = _form == results::Form::planar ? 1 : 2;
-    return {each * quantity, each};
+    return {each * static_cast<Eigen::Index>(quantity), each};
 }
 
 std::vector<double> ReducedMotion::cuts(double from, double to) const {
@@ -269,9 +269,9 @@ std::vector<Reading> ReducedMotion::quickly_at(double speed) const {
     return _piece->resolvent ? readings(quick(speed, 0, _read.rows()), speed) : at(speed);
 }
 
-Reading ReducedMotion::quickly_at(double speed, int quantity) const {
+Reading ReducedMotion::quickly_at(double speed, std::size_t quantity) const {
     if (!_piece->resolvent)
-        return at(speed)[static_cast<std::size_t>(quantity)];
+        return at(speed)[quantity];
     const auto [first, count] = read_of(quantity);
     return reading(quantity, quick(speed, first, count), speed);
 }
@@ -279,7 +279,7 @@ Reading ReducedMotion::quickly_at(double speed, int quantity) const {
 std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution &unit,
                                              double speed) const {
     std::vector<Reading> out;
-    for (int i = 0; i < static_cast<int>(_quantities.size()); ++i) {
+    for (std::size_t i = 0; i < _quantities.size(); ++i) {
         const auto [first, count] = read_of(i);
         out.push_back(reading(
             i, {unit.y.middleRows(first, count), unit.slope.middleRows(first, count)}, speed));
@@ -287,12 +287,12 @@ std::vector<Reading> ReducedMotion::readings(const QuadraticResolvent::Solution 
     return out;
 }
 
-Phasor ReducedMotion::stretched(int quantity, const Eigen::VectorXcd &numbers) const {
+Phasor ReducedMotion::stretched(std::size_t quantity, const Eigen::VectorXcd &numbers) const {
     const auto circle = [](Complex w) { return Phasor{w, -imaginary_unit * w}; };
     if (_form == results::Form::planar && !_drive.weight())
         return circle(numbers(0));
     if (_drive.weight()) {
-        const Eigen::RowVectorXd row = _stretches.row(quantity);
+        const Eigen::RowVectorXd row = _stretches.row(static_cast<Eigen::Index>(quantity));
         const Complex x = row * numbers(Eigen::seqN(0, row.size(), 2));
         const Complex y = row * numbers(Eigen::seqN(1, row.size(), 2));
         return circle(WhirlParts({x, y}).a);
@@ -302,18 +302,18 @@ Phasor ReducedMotion::stretched(int quantity, const Eigen::VectorXcd &numbers) c
     return {numbers(0), numbers(1)};
 }
 
-Reading ReducedMotion::reading(int quantity, const QuadraticResolvent::Solution &unit,
+Reading ReducedMotion::reading(std::size_t quantity, const QuadraticResolvent::Solution &unit,
                                double speed) const {
     const double push = _drive.weight() ? 1 : speed * speed;
     const double push_slope = _drive.weight() ? 0 : 2 * speed;
     const Eigen::VectorXcd u = push * unit.y;
     const Phasor value = stretched(quantity, u);
     const Phasor change = stretched(quantity, push * unit.slope + push_slope * unit.y);
-    const Quantity &of = _quantities[static_cast<std::size_t>(quantity)];
+    const Quantity &of = _quantities[quantity];
     const int bearing = of.bearing;
     double cancelled = 0;
     if (_drive.weight())
-        cancelled = _stretches.row(quantity).cwiseAbs() *
+        cancelled = _stretches.row(static_cast<Eigen::Index>(quantity)).cwiseAbs() *
                     u(Eigen::seqN(0, _stretches.cols(), 2)).cwiseAbs();
     if (bearing == Quantity::deflection)
         return {of.seen(value), of.seen(change), cancelled};

@@ -88,7 +88,7 @@ class ReducedMotion {
     [[nodiscard]] std::vector<Reading> at(double speed) const;
     /// The same from the poles, which must have been asked for: next to one less exact than at().
     [[nodiscard]] std::vector<Reading> quickly_at(double speed) const;
-    [[nodiscard]] Reading quickly_at(double speed, int quantity) const;
+    [[nodiscard]] Reading quickly_at(double speed, std::size_t quantity) const;
 
   private:
     struct Factors {
@@ -133,9 +133,9 @@ class ReducedMotion {
                                                      Eigen::Index count) const;
     void set_read();
     /// Numbers of a quantity among those that are read: the first and how many.
-    [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> read_of(int quantity) const;
+    [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> read_of(std::size_t quantity) const;
     /// @param unit  of P u = b (imbalances have the force speed^2 b): the numbers of a quantity
-    [[nodiscard]] Reading reading(int quantity, const QuadraticResolvent::Solution &unit,
+    [[nodiscard]] Reading reading(std::size_t quantity, const QuadraticResolvent::Solution &unit,
                                   double speed) const;
     [[nodiscard]] std::vector<Reading> readings(const QuadraticResolvent::Solution &unit,
                                                 double speed) const;
@@ -144,7 +144,7 @@ class ReducedMotion {
     [[nodiscard]] Eigen::VectorXcd imbalances() const;
     [[nodiscard]] Eigen::VectorXcd weight() const;
     /// Deflection of a quantity's stretch that its numbers mean.
-    [[nodiscard]] Phasor stretched(int quantity, const Eigen::VectorXcd &numbers) const;
+    [[nodiscard]] Phasor stretched(std::size_t quantity, const Eigen::VectorXcd &numbers) const;
 };
 
 } // namespace whirl::forced

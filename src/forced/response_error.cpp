@@ -40,7 +40,7 @@ ResponseError::ResponseError(const assembly::Discretization &coarse, results::Fo
     if (drive.weight() || !CondensedMotion::describes(*_fine))
         _whole = std::make_unique<ForcedMotion>(*_fine, form, drive);
     else
-        _motion = std::make_unique<CondensedMotion>(*_fine, form, CondensedMotion::Nodes::attached);
+        _motion = std::make_unique<CondensedMotion>(*_fine, form);
 }
 
 void ResponseError::solve(double speed) {

@@ -88,7 +88,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
             if (place == 0 ? r.width > 1e-9 * std::abs(r.speed) : beside)
                 add(r.speed + place * apart);
     }
-    std::sort(speeds.begin(), speeds.end());
+    std::ranges::sort(speeds);
     speeds.erase(std::unique(speeds.begin(), speeds.end(),
                              [](double a, double b) {
                                  return b - a < 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -99,8 +99,7 @@ std::vector<double> telling_speeds(const std::vector<Resonance> &resonances, dou
 
 /// Speeds of the peaks, those of one resonance once.
 std::vector<double> peak_speeds(std::vector<Peak> peaks) {
-    std::sort(peaks.begin(), peaks.end(),
-              [](const Peak &a, const Peak &b) { return a.speed < b.speed; });
+    std::ranges::sort(peaks, {}, &Peak::speed);
     std::vector<double> out;
     constexpr double near_enough = 0.1; // of the width
     for (const Peak &peak : peaks)
@@ -189,10 +188,9 @@ std::vector<PeakSearch::Sample> drawn(const PeakSearch &search, double from, dou
     std::vector<PeakSearch::Sample> out;
     // A curve without limit is drawn up to 3e-4 beside it.
     const auto without_limit = [&](double speed) {
-        return std::any_of(
-            search.resonances().begin(), search.resonances().end(), [speed](const Resonance &r) {
-                return r.undamped() && std::abs(r.speed - speed) < 3e-4 * std::abs(speed);
-            });
+        return std::ranges::any_of(search.resonances(), [speed](const Resonance &r) {
+            return r.undamped() && std::abs(r.speed - speed) < 3e-4 * std::abs(speed);
+        });
     };
     for (const PeakSearch::Sample &s : search.samples()) {
         if (s.speed < from || s.speed > to || without_limit(s.speed))

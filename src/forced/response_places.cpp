@@ -103,16 +103,16 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         return;
     curves.values.resize(all.quantities.size());
     curves.phases.resize(all.quantities.size());
-    std::vector<std::pair<int, results::ResponsePeak>> found_at; // quantity, peak
-    const auto add_between = [&](double from, double to) {       // of one sign
+    std::vector<std::pair<std::size_t, results::ResponsePeak>> found_at; // quantity, peak
+    const auto add_between = [&](double from, double to) {               // of one sign
         const CertifiedPeaks found =
             response_peaks(d, form, all.quantities, all.z, from, to, options);
         for (std::size_t i = 0; i < found.peaks.size(); ++i) {
-            const auto quantity = static_cast<std::size_t>(found.peaks[i].quantity);
+            const std::size_t quantity = found.peaks[i].quantity;
             results::ResponsePeak peak = described(found.peaks[i], all.places[quantity]);
             if (options.with_errors)
                 set_errors(peak, found.errors[i], found.reduction_error, found.peaks[i].rounding);
-            found_at.emplace_back(found.peaks[i].quantity, std::move(peak));
+            found_at.emplace_back(quantity, std::move(peak));
         }
         for (const PeakSearch::Sample &sample : found.curve) {
             curves.speeds.push_back(sample.speed);
@@ -126,8 +126,8 @@ void add_peaks(std::vector<results::ResponsePeak> &peaks, results::ResponseCurve
         add_between(range.from, std::min(range.to, 0.0));
     if (range.to > 0)
         add_between(std::max(range.from, 0.0), range.to);
-    std::stable_sort(found_at.begin(), found_at.end(),
-                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    std::ranges::stable_sort(found_at,
+                             [](const auto &a, const auto &b) { return a.first < b.first; });
     for (auto &[quantity, peak] : found_at)
         peaks.push_back(std::move(peak));
 }

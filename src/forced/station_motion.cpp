@@ -7,7 +7,7 @@ StationMotion::StationMotion(const assembly::Discretization &discretization, res
     : _discretization(discretization), _whole(discretization, form, drive),
       _acceptable(acceptable) {
     if (!drive.weight() && CondensedMotion::describes(discretization))
-        _condensed.emplace(discretization, form, CondensedMotion::Nodes::attached);
+        _condensed.emplace(discretization, form);
 }
 
 bool StationMotion::condensed(double speed) {

@@ -73,7 +73,7 @@ std::string one_of(const std::vector<std::string> &words, const Node &node) {
 }
 
 const Node *CheckedTable::find(const std::string &key) {
-    if (std::find(_known.begin(), _known.end(), key) == _known.end())
+    if (std::ranges::find(_known, key) == _known.end())
         _known.push_back(key);
     return _node->find(key);
 }
@@ -109,6 +109,12 @@ std::vector<double> CheckedTable::numbers(const std::string &key, Quantity quant
     return values;
 }
 
+int CheckedTable::whole(const std::string &key, int low, int high) {
+    if (!has(key))
+        fail(key, fmt::format("missing, expected a whole number of {} or more", low));
+    return whole_or(key, low, low, high);
+}
+
 int CheckedTable::whole_or(const std::string &key, int fallback, int low, int high) {
     const Node *entry = find(key);
     return entry ? _context->whole(*entry, path_of(key), low, high) : fallback;
@@ -139,7 +145,7 @@ std::size_t CheckedTable::choice(const std::string &key, const std::vector<std::
     const Node *entry = find(key);
     if (!entry)
         return fallback;
-    const auto found = std::find(choices.begin(), choices.end(), entry->text);
+    const auto found = std::ranges::find(choices, entry->text);
     if (entry->kind == Node::Kind::text && found != choices.end())
         return static_cast<std::size_t>(found - choices.begin());
     fail(key, one_of(choices, *entry));
@@ -185,7 +191,7 @@ void CheckedTable::fail(const std::string &key, std::string text) {
 
 void CheckedTable::refuse_unknown() {
     for (const Node &entry : _node->items)
-        if (std::find(_known.begin(), _known.end(), entry.key) == _known.end()) {
+        if (std::ranges::find(_known, entry.key) == _known.end()) {
             // At the root of the case a number stands in none of its tables: it was meant in one.
             const std::string table = _path.empty() ? _context->elsewhere(entry.key) : "";
             _context->problems.add(entry.origin, path_of(entry.key),

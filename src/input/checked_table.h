@@ -73,6 +73,8 @@ class CheckedTable {
     }
     /// A list of numbers; empty where it is missing or wrong.
     std::vector<double> numbers(const std::string &key, Quantity quantity, Range range = {});
+    /// A required whole number; `low` where it is missing or wrong.
+    int whole(const std::string &key, int low, int high);
     /// A whole number from `low` to `high`.
     int whole_or(const std::string &key, int fallback, int low, int high);
     bool flag_or(const std::string &key, bool fallback);
@@ -107,6 +109,17 @@ class CheckedTable {
 template <class Part> void read_place(CheckedTable &table, Part &part) {
     part.name = table.text("name").value_or("");
     part.z = table.number("z", Quantity::length);
+}
+
+/// Reads each table of a list into an item of its own; `read` asks for all entries there may be.
+template <class Item, class Read>
+void read_each(CheckedTable &around, const std::string &key, std::vector<Item> &items, Read read) {
+    for (CheckedTable &table : around.tables(key)) {
+        Item item;
+        read(table, item);
+        table.refuse_unknown();
+        items.push_back(std::move(item));
+    }
 }
 
 } // namespace whirl::input

@@ -127,9 +127,7 @@ void CsvTable::read_column(const std::string &cell, std::size_t index,
         _problems->add(header_origin(), column.name, text);
         _usable = false;
     };
-    const auto rule = std::find_if(rules.begin(), rules.end(), [&](const CsvRule &candidate) {
-        return candidate.name == column.name;
-    });
+    const auto rule = std::ranges::find(rules, column.name, &CsvRule::name);
     if (rule == rules.end()) {
         std::vector<std::string> names;
         for (const CsvRule &known : rules)
@@ -157,8 +155,7 @@ void CsvTable::read_column(const std::string &cell, std::size_t index,
 }
 
 const CsvTable::Column *CsvTable::find(const std::string &name) const {
-    const auto found = std::find_if(_columns.begin(), _columns.end(),
-                                    [&](const Column &column) { return column.name == name; });
+    const auto found = std::ranges::find(_columns, name, &Column::name);
     return found == _columns.end() ? nullptr : &*found;
 }
 
@@ -169,7 +166,7 @@ std::string CsvTable::text(std::size_t row, const std::string &column) const {
 
 bool CsvTable::has_unit(const std::string &column) const {
     const Column *found = find(column);
-    return found && (found->unit || std::none_of(_rows.begin(), _rows.end(), [&](const Row &row) {
+    return found && (found->unit || std::ranges::none_of(_rows, [&](const Row &row) {
                          return parse_number(row.cells[found->index]).has_value();
                      }));
 }

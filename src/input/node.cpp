@@ -50,8 +50,7 @@ bool parse_indices(std::string_view &text, std::vector<PathStep> &steps) {
 const Node *Node::find(std::string_view name) const {
     if (kind != Kind::table)
         return nullptr;
-    const auto found = std::find_if(items.begin(), items.end(),
-                                    [name](const Node &item) { return item.key == name; });
+    const auto found = std::ranges::find(items, name, &Node::key);
     return found == items.end() ? nullptr : &*found;
 }
 

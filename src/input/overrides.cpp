@@ -95,12 +95,9 @@ bool remove(Node &node, const PathStep &step) {
     if (name ? node.kind != Node::Kind::table : node.kind != Node::Kind::list)
         return false;
     const Nodes gone = name ? Nodes{node.find(*name)} : items(node, step);
-    const auto left = std::remove_if(node.items.begin(), node.items.end(), [&](Node &item) {
-        return std::find(gone.begin(), gone.end(), &item) != gone.end();
-    });
-    const bool any = left != node.items.end();
-    node.items.erase(left, node.items.end());
-    return any;
+    return std::erase_if(node.items, [&](const Node &item) {
+               return std::ranges::find(gone, &item) != gone.end();
+           }) > 0;
 }
 
 /// A path being walked: what was reached, and the words for it.
@@ -143,8 +140,8 @@ void apply(Node &root, const std::string &path, std::string_view value, const Or
         }
     }
     if (removes) {
-        const auto gone = std::count_if(walk.nodes.begin(), walk.nodes.end(),
-                                        [&](Node *node) { return remove(*node, steps.back()); });
+        const auto gone = std::ranges::count_if(
+            walk.nodes, [&](Node *node) { return remove(*node, steps.back()); });
         if (gone == 0)
             problems.add(origin, path,
                          "expected something to take out of the case, there is no such entry");

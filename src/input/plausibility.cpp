@@ -38,7 +38,7 @@ class Remarks {
 
     void add(const std::string &text) {
         auto &all = _scene.remarks;
-        if (std::find(all.begin(), all.end(), text) == all.end())
+        if (std::ranges::find(all, text) == all.end())
             all.push_back(text);
     }
     void check(const std::string &what, double value, const Usual &usual) {
@@ -196,8 +196,7 @@ double largest_radius(const model::Rotor &rotor) { return surface_speed(rotor, 1
 /// mm without its unit.
 void check_imbalances(const model::Rotor &rotor, Remarks &remarks) {
     const auto &all = rotor.imbalances;
-    if (!all.empty() &&
-        std::all_of(all.begin(), all.end(), [](const auto &one) { return one.mr == 0; }))
+    if (!all.empty() && std::ranges::all_of(all, [](const auto &one) { return one.mr == 0; }))
         remarks.add("every imbalance is 0: nothing excites the rotor, its response is 0");
     const double mass = model::mass_of_shaft_and_discs(rotor);
     for (std::size_t i = 0; mass > 0 && i < rotor.imbalances.size(); ++i) {

@@ -45,13 +45,13 @@ void Problems::throw_if_any() const {
         return;
     std::vector<std::string> files;
     const auto rank = [&files](const std::string &file) {
-        return std::find(files.begin(), files.end(), file) - files.begin();
+        return std::ranges::find(files, file) - files.begin();
     };
     for (const Problem &problem : _problems)
         if (rank(problem.origin.file) == std::ssize(files))
             files.push_back(problem.origin.file);
     std::vector<Problem> sorted = _problems;
-    std::stable_sort(sorted.begin(), sorted.end(), [&](const Problem &a, const Problem &b) {
+    std::ranges::stable_sort(sorted, [&](const Problem &a, const Problem &b) {
         return std::pair(rank(a.origin.file), a.origin.line) <
                std::pair(rank(b.origin.file), b.origin.line);
     });

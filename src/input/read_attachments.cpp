@@ -23,9 +23,7 @@ model::Disc read_disc_of_geometry(CheckedTable &table, const Materials &material
     const double outer = table.number("outer", Quantity::length, Range::positive());
     const double inner = table.number_or("inner", 0, Quantity::length, Range::not_negative());
     const double width = table.number("width", Quantity::length, Range::positive());
-    const auto material =
-        pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
-                      table.path_of("material"), table.context().problems);
+    const auto material = material_of(table, materials);
     if (inner >= outer) {
         table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} m, "
                                         "got {:.6g} m",
@@ -48,12 +46,11 @@ model::Disc read_disc_of_inertias(CheckedTable &table) {
 } // namespace
 
 void read_discs(CheckedTable &root, const Materials &materials, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("disc")) {
+    read_each(root, "disc", rotor.discs, [&](CheckedTable &table, model::Disc &disc) {
         const auto inertias = given(table, {"mass", "Id", "Ip"});
         const auto geometry = given(table, {"outer", "inner", "width", "material"});
         const std::string name = table.text("name").value_or("");
         const double z = table.number("z", Quantity::length);
-        model::Disc disc;
         if (!inertias.empty() && !geometry.empty())
             table.fail(geometry.front(), "expected either mass, Id, Ip or outer, inner, width, "
                                          "material, got both");
@@ -65,29 +62,20 @@ void read_discs(CheckedTable &root, const Materials &materials, model::Rotor &ro
             table.fail("mass", "missing, expected mass (with Id and Ip), or outer and width");
         disc.name = name;
         disc.z = z;
-        table.refuse_unknown();
-        rotor.discs.push_back(disc);
-    }
+    });
 }
 
 void read_anisotropies(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("anisotropy")) {
-        model::Anisotropy anisotropy;
-        read_place(table, anisotropy);
-        anisotropy.dI = table.number("dI", Quantity::inertia);
-        anisotropy.angle = table.number_or("angle", 0, Quantity::angle);
-        table.refuse_unknown();
-        rotor.anisotropies.push_back(anisotropy);
-    }
+    read_each(root, "anisotropy", rotor.anisotropies,
+              [](CheckedTable &table, model::Anisotropy &anisotropy) {
+                  read_place(table, anisotropy);
+                  anisotropy.dI = table.number("dI", Quantity::inertia);
+                  anisotropy.angle = table.number_or("angle", 0, Quantity::angle);
+              });
 }
 
 void read_planes(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("plane")) {
-        model::CorrectionPlane plane;
-        read_place(table, plane);
-        table.refuse_unknown();
-        rotor.planes.push_back(plane);
-    }
+    read_each(root, "plane", rotor.planes, read_place<model::CorrectionPlane>);
 }
 
 namespace {
@@ -155,24 +143,19 @@ double read_mr(CheckedTable &table, const model::Case &scene) {
 } // namespace
 
 void read_imbalances(CheckedTable &root, model::Case &scene) {
-    for (CheckedTable &table : root.tables("imbalance")) {
-        model::Imbalance imbalance;
-        read_place(table, imbalance);
-        imbalance.mr = read_mr(table, scene);
-        imbalance.phase = table.number_or("phase", 0, Quantity::angle);
-        table.refuse_unknown();
-        scene.rotor.imbalances.push_back(imbalance);
-    }
+    read_each(root, "imbalance", scene.rotor.imbalances,
+              [&](CheckedTable &table, model::Imbalance &imbalance) {
+                  read_place(table, imbalance);
+                  imbalance.mr = read_mr(table, scene);
+                  imbalance.phase = table.number_or("phase", 0, Quantity::angle);
+              });
 }
 
 void read_probes(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("probe")) {
-        model::Probe probe;
+    read_each(root, "probe", rotor.probes, [](CheckedTable &table, model::Probe &probe) {
         read_place(table, probe);
         probe.angle = table.number_or("angle", 0, Quantity::angle);
-        table.refuse_unknown();
-        rotor.probes.push_back(probe);
-    }
+    });
 }
 
 } // namespace whirl::input

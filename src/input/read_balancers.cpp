@@ -26,8 +26,7 @@ void read_position(CheckedTable &table, const char *part, int count, model::Bala
                                            part, balancer.position.size()));
 }
 
-model::BallRow read_row(CheckedTable &table) {
-    model::BallRow row;
+void read_row(CheckedTable &table, model::BallRow &row) {
     row.mass = table.number("mass", Quantity::mass, Range::positive());
     row.n = table.whole_or("n", row.n, 1, largest_count);
     row.radius = table.number("radius", Quantity::length, Range::positive());
@@ -41,7 +40,6 @@ model::BallRow read_row(CheckedTable &table) {
                                                 "of ball centres, {:.6g} m, got {:.6g} m",
                                                 2 * row.radius, row.diameter));
     row.rolling = table.number_or("rolling_resistance", 0, Quantity::length, Range::not_negative());
-    return row;
 }
 
 /// Balls that do not pass each other must have room.
@@ -67,15 +65,12 @@ void read_ball(CheckedTable &table, model::Balancer &balancer) {
             if (table.has(key))
                 table.fail(key, "expected either rows or n, mass, radius, damping, got both");
         balls.rows.clear();
-        for (CheckedTable &row : table.tables("rows")) {
-            balls.rows.push_back(read_row(row));
-            row.refuse_unknown();
-        }
+        read_each(table, "rows", balls.rows, read_row);
         if (balls.rows.empty())
             table.fail("rows", "expected a list of at least one row, {n, mass, radius, damping}, "
                                "got none");
     } else {
-        balls.rows = {read_row(table)};
+        read_row(table, balls.rows.front());
     }
     read_contact(table, balls);
     int count = 0;
@@ -156,7 +151,7 @@ const std::array kinds{
 };
 
 bool has_key(const KindOfTable &kind, const std::string &key) {
-    return std::find(kind.keys.begin(), kind.keys.end(), key) != kind.keys.end();
+    return std::ranges::find(kind.keys, key) != kind.keys.end();
 }
 
 /// Collects a mistake at each key of another kind; all of them become known.
@@ -181,21 +176,19 @@ void read_balancers(CheckedTable &root, model::Rotor &rotor) {
     std::vector<std::string> names;
     for (const KindOfTable &kind : kinds)
         names.push_back(kind.name);
-    for (CheckedTable &table : root.tables("balancer")) {
-        model::Balancer balancer;
-        read_place(table, balancer);
-        const KindOfTable &kind = kinds.at(table.choice("kind", names, 0));
-        kind.read(table, balancer);
-        refuse_keys_of_others(table, kind);
-        balancer.imbalance =
-            table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
-        balancer.imbalance_phase = table.number_or("imbalance_phase", 0, Quantity::angle);
-        balancer.imbalance_radius =
-            table.optional_number("imbalance_radius", Quantity::length, Range::positive());
-        balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
-        table.refuse_unknown();
-        rotor.balancers.push_back(balancer);
-    }
+    read_each(
+        root, "balancer", rotor.balancers, [&](CheckedTable &table, model::Balancer &balancer) {
+            read_place(table, balancer);
+            const KindOfTable &kind = kinds.at(table.choice("kind", names, 0));
+            kind.read(table, balancer);
+            refuse_keys_of_others(table, kind);
+            balancer.imbalance =
+                table.number_or("imbalance", 0, Quantity::imbalance, Range::not_negative());
+            balancer.imbalance_phase = table.number_or("imbalance_phase", 0, Quantity::angle);
+            balancer.imbalance_radius =
+                table.optional_number("imbalance_radius", Quantity::length, Range::positive());
+            balancer.tilt_inertia = table.flag_or("tilt_inertia", true);
+        });
 }
 
 } // namespace whirl::input

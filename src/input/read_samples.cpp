@@ -99,10 +99,9 @@ void read_inputs(CheckedTable &table, const CheckedTable &root,
                                 : "missing, expected a list of tables {path, distribution, ...}");
     for (CheckedTable &item : table.tables("vary")) {
         model::UncertainInput input = read_input(item, root, entries);
-        const bool twice =
-            std::any_of(samples.vary.begin(), samples.vary.end(), [&input](const auto &before) {
-                return !input.path.empty() && before.path == input.path;
-            });
+        const bool twice = std::ranges::any_of(samples.vary, [&input](const auto &before) {
+            return !input.path.empty() && before.path == input.path;
+        });
         if (twice)
             item.fail("path", "expected each entry once, got " + in_quotes(input.path) + " twice");
         samples.vary.push_back(std::move(input));
@@ -123,7 +122,7 @@ void read_wanted(CheckedTable &table, model::SamplesSettings &samples) {
     samples.critical = false;
     for (std::size_t i = 0; i < list->items.size(); ++i) {
         const Node &item = list->items[i];
-        const auto found = std::find(answer_words.begin(), answer_words.end(), item.text);
+        const auto found = std::ranges::find(answer_words, item.text);
         if (item.kind == Node::Kind::text && found != answer_words.end())
             *wanted[static_cast<std::size_t>(found - answer_words.begin())] = true;
         else
@@ -140,7 +139,7 @@ void read_quantiles(CheckedTable &table, model::SamplesSettings &samples) {
     const Node *list = table.find("quantiles");
     if (list->kind == Node::Kind::list && list->items.empty())
         table.fail("quantiles", "expected at least one number in (0, 1), got none");
-    std::sort(shares.begin(), shares.end());
+    std::ranges::sort(shares);
     shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
     samples.quantiles = std::move(shares);
 }
@@ -155,9 +154,7 @@ void read_samples(CheckedTable &root, model::Case &scene) {
     std::map<std::string, Quantity> entries = root.context().numeric;
     std::erase_if(entries, [](const auto &entry) { return entry.first.starts_with("map."); });
     model::SamplesSettings samples;
-    if (!table->has("count"))
-        table->fail("count", "missing, expected a whole number of 1 or more");
-    samples.count = table->whole_or("count", 1, 1, largest_count);
+    samples.count = table->whole("count", 1, largest_count);
     samples.seed = table->whole_or("seed", 1, 0, std::numeric_limits<int>::max());
     read_wanted(*table, samples);
     read_quantiles(*table, samples);

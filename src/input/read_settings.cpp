@@ -33,62 +33,30 @@ model::MapAxis read_axis(CheckedTable &map, const std::string &key,
     axis.to = table->number("to", *quantity);
     if (axis.to <= axis.from)
         table->fail("to", fmt::format("expected more than from = {}, got {}", axis.from, axis.to));
-    if (!table->has("count"))
-        table->fail("count", "missing, expected a whole number of 2 or more");
-    axis.count = table->whole_or("count", 2, 2, largest_count);
+    axis.count = table->whole("count", 2, largest_count);
     table->refuse_unknown();
     return axis;
 }
 
-/// Units of results that go together: by the keys of [units].
-struct UnitPreset {
-    std::string name;
-    std::map<std::string, std::string> units;
+/// What of results may be written in other units: a key of [units], and the units of each preset.
+struct Written {
+    const char *key;
+    Quantity quantity;
+    std::array<const char *, 3> units;
 };
-const std::vector<UnitPreset> &unit_presets() {
-    static const std::vector<UnitPreset> presets{{"si",
-                                                  {{"length", "m"},
-                                                   {"amplitude", "m"},
-                                                   {"speed", "rad/s"},
-                                                   {"frequency", "rad/s"},
-                                                   {"force", "N"},
-                                                   {"stiffness", "N/m"},
-                                                   {"damping", "N s/m"},
-                                                   {"mass", "kg"},
-                                                   {"inertia", "kg m2"},
-                                                   {"imbalance", "kg m"}}},
-                                                 {"mm-rpm",
-                                                  {{"length", "mm"},
-                                                   {"amplitude", "um"},
-                                                   {"speed", "rpm"},
-                                                   {"frequency", "Hz"},
-                                                   {"force", "N"},
-                                                   {"stiffness", "N/mm"},
-                                                   {"damping", "N s/mm"},
-                                                   {"mass", "kg"},
-                                                   {"inertia", "kg mm2"},
-                                                   {"imbalance", "g mm"}}},
-                                                 {"us",
-                                                  {{"length", "in"},
-                                                   {"amplitude", "mil"},
-                                                   {"speed", "rpm"},
-                                                   {"frequency", "Hz"},
-                                                   {"force", "lbf"},
-                                                   {"stiffness", "lbf/in"},
-                                                   {"damping", "lbf s/in"},
-                                                   {"mass", "lb"},
-                                                   {"inertia", "lb in2"},
-                                                   {"imbalance", "oz in"}}}};
-    return presets;
-}
-
-/// What of results may be written in other units, as the keys of [units].
+const std::vector<std::string> presets{"none", "si", "mm-rpm", "us"}; ///< "none" has no units
 constexpr std::array written{
-    std::pair{"length", Quantity::length},       std::pair{"amplitude", Quantity::length},
-    std::pair{"speed", Quantity::angular_speed}, std::pair{"frequency", Quantity::angular_speed},
-    std::pair{"force", Quantity::force},         std::pair{"stiffness", Quantity::stiffness},
-    std::pair{"damping", Quantity::damping},     std::pair{"mass", Quantity::mass},
-    std::pair{"inertia", Quantity::inertia},     std::pair{"imbalance", Quantity::imbalance}};
+    Written{"length", Quantity::length, {"m", "mm", "in"}},
+    Written{"amplitude", Quantity::length, {"m", "um", "mil"}},
+    Written{"speed", Quantity::angular_speed, {"rad/s", "rpm", "rpm"}},
+    Written{"frequency", Quantity::angular_speed, {"rad/s", "Hz", "Hz"}},
+    Written{"force", Quantity::force, {"N", "N", "lbf"}},
+    Written{"stiffness", Quantity::stiffness, {"N/m", "N/mm", "lbf/in"}},
+    Written{"damping", Quantity::damping, {"N s/m", "N s/mm", "lbf s/in"}},
+    Written{"mass", Quantity::mass, {"kg", "kg", "lb"}},
+    Written{"inertia", Quantity::inertia, {"kg m2", "kg mm2", "lb in2"}},
+    Written{"imbalance", Quantity::imbalance, {"kg m", "g mm", "oz in"}},
+};
 
 void read_written(CheckedTable &table, const char *key, Quantity quantity,
                   model::OutputUnits &units) {
@@ -182,12 +150,11 @@ void read_balance(CheckedTable &root, model::Case &scene) {
     if (scene.balance.simulated > 0 && !root.has("simulate"))
         table->fail("simulated", "expected a section [simulate] that says how long the motions "
                                  "are, got none");
-    for (CheckedTable &design : table->tables("designs")) {
-        scene.balance.designs.push_back(
-            {design.number("arm", Quantity::length, Range::positive()),
-             design.number("pivot", Quantity::length, Range::positive())});
-        design.refuse_unknown();
-    }
+    read_each(*table, "designs", scene.balance.designs,
+              [](CheckedTable &entry, model::PendulumDesign &design) {
+                  design.arm = entry.number("arm", Quantity::length, Range::positive());
+                  design.pivot = entry.number("pivot", Quantity::length, Range::positive());
+              });
     if (table->has("external_damping"))
         scene.balance.external_damping =
             table->numbers("external_damping", Quantity::dimensionless, Range::not_negative());
@@ -217,17 +184,14 @@ void read_units(CheckedTable &root, model::Case &scene) {
     auto table = root.table("units");
     if (!table)
         return;
-    std::vector<std::string> names{"none"};
-    for (const UnitPreset &preset : unit_presets())
-        names.push_back(preset.name);
-    const std::size_t chosen = table->choice("preset", names, 0);
-    if (chosen > 0)
-        for (const auto &[key, unit] : unit_presets()[chosen - 1].units)
-            for (const auto &[quantity_key, quantity] : written)
-                if (key == quantity_key)
-                    scene.units.of[key] = {unit, unit_factor(unit, quantity).value()};
-    for (const auto &[key, quantity] : written)
+    const std::size_t chosen = table->choice("preset", presets, 0);
+    for (const auto &[key, quantity, units] : written) {
+        if (chosen > 0) {
+            const char *unit = units.at(chosen - 1);
+            scene.units.of[key] = {unit, unit_factor(unit, quantity).value()};
+        }
         read_written(*table, key, quantity, scene.units);
+    }
     scene.units.peak_to_peak = table->flag_or("peak_to_peak", false);
     scene.units.json = table->flag_or("json", false);
     table->refuse_unknown();

@@ -63,10 +63,7 @@ std::vector<model::Layer> read_layers(CheckedTable &table_of_segment, const mode
                                    layer.inner, layer.outer));
         else
             check_free(layer, taken, table);
-        layer.material =
-            pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
-                          table.path_of("material"), table.context().problems)
-                .value_or(model::Material{});
+        layer.material = material_of(table, materials).value_or(model::Material{});
         table.refuse_unknown();
         inside = layer.outer;
         taken.push_back({layer.inner, layer.outer});
@@ -104,10 +101,7 @@ std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &
         segment.asymmetry =
             table.number_or("asymmetry", 0, Quantity::dimensionless, Range::inside(-1, 1));
         segment.asymmetry_angle = table.number_or("asymmetry_angle", 0, Quantity::angle);
-        segment.material =
-            pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
-                          table.path_of("material"), context.problems)
-                .value_or(model::Material{});
+        segment.material = material_of(table, materials).value_or(model::Material{});
         read_departures(
             [&table](const std::string &name, Range range) {
                 return table.optional_number(
@@ -244,6 +238,11 @@ std::optional<model::Material> pick_material(const Materials &materials,
                  "expected the name of a material, got " + in_quotes(*name) +
                      suggestion(*name, names));
     return std::nullopt;
+}
+
+std::optional<model::Material> material_of(CheckedTable &table, const Materials &materials) {
+    return pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
+                         table.path_of("material"), table.context().problems);
 }
 
 model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {

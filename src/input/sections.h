@@ -22,6 +22,10 @@ using Materials = std::map<std::string, model::Material>;
 pick_material(const Materials &materials, const std::optional<std::string> &name,
               const Origin &origin, const std::string &key, Problems &problems);
 
+/// The one that the entry `material` of a table names.
+[[nodiscard]] std::optional<model::Material> material_of(CheckedTable &table,
+                                                         const Materials &materials);
+
 /// Reads [shaft] with its segments or its station table. A shaft without segments is one that had
 /// mistakes, which are collected.
 [[nodiscard]] model::Shaft read_shaft(CheckedTable &root, const Materials &materials);
@@ -53,6 +57,10 @@ void read_simulate(CheckedTable &root, model::Case &scene);
 void read_balance(CheckedTable &root, model::Case &scene);
 void read_map(CheckedTable &root, model::Case &scene);
 void read_samples(CheckedTable &root, model::Case &scene);
+
+/// Reads of [simulate] what acts on the rotor from outside, and how it starts: start,
+/// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.
+void read_outside(CheckedTable &simulate, model::Case &scene);
 
 /// Collects a mistake where `path` is no key of `entries`, numbers that may be varied.
 /// @param besides  a word that may stand for one: "speed", or empty

@@ -56,18 +56,13 @@ const QuantityInfo &info(Quantity quantity) {
     throw std::logic_error("quantity without an entry in the table");
 }
 
-struct SystemDeleter {
-    void operator()(ut_system *system) const { ut_free_system(system); }
+/// Owns what a function of the library releases.
+template <auto release> struct Release {
+    template <class T> void operator()(T *resource) const { release(resource); }
 };
-struct UnitDeleter {
-    void operator()(ut_unit *unit) const { ut_free(unit); }
-};
-struct ConverterDeleter {
-    void operator()(cv_converter *converter) const { cv_free(converter); }
-};
-using System = std::unique_ptr<ut_system, SystemDeleter>;
-using Unit = std::unique_ptr<ut_unit, UnitDeleter>;
-using Converter = std::unique_ptr<cv_converter, ConverterDeleter>;
+using System = std::unique_ptr<ut_system, Release<ut_free_system>>;
+using Unit = std::unique_ptr<ut_unit, Release<ut_free>>;
+using Converter = std::unique_ptr<cv_converter, Release<cv_free>>;
 
 Unit parse_unit(const ut_system *system, std::string_view text) {
     return Unit(ut_parse(system, std::string(text).c_str(), UT_UTF8));
@@ -184,7 +179,7 @@ std::optional<double> unit_factor(std::string_view text, Quantity quantity) {
     constexpr std::array per_minute{"1/min", "/min", "min-1", "min^-1", "U/min", "r/min"};
     std::string_view name = trimmed(text);
     if (quantity == Quantity::angular_speed &&
-        std::find(per_minute.begin(), per_minute.end(), name) != per_minute.end())
+        std::ranges::find(per_minute, name) != per_minute.end())
         name = "rpm"; // what data sheets of machines mean by it
     for (const CommonUnit &unit : common_units)
         if (unit.name == name && unit.quantity == quantity)

@@ -1,7 +1,6 @@
 #include "input/validate.h"
 
 #include "balancers/kind.h"
-#include "input/validate_rotating.h"
 
 #include <fmt/core.h>
 

@@ -1,7 +1,7 @@
-#include "input/validate_rotating.h"
-
+#include "balancers/balance_family.h"
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
+#include "input/validate.h"
 #include "model/mass.h"
 
 #include <fmt/core.h>
@@ -103,20 +103,6 @@ bool asks_for_one(const std::string &path, const Node &root) {
     return entry && entry->is_number() && entry->number == 1;
 }
 
-/// Mean of the unit vectors of the masses, weighted with their moments, plus 1/E; angles from the
-/// imbalance.
-std::complex<double> balance_defect(const model::Balancer &balancer,
-                                    const std::vector<balancers::CircledMass> &masses,
-                                    double inverse_capacity) {
-    std::complex<double> sum = 0;
-    double all = 0;
-    for (std::size_t j = 0; j < masses.size(); ++j) {
-        sum += std::polar(masses[j].moment, balancer.position[j] - balancer.imbalance_phase);
-        all += masses[j].moment;
-    }
-    return sum / all + inverse_capacity;
-}
-
 } // namespace
 
 void check_anisotropies(const model::Rotor &rotor, const Node &root, Problems &problems) {
@@ -145,7 +131,10 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
         }
         if (balancer.position.empty() || balancer.position.size() != masses.size())
             continue;
-        const std::complex<double> defect = balance_defect(balancer, masses, inverse);
+        const std::complex<double> defect =
+            balancers::defect_of(masses, balancer.imbalance,
+                                 balancers::turned(balancer.position, -balancer.imbalance_phase)) /
+            kind->reach().imbalance;
         if (!(std::abs(defect) > tolerance))
             continue;
         const std::string path = fmt::format("balancer[{}].position", i);

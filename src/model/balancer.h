@@ -30,8 +30,7 @@ struct Balls {
 
     /// Some ball has dry resistance to rolling.
     [[nodiscard]] bool resists() const {
-        return std::any_of(rows.begin(), rows.end(),
-                           [](const BallRow &r) { return r.rolling > 0; });
+        return std::ranges::any_of(rows, [](const BallRow &r) { return r.rolling > 0; });
     }
 };
 

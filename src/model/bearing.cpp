@@ -15,22 +15,6 @@ bool nothing(double difference, const Eigen::Matrix2d &a) {
            8 * std::numeric_limits<double>::epsilon() * a.cwiseAbs().maxCoeff();
 }
 
-/// By how much of its largest coefficient of a kind row i is off the line between its neighbours.
-double off_line(const Bearing &bearing, std::size_t i) {
-    const double share = (bearing.speeds[i] - bearing.speeds[i - 1]) /
-                         (bearing.speeds[i + 1] - bearing.speeds[i - 1]);
-    double off = 0;
-    for (const auto part : {&BearingCoefficients::k, &BearingCoefficients::c}) {
-        const Eigen::Matrix2d &before = bearing.rows[i - 1].*part;
-        const Eigen::Matrix2d &after = bearing.rows[i + 1].*part;
-        const double size = std::max(before.cwiseAbs().maxCoeff(), after.cwiseAbs().maxCoeff());
-        const double gap =
-            (bearing.rows[i].*part - (1 - share) * before - share * after).cwiseAbs().maxCoeff();
-        off = std::max(off, gap > 0 ? gap / size : 0);
-    }
-    return off;
-}
-
 } // namespace
 
 bool isotropic(const Eigen::Matrix2d &a) { return diagonal(a) && nothing(a(0, 0) - a(1, 1), a); }
@@ -50,8 +34,8 @@ bool pushes_away(const Eigen::Matrix2d &k) {
 }
 
 bool Bearing::has_mass() const {
-    return std::any_of(rows.begin(), rows.end(),
-                       [](const BearingCoefficients &row) { return !row.m.isZero(0); });
+    return std::ranges::any_of(rows,
+                               [](const BearingCoefficients &row) { return !row.m.isZero(0); });
 }
 
 BearingCoefficients Bearing::at(double speed) const {
@@ -68,11 +52,29 @@ BearingCoefficients Bearing::at(double speed) const {
             (1 - t) * a.kt + t * b.kt, (1 - t) * a.ct + t * b.ct};
 }
 
+double Bearing::bend_between(double from, double to) const {
+    const BearingCoefficients a = at(from);
+    const BearingCoefficients b = at(to);
+    double bend = 0;
+    for (auto i = static_cast<std::size_t>(std::ranges::upper_bound(speeds, from) - speeds.begin());
+         i < speeds.size() && speeds[i] < to; ++i) {
+        const double t = (speeds[i] - from) / (to - from);
+        for (const auto part : {&BearingCoefficients::k, &BearingCoefficients::c}) {
+            const double size =
+                std::max((a.*part).cwiseAbs().maxCoeff(), (b.*part).cwiseAbs().maxCoeff());
+            const double gap =
+                (rows[i].*part - (1 - t) * (a.*part) - t * (b.*part)).cwiseAbs().maxCoeff();
+            bend = std::max(bend, gap > 0 ? gap / size : 0);
+        }
+    }
+    return bend;
+}
+
 std::vector<double> Bearing::bends() const {
     constexpr double hardly = 1e-4;
     std::vector<double> out;
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        if (i == 0 || i + 1 == speeds.size() || off_line(*this, i) > hardly)
+        if (i == 0 || i + 1 == speeds.size() || bend_between(speeds[i - 1], speeds[i + 1]) > hardly)
             out.push_back(speeds[i]);
     return out;
 }

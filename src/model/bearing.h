@@ -59,6 +59,10 @@ struct Bearing {
     /// Coefficients at a spin speed (rad/s): linear between table rows, constant outside.
     [[nodiscard]] BearingCoefficients at(double speed) const;
 
+    /// By how much the stiffness or damping of a row between two speeds (rad/s) is off the straight
+    /// line between those there, over the largest entry of its kind there.
+    [[nodiscard]] double bend_between(double from, double to) const;
+
     /// Speeds of the rows at which the coefficients bend, rad/s, ascending: the first and the last
     /// one, and those that are off the straight line between their neighbours by more than 1e-4 of
     /// the largest stiffness or damping there. Between them a table through many rows of a smooth

@@ -6,16 +6,10 @@ namespace whirl::model {
 
 namespace {
 
-template <class Predicate> bool every_row(const Rotor &rotor, Predicate holds) {
-    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const Bearing &bearing) {
-        return std::all_of(bearing.rows.begin(), bearing.rows.end(), holds);
-    });
-}
-
 bool alike(const Eigen::Vector2d &directions) { return directions(0) == directions(1); }
 
 template <class Predicate> bool every_pedestal(const Rotor &rotor, Predicate holds) {
-    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [&](const Bearing &bearing) {
+    return std::ranges::all_of(rotor.bearings, [&](const Bearing &bearing) {
         return !bearing.pedestal || holds(*bearing.pedestal);
     });
 }
@@ -29,8 +23,7 @@ bool pedestals_isotropic(const Rotor &rotor) {
 } // namespace
 
 std::span<const Bearing> Rotor::supports() const {
-    const auto first_seal = std::find_if(bearings.begin(), bearings.end(),
-                                         [](const Bearing &bearing) { return bearing.seal; });
+    const auto first_seal = std::ranges::find_if(bearings, &Bearing::seal);
     return {bearings.begin(), first_seal};
 }
 
@@ -39,41 +32,40 @@ std::span<const Bearing> Rotor::seals() const {
 }
 
 bool Rotor::bearings_isotropic() const {
-    return pedestals_isotropic(*this) && every_row(*this, [](const BearingCoefficients &row) {
+    return pedestals_isotropic(*this) && every_row([](const BearingCoefficients &row) {
                return isotropic(row.k) && isotropic(row.c) && isotropic(row.m) &&
                       isotropic(row.kt) && isotropic(row.ct);
            });
 }
 
 bool Rotor::bearings_rotation_invariant() const {
-    return pedestals_isotropic(*this) && every_row(*this, [](const BearingCoefficients &row) {
+    return pedestals_isotropic(*this) && every_row([](const BearingCoefficients &row) {
                return rotation_invariant(row.k) && rotation_invariant(row.c) && isotropic(row.m) &&
                       rotation_invariant(row.kt) && rotation_invariant(row.ct);
            });
 }
 
 bool Rotor::bearings_orthotropic() const {
-    return every_row(*this, [](const BearingCoefficients &row) {
+    return every_row([](const BearingCoefficients &row) {
         return diagonal(row.k) && diagonal(row.c) && diagonal(row.m) && diagonal(row.kt) &&
                diagonal(row.ct);
     });
 }
 
 bool Rotor::support_masses_isotropic() const {
-    return every_row(*this, [](const BearingCoefficients &row) { return isotropic(row.m); }) &&
+    return every_row([](const BearingCoefficients &row) { return isotropic(row.m); }) &&
            every_pedestal(*this, [](const Pedestal &pedestal) { return alike(pedestal.mass); });
 }
 
 bool Rotor::damped() const {
     const bool in_bearings = !every_row(
-        *this, [](const BearingCoefficients &row) { return row.c.isZero(0) && row.ct.isZero(0); });
+        [](const BearingCoefficients &row) { return row.c.isZero(0) && row.ct.isZero(0); });
     return in_bearings || shaft.damped() ||
            !every_pedestal(*this, [](const Pedestal &pedestal) { return pedestal.c.isZero(0); });
 }
 
 bool Rotor::bearings_depend_on_speed() const {
-    return std::any_of(bearings.begin(), bearings.end(),
-                       [](const Bearing &b) { return b.depends_on_speed(); });
+    return std::ranges::any_of(bearings, &Bearing::depends_on_speed);
 }
 
 std::vector<double> Rotor::table_bends() const {
@@ -81,7 +73,7 @@ std::vector<double> Rotor::table_bends() const {
     for (const Bearing &bearing : bearings)
         for (const double speed : bearing.bends())
             out.push_back(speed);
-    std::sort(out.begin(), out.end());
+    std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
 }

@@ -6,6 +6,7 @@
 #include "model/disc.h"
 #include "model/shaft.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Rotor {
     [[nodiscard]] std::span<const Bearing> supports() const;
     [[nodiscard]] std::span<const Bearing> seals() const;
 
+    /// Something holds for the coefficients of every bearing at every speed.
+    template <class Predicate> [[nodiscard]] bool every_row(Predicate holds) const {
+        return std::ranges::all_of(
+            bearings, [&](const Bearing &b) { return std::ranges::all_of(b.rows, holds); });
+    }
     /// Bearings and pedestals are equal in x and y, without cross coupling, at every speed.
     [[nodiscard]] bool bearings_isotropic() const;
     /// Bearings and pedestals that look the same from every direction, at every speed: kxx = kyy,

@@ -79,8 +79,8 @@ struct Shaft {
 
     /// Some segment has two different bending stiffnesses.
     [[nodiscard]] bool asymmetric() const {
-        return std::any_of(segments.begin(), segments.end(),
-                           [](const Segment &segment) { return segment.asymmetry != 0; });
+        return std::ranges::any_of(segments,
+                                   [](const Segment &segment) { return segment.asymmetry != 0; });
     }
     /// Damping of any kind.
     [[nodiscard]] bool damped() const { return internal_damping != 0 || damped_outside(); }

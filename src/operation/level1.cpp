@@ -57,10 +57,7 @@ std::size_t least_damped(const Followed &set) {
     const auto rank = [](const std::optional<Complex> &l) {
         return l ? log_dec_of(*l) : std::numeric_limits<double>::infinity();
     };
-    return static_cast<std::size_t>(
-        std::min_element(set.begin(), set.end(),
-                         [&](const auto &a, const auto &b) { return rank(a) < rank(b); }) -
-        set.begin());
+    return static_cast<std::size_t>(std::ranges::min_element(set, {}, rank) - set.begin());
 }
 
 double least_log_dec(const Followed &set) {
@@ -81,8 +78,7 @@ Followed matched(const Followed &set, const std::vector<modes::WhirlMode> &value
     for (std::size_t i = 0; i < set.size(); ++i)
         for (std::size_t k = 0; set[i] && k < values.size(); ++k)
             pairs.push_back({std::abs(values[k].eigenvalue - *set[i]), i, k});
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const Pair &a, const Pair &b) { return a.distance < b.distance; });
+    std::ranges::stable_sort(pairs, {}, &Pair::distance);
     Followed out(set.size());
     std::vector<double> distances(set.size(), 0);
     std::vector<bool> taken(values.size(), false);
@@ -161,15 +157,11 @@ std::vector<modes::WhirlMode> first_modes(std::vector<modes::WhirlMode> all) {
         if (!results::damping_of(mode.eigenvalue).heavy())
             light.push_back(mode);
     if (light.empty())
-        return {*std::min_element(all.begin(), all.end(), [](const auto &a, const auto &b) {
-            return log_dec_of(a.eigenvalue) < log_dec_of(b.eigenvalue);
-        })};
-    std::stable_sort(light.begin(), light.end(), [](const auto &a, const auto &b) {
-        return a.eigenvalue.imag() < b.eigenvalue.imag();
-    });
-    const auto forward = std::find_if(light.begin(), light.end(), [](const modes::WhirlMode &mode) {
-        return mode.whirl == results::Whirl::forward;
-    });
+        return {*std::ranges::min_element(
+            all, {}, [](const auto &mode) { return log_dec_of(mode.eigenvalue); })};
+    std::ranges::stable_sort(light, {}, [](const auto &mode) { return mode.eigenvalue.imag(); });
+    const auto forward =
+        std::ranges::find(light, results::Whirl::forward, &modes::WhirlMode::whirl);
     const auto pair = static_cast<std::ptrdiff_t>(std::min<std::size_t>(light.size(), 2));
     constexpr double close = 1.2; // ratio of two frequencies of a pair
     auto end = forward == light.end() ? light.begin() + pair : forward + 1;
@@ -285,7 +277,7 @@ void fill_without_threshold(const CoupledRotor &rotor, const State &start,
 /// Whether some motion grows with such a coupling: the one followed may not be the one that does.
 bool some_grows(const CoupledRotor &rotor, double q) {
     const auto all = rotor.modes(q);
-    return std::any_of(all.begin(), all.end(), [](const modes::WhirlMode &mode) {
+    return std::ranges::any_of(all, [](const modes::WhirlMode &mode) {
         return log_dec_of(modes::determined_value(mode)) < -1e-9;
     });
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace whirl::operation {
 
@@ -29,8 +30,7 @@ bool counts(const std::optional<double> &amplification) {
 
 /// The peaks that are judged: what probes see, where there are any.
 std::vector<const ResponsePeak *> judged(const std::vector<ResponsePeak> &peaks) {
-    const bool probes = std::any_of(peaks.begin(), peaks.end(),
-                                    [](const ResponsePeak &peak) { return peak.of == "probe"; });
+    const bool probes = std::ranges::find(peaks, "probe", &ResponsePeak::of) != peaks.end();
     std::vector<const ResponsePeak *> out;
     for (const ResponsePeak &peak : peaks)
         if (peak.speed > 0 && peak.of == (probes ? "probe" : "station"))
@@ -92,16 +92,14 @@ SeparationMargin of_damping(const CriticalSpeed &critical, const model::Operatio
 /// Of the peaks of one resonance: of each probe its largest, the one that reads most first; of
 /// stations, whose peaks differ in nothing that is measured, the largest alone.
 std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> peaks) {
-    std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak *a, const ResponsePeak *b) {
-        return a->value > b->value;
-    });
+    std::ranges::stable_sort(peaks, std::greater{}, &ResponsePeak::value);
     std::vector<const ResponsePeak *> out;
     const auto same_probe = [](const ResponsePeak *a, const ResponsePeak *b) {
         return a->of != "probe" || a->place == b->place;
     };
     for (const ResponsePeak *peak : peaks)
-        if (std::none_of(out.begin(), out.end(),
-                         [&](const ResponsePeak *other) { return same_probe(peak, other); }))
+        if (std::ranges::none_of(
+                out, [&](const ResponsePeak *other) { return same_probe(peak, other); }))
             out.push_back(peak);
     return out;
 }
@@ -110,9 +108,7 @@ std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> 
 /// largest of them, and of each place one, for two peaks of one curve are two resonances.
 std::vector<std::vector<const ResponsePeak *>>
 of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
-    std::stable_sort(peaks.begin(), peaks.end(), [](const ResponsePeak *a, const ResponsePeak *b) {
-        return a->value > b->value;
-    });
+    std::ranges::stable_sort(peaks, std::greater{}, &ResponsePeak::value);
     std::vector<std::vector<const ResponsePeak *>> out;
     const auto distance = [](const auto &group, const ResponsePeak *peak) {
         return std::abs(std::log(group.front()->speed / peak->speed));
@@ -122,8 +118,7 @@ of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
         for (auto &group : out) {
             const ResponsePeak &first = *group.front();
             if (within_width(peak->speed, peak->amplification, first.speed, first.amplification) &&
-                std::none_of(group.begin(), group.end(),
-                             [&](const auto *other) { return other->place == peak->place; }) &&
+                std::ranges::find(group, peak->place, &ResponsePeak::place) == group.end() &&
                 (!nearest || distance(group, peak) < distance(*nearest, peak)))
                 nearest = &group;
         }
@@ -187,7 +182,7 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
             strays.push_back(peak);
             continue;
         }
-        const auto place = std::find(excited.begin(), excited.end(), critical) - excited.begin();
+        const auto place = std::ranges::find(excited, critical) - excited.begin();
         theirs[static_cast<std::size_t>(place)].push_back(peak);
     }
     std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
@@ -207,9 +202,8 @@ std::vector<SeparationMargin> separation_margins(const model::Operation &operati
     for (auto &group : groups)
         std::erase_if(group, [](const SeparationMargin &m) { return !counts(m.amplification); });
     std::erase_if(groups, [](const auto &group) { return group.empty(); });
-    std::stable_sort(groups.begin(), groups.end(), [](const auto &a, const auto &b) {
-        return a.front().speed < b.front().speed;
-    });
+    std::ranges::stable_sort(
+        groups, [](const auto &a, const auto &b) { return a.front().speed < b.front().speed; });
     std::vector<SeparationMargin> out;
     for (const auto &group : groups)
         out.insert(out.end(), group.begin(), group.end());
@@ -224,7 +218,7 @@ namespace {
 
 bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {
     ResponsePeak as_peak;
-    return std::any_of(margins.begin(), margins.end(), [&](const SeparationMargin &margin) {
+    return std::ranges::any_of(margins, [&](const SeparationMargin &margin) {
         as_peak.speed = margin.speed;
         as_peak.amplification = margin.amplification;
         return margin.whirl == critical.whirl && together(as_peak, critical);
@@ -281,7 +275,7 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                          const std::vector<ResponsePeak> &peaks, std::vector<std::string> &notes) {
     for (const ResponsePeak *peak : judged(peaks))
         if (peak->of == "probe" && !has_factor(*peak) &&
-            std::any_of(critical_speeds.begin(), critical_speeds.end(), [&](const auto &critical) {
+            std::ranges::any_of(critical_speeds, [&](const auto &critical) {
                 return critical.damping.known() && counts(critical.damping.amplification) &&
                        together(*peak, critical);
             }))
@@ -295,8 +289,9 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
 
 void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
                           std::vector<std::string> &notes) {
-    if (std::any_of(critical_speeds.begin(), critical_speeds.end(),
-                    [](const CriticalSpeed &critical) { return !critical.damping.known(); }))
+    if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
+            return !critical.damping.known();
+        }))
         notes.emplace_back("margins: of the peaks of the response alone, as the critical speeds of "
                            "this rotor are those without its damping");
 }

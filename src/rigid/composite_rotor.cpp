@@ -4,7 +4,7 @@
 #include "balancers/kind.h"
 #include "closed_form/composite_rotor_parameters.h"
 #include "model/errors.h"
-#include "rigid/supports.h"
+#include "rigid/projection.h"
 
 #include <fmt/core.h>
 
@@ -45,9 +45,7 @@ Parts parts_of(const model::Balancer &balancer, const Inertia &whole) {
     // One ball that stands for all of them.
     parts.balls = {1, masses.mass, std::sqrt(masses.on_circle / masses.mass),
                    kind->rate().value_or(0) * masses.mass};
-    const double mass =
-        balancer.imbalance_radius ? balancer.imbalance / *balancer.imbalance_radius : 0;
-    parts.imbalance = {balancer.imbalance, mass};
+    parts.imbalance = {balancer.imbalance, balancers::imbalance_mass(balancer)};
     return parts;
 }
 

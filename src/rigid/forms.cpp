@@ -9,9 +9,9 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "process/parallel.h"
+#include "rigid/anisotropy.h"
 #include "rigid/inertia.h"
 #include "rigid/projection.h"
-#include "rigid/tilt_motion.h"
 
 #include <fmt/format.h>
 
@@ -140,10 +140,9 @@ void add_additional(std::vector<RigidTarget> &targets, closed_form::RotatingCoef
 
 /// Place of a value in an ascending list that contains it.
 int place_of(double value, const std::vector<double> &ascending) {
-    const auto nearest =
-        std::min_element(ascending.begin(), ascending.end(), [value](double a, double b) {
-            return std::abs(a - value) < std::abs(b - value);
-        });
+    const auto nearest = std::ranges::min_element(ascending, [value](double a, double b) {
+        return std::abs(a - value) < std::abs(b - value);
+    });
     return static_cast<int>(nearest - ascending.begin());
 }
 

@@ -5,6 +5,7 @@
 #include "balancers/arrangement.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
+#include "linalg/roots.h"
 #include "linalg/sparse_factor.h"
 #include "linalg/sparse_sum.h"
 
@@ -142,23 +143,16 @@ double permissible(ZeroRootStiffness &stiffness, const Combination &slope, doubl
                          : std::numeric_limits<double>::infinity();
     };
     constexpr int steps = 200;
-    int best = 0;
     std::vector<double> values;
-    for (int i = 0; i <= steps; ++i) {
+    for (int i = 0; i <= steps; ++i)
         values.push_back(limit(from + (to - from) * i / steps));
-        if (values.back() < values[static_cast<std::size_t>(best)])
-            best = i;
-    }
-    // Golden section about the least one of the grid.
-    double a = from + (to - from) * std::max(0, best - 1) / steps;
-    double b = from + (to - from) * std::min(steps, best + 1) / steps;
-    const double ratio = (std::sqrt(5.0) - 1) / 2;
-    while (b - a > 1e-8 * b) {
-        const double c = b - ratio * (b - a);
-        const double d = a + ratio * (b - a);
-        (limit(c) < limit(d) ? b : a) = limit(c) < limit(d) ? d : c;
-    }
-    return std::min(limit((a + b) / 2), values[static_cast<std::size_t>(best)]);
+    const auto best = static_cast<int>(std::ranges::min_element(values) - values.begin());
+    const auto done = [](double low, double high, double) { return high - low <= 1e-8 * high; };
+    const double least =
+        linalg::least_between(limit, from + (to - from) * std::max(0, best - 1) / steps,
+                              from + (to - from) * std::min(steps, best + 1) / steps, done)
+            .second;
+    return std::min(least, values[static_cast<std::size_t>(best)]);
 }
 
 /// The values of one rotor, what several targets need computed once.

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "closed_form/composite_rotor.h"
 #include "model/rotor.h"
 
 #include <optional>
+#include <string>
 
 namespace whirl::rigid {
 
@@ -31,5 +33,11 @@ struct RigidRotor {
 /// The same where it leaves nothing out, bearings as at rest; none where a pedestal adds unknowns
 /// or a bearing is not the same from every direction.
 [[nodiscard]] std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor);
+
+/// The bearings projected on rigid motion about a centre: sums of k, k z, k z^2 + kt, and of the
+/// damping likewise. Empty, with the reason in `why`, for bearings that are not isotropic, that
+/// depend on speed or stand on pedestals, and where there is no stiffness.
+[[nodiscard]] std::optional<closed_form::ReducedSupports>
+reduced_supports(const model::Rotor &rotor, double center, std::string &why);
 
 } // namespace whirl::rigid

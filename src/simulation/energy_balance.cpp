@@ -85,7 +85,7 @@ void RotorMotion::add_outside_work(const Spin::At &spin, const double *state, do
     }
 }
 
-double RotorMotion::energy(double t, const double *state) const {
+RotorMotion::Totals RotorMotion::totals(double t, const double *state) const {
     const reduction::ReducedRotor &rotor = _parts.rotor;
     const Index r = rotor.size();
     const int n = coordinates();
@@ -94,71 +94,44 @@ double RotorMotion::energy(double t, const double *state) const {
     const ConstMap v(state + n, 2 * r);
     const ConstPair x(state, r, 2);
     const ConstPair u(state + n, r, 2);
+    const double turning =
+        x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0));
     double energy = v.squaredNorm() / 2 + _parts.polar_inertia * now.speed * now.speed / 2;
-    if (rotor.mass_beside.size() > 0)
-        energy += v.dot(rotor.mass_beside * v) / 2;
-    energy -=
-        now.speed / 2 *
-        (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0)));
-    energy += (x.col(0).dot(rotor.elastic * x.col(0)) + x.col(1).dot(rotor.elastic * x.col(1)) +
-               p.dot(rotor.supports_at(now.speed).stiffness * p)) /
-              2;
-    const double *angles = state + first_angle();
-    for (const FreeParts &parts : _parts.free) {
-        const balancers::MassMomenta part = parts.motion->momenta(
-            motion_of(parts.plane, state), {now.angle, now.speed}, angles, angles + n);
-        energy += part.kinetic + part.potential;
-        angles += parts.motion->size();
-    }
-    for (const FixedMass &mass : _parts.fixed) {
-        if (!is_there(mass))
-            continue;
-        const balancers::MassMomenta part =
-            mass.mass.momenta({fixed_motion(mass, state), fixed_motion(mass, state + n)},
-                              now.angle + mass.phase, now.speed);
-        energy += part.kinetic + part.potential;
-    }
-    return energy;
-}
-
-double RotorMotion::momentum(double t, const double *state) const {
-    const reduction::ReducedRotor &rotor = _parts.rotor;
-    const Index r = rotor.size();
-    const int n = coordinates();
-    const Spin::At now = spin(t, state);
-    const ConstPair x(state, r, 2);
-    const ConstPair u(state + n, r, 2);
-    const auto turned = [](const balancers::PlaneVector &q,
-                           const balancers::PlaneVector &m) { // Im(q^H m)
-        return q(0) * m(1) - q(1) * m(0) + q(2) * m(3) - q(3) * m(2);
-    };
     double momentum = _parts.polar_inertia * now.speed;
-    momentum -=
-        (x.col(0).dot(rotor.gyroscopic * u.col(1)) - x.col(1).dot(rotor.gyroscopic * u.col(0))) / 2;
+    momentum -= turning / 2;
     momentum += x.col(0).dot(u.col(1)) - x.col(1).dot(u.col(0));
     if (rotor.mass_beside.size() > 0) {
-        const Eigen::VectorXd beside = rotor.mass_beside * ConstMap(state + n, 2 * r);
+        const Eigen::VectorXd beside = rotor.mass_beside * v;
+        energy += v.dot(beside) / 2;
         momentum += x.col(0).dot(beside.tail(r)) - x.col(1).dot(beside.head(r));
     }
+    energy -= now.speed / 2 * turning;
     momentum -=
         now.speed / 2 *
         (x.col(0).dot(rotor.gyroscopic * x.col(0)) + x.col(1).dot(rotor.gyroscopic * x.col(1)));
+    energy += (x.col(0).dot(rotor.elastic * x.col(0)) + x.col(1).dot(rotor.elastic * x.col(1)) +
+               p.dot(rotor.supports_at(now.speed).stiffness * p)) /
+              2;
+    const auto add = [&](const balancers::PlaneVector &place, const balancers::MassMomenta &part) {
+        const balancers::PlaneVector &m = part.plane;
+        energy += part.kinetic + part.potential;
+        momentum += part.spin + // and Im(q^H m)
+                    (place(0) * m(1) - place(1) * m(0) + place(2) * m(3) - place(3) * m(2));
+    };
     const double *angles = state + first_angle();
     for (const FreeParts &parts : _parts.free) {
-        const balancers::MassMomenta part = parts.motion->momenta(
-            motion_of(parts.plane, state), {now.angle, now.speed}, angles, angles + n);
-        momentum += part.spin + turned(at_plane(parts.plane, state), part.plane);
+        const balancers::PlaneMotion plane = motion_of(parts.plane, state);
+        add(plane.place, parts.motion->momenta(plane, {now.angle, now.speed}, angles, angles + n));
         angles += parts.motion->size();
     }
     for (const FixedMass &mass : _parts.fixed) {
         if (!is_there(mass))
             continue;
-        const balancers::PlaneVector place = fixed_motion(mass, state);
-        const balancers::MassMomenta part = mass.mass.momenta(
-            {place, fixed_motion(mass, state + n)}, now.angle + mass.phase, now.speed);
-        momentum += part.spin + turned(place, part.plane);
+        const balancers::PlaneMotion plane{fixed_motion(mass, state),
+                                           fixed_motion(mass, state + n)};
+        add(plane.place, mass.mass.momenta(plane, now.angle + mass.phase, now.speed));
     }
-    return momentum;
+    return {energy, momentum};
 }
 
 } // namespace whirl::simulation

@@ -4,6 +4,7 @@
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
 #include "forced/forced_motion.h"
+#include "forced/response_places.h"
 #include "linalg/check.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
@@ -25,8 +26,8 @@ using std::numbers::pi;
 constexpr double most_revolutions = 1e7;
 
 /// Inertia against tilting of the point mass that is the imbalance, kg m2; 0 for an eccentricity.
-double imbalance_inertia(const model::Balancer &b) {
-    return b.imbalance_radius && b.tilt_inertia ? b.imbalance * *b.imbalance_radius : 0;
+double tilt_inertia_of_imbalance(const model::Balancer &b) {
+    return b.tilt_inertia ? balancers::imbalance_inertia(b) : 0;
 }
 
 /// The rotor with the constant inertia of all that is attached: parts that turn with the rotor as
@@ -45,10 +46,8 @@ model::Rotor rotor_with_masses(const model::Rotor &rotor) {
             disc.Id = (parts.on_circle + parts.own) / 2;
             disc.Ip = parts.turn_with_rotor ? parts.on_circle + parts.own : 0;
         }
-        if (b.imbalance_radius && b.imbalance > 0) {
-            disc.mass += b.imbalance / *b.imbalance_radius;
-            disc.Id += imbalance_inertia(b) / 2;
-        }
+        disc.mass += balancers::imbalance_mass(b);
+        disc.Id += tilt_inertia_of_imbalance(b) / 2;
         with.discs.push_back(disc);
     }
     return with;
@@ -65,13 +64,11 @@ model::Rotor rotor_without_balls(const model::Rotor &rotor) {
         bare.imbalances.push_back({b.name, b.z, own ? b.imbalance : capacity, b.imbalance_phase});
         model::Disc disc; // keeps a node at the balancer
         disc.z = b.z;
-        if (b.imbalance_radius && b.imbalance > 0) {
-            disc.mass = b.imbalance / *b.imbalance_radius;
-            disc.Id = imbalance_inertia(b) / 2;
-            disc.Ip = imbalance_inertia(b);
-            if (disc.Id > 0 && rotor.bearings_isotropic())
-                bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
-        }
+        disc.mass = balancers::imbalance_mass(b);
+        disc.Id = tilt_inertia_of_imbalance(b) / 2;
+        disc.Ip = tilt_inertia_of_imbalance(b);
+        if (disc.Id > 0 && rotor.bearings_isotropic())
+            bare.anisotropies.push_back({b.name, b.z, disc.Id, b.imbalance_phase});
         bare.discs.push_back(disc);
     }
     return bare;
@@ -138,7 +135,7 @@ std::vector<double> usual_start(const balancers::Kind &kind) {
 /// Index of the plane at z, made where there is none yet.
 int plane_at(double z, const assembly::Discretization &d, std::vector<double> &places,
              MovingParts &parts) {
-    const auto same = std::find(places.begin(), places.end(), z);
+    const auto same = std::ranges::find(places, z);
     const auto index = static_cast<int>(same - places.begin());
     if (same == places.end()) {
         places.push_back(z);
@@ -170,7 +167,7 @@ void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
     if (b.imbalance > 0) {
         FixedMass mass;
         mass.plane = plane;
-        const double inertia = imbalance_inertia(b);
+        const double inertia = tilt_inertia_of_imbalance(b);
         mass.mass = {b.imbalance, inertia, inertia, b.imbalance * g};
         mass.phase = b.imbalance_phase;
         motion.parts.fixed.push_back(mass);
@@ -246,8 +243,8 @@ void add_notes(const model::Case &scene, MotionScene &motion) {
         motion.notes.emplace_back(
             "start chosen here (simulate.ball_angles is not given): balls spread evenly, the first "
             "of each balancer out of place by 0.01 rad; other starts may end otherwise");
-    if (std::any_of(scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
-                    [](const model::Balancer &b) { return !b.tilt_inertia; }))
+    if (std::ranges::any_of(scene.rotor.balancers,
+                            [](const model::Balancer &b) { return !b.tilt_inertia; }))
         motion.notes.emplace_back("the balls' inertia against tilting is left out");
 }
 
@@ -261,10 +258,10 @@ int element_order(const model::Case &scene) {
 } // namespace
 
 bool has_imbalance(const model::Rotor &rotor) {
-    return std::any_of(rotor.balancers.begin(), rotor.balancers.end(),
-                       [](const model::Balancer &b) { return b.imbalance > 0; }) ||
-           std::any_of(rotor.imbalances.begin(), rotor.imbalances.end(),
-                       [](const model::Imbalance &i) { return i.mr != 0; });
+    return std::ranges::any_of(rotor.balancers,
+                               [](const model::Balancer &b) { return b.imbalance > 0; }) ||
+           std::ranges::any_of(rotor.imbalances,
+                               [](const model::Imbalance &i) { return i.mr != 0; });
 }
 
 std::vector<double> start_of(const model::Rotor &rotor,
@@ -298,12 +295,26 @@ MotionScene motion_scene(const model::Case &scene) {
     add_places(scene, goal.places);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         goal.tilted.push_back(anisotropy.z);
-    std::sort(goal.places.begin(), goal.places.end());
+    std::ranges::sort(goal.places);
     goal.places.erase(std::unique(goal.places.begin(), goal.places.end()), goal.places.end());
     motion.parts.rotor = reduction::reduce(d, goal);
     add_all_masses(scene, d, motion);
     add_notes(scene, motion);
     return motion;
+}
+
+std::vector<double> steady_amplitudes(const assembly::Discretization &d, results::Form form,
+                                      double speed, const std::vector<double> &places) {
+    forced::ForcedMotion forced(d, form);
+    forced.solve(speed);
+    if (forced.rounding() > forced::resonance_rounding)
+        throw linalg::SolverError("a resonance without damping");
+    std::vector<double> amplitudes;
+    for (const double z : places) {
+        const forced::Phasor u = forced.motion(d.deflection_at(z));
+        amplitudes.push_back(modes::ellipse_of(u.x, u.y).major);
+    }
+    return amplitudes;
 }
 
 std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, double speed) {
@@ -312,23 +323,18 @@ std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order, d
     if (asymmetric && !scene.rotor.bearings_isotropic())
         throw model::AnalysisFailure("an asymmetric rotor on bearings that differ between x and y "
                                      "has no single amplitude without balls to compare with");
-    forced::ForcedMotion forced(d, asymmetric ? results::Form::rotating : results::Form::general);
-    std::vector<double> amplitudes;
+    std::vector<double> places;
+    for (const model::Balancer &b : scene.rotor.balancers)
+        places.push_back(b.z);
     try {
-        forced.solve(speed);
-        if (forced.rounding() > 1e-3)
-            throw linalg::SolverError("a resonance without damping");
-        for (const model::Balancer &b : scene.rotor.balancers) {
-            const forced::Phasor u = forced.motion(d.deflection_at(b.z));
-            amplitudes.push_back(modes::ellipse_of(u.x, u.y).major);
-        }
+        return steady_amplitudes(d, asymmetric ? results::Form::rotating : results::Form::general,
+                                 speed, places);
     } catch (const linalg::SolverError &) {
         throw model::AnalysisFailure(
             fmt::format("no steady motion without balls at {:.6g} rad/s to compare with: the rotor "
                         "is at a resonance without damping, or free to move",
                         speed));
     }
-    return amplitudes;
 }
 
 } // namespace whirl::simulation

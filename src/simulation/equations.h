@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "results/formulation.h"
 #include "simulation/motion.h"
 
 #include <string>
@@ -32,9 +33,14 @@ struct MotionScene {
 /// @throws model::BadInput where something is missing or absurd; model::AnalysisFailure.
 [[nodiscard]] MotionScene motion_scene(const model::Case &scene);
 
-/// Largest deflection of each place (z, m) in the steady motion of the rotor without the parts of
-/// its balancers under all its imbalances, m; or, without any imbalance, under that which the parts
-/// of each balancer make side by side.
+/// Largest deflection of each place (z, m) in the steady motion under the imbalances, m.
+/// @throws linalg::SolverError at a resonance without damping
+[[nodiscard]] std::vector<double> steady_amplitudes(const assembly::Discretization &d,
+                                                    results::Form form, double speed,
+                                                    const std::vector<double> &places);
+
+/// Those at the balancers of the rotor without their parts, under all its imbalances; or, without
+/// any imbalance, under that which the parts of each balancer make side by side.
 [[nodiscard]] std::vector<double> unbalanced_amplitudes(const model::Case &scene, int order,
                                                         double speed);
 

@@ -1,6 +1,8 @@
 #include "simulation/linear_growth.h"
 
 #include "balancers/arrangement.h"
+#include "balancers/balance_family.h"
+#include "balancers/balanced_position.h"
 #include "linalg/check.h"
 #include "model/errors.h"
 #include "stability/motions.h"
@@ -8,19 +10,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 namespace whirl::simulation {
 
 namespace {
 
 bool balanced_position_exists(const model::Rotor &rotor) {
-    const bool others = std::any_of(rotor.imbalances.begin(), rotor.imbalances.end(),
-                                    [](const model::Imbalance &i) { return i.mr != 0; });
-    const bool pendulums =
-        std::any_of(rotor.balancers.begin(), rotor.balancers.end(), [](const model::Balancer &b) {
-            return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
-        });
+    const bool others =
+        std::ranges::any_of(rotor.imbalances, [](const model::Imbalance &i) { return i.mr != 0; });
+    const bool pendulums = std::ranges::any_of(rotor.balancers, [](const model::Balancer &b) {
+        return balancers::kind_of(b)->circled().empty() && b.imbalance > 0;
+    });
     return !others && !pendulums;
 }
 
@@ -31,11 +31,10 @@ bool balances(const model::Rotor &rotor, const std::vector<std::vector<double>> 
     for (std::size_t i = 0; i < angles.size(); ++i) {
         const model::Balancer &b = rotor.balancers[i];
         const auto kind = balancers::kind_of(b);
-        std::complex<double> moment = std::polar(b.imbalance, b.imbalance_phase);
         const auto circled = kind->circled();
-        for (std::size_t j = 0; j < circled.size(); ++j)
-            moment += std::polar(circled[j].moment, angles[i][j]);
-        if (!circled.empty() && std::abs(moment) > 0.05 * kind->reach().side_by_side)
+        const double moment = std::abs(balancers::defect_of(
+            circled, b.imbalance, balancers::turned(angles[i], -b.imbalance_phase)));
+        if (!circled.empty() && moment > 0.05 * kind->reach().side_by_side)
             return false;
     }
     return true;

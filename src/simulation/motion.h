@@ -62,10 +62,11 @@ class RotorMotion {
 
     /// dy/dt.
     void rates(double t, const double *state, double *rates) const;
-    /// Kinetic and potential energy with that of the spin, J.
-    [[nodiscard]] double energy(double t, const double *state) const;
-    /// Angular momentum about z, kg m2/s.
-    [[nodiscard]] double momentum(double t, const double *state) const;
+    struct Totals {
+        double energy = 0;   ///< kinetic and potential, with that of the spin, J
+        double momentum = 0; ///< angular, about z, kg m2/s
+    };
+    [[nodiscard]] Totals totals(double t, const double *state) const;
     /// Deflection of a row, (x, y) in m.
     [[nodiscard]] Eigen::Vector2d deflection(const reduction::Row &row, const double *state) const;
 

@@ -77,7 +77,7 @@ std::vector<double> RotorMotion::jumps() const {
     for (const FixedMass &mass : _parts.fixed)
         if (mass.from > 0)
             times.push_back(mass.from);
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;
 }

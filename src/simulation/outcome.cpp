@@ -37,15 +37,14 @@ double swing_from(const std::vector<double> &angles, std::size_t first) {
     return *high - *low;
 }
 
-/// Largest over the balancers.
-double worst(const results::SimulateResult &result,
-             std::vector<double> results::BalancerMotion::*list) {
-    double largest = 0;
+/// Largest rate of a part in the rotor, rad/s.
+double fastest_rate(const results::SimulateResult &result) {
+    double fastest = 0;
     for (const results::BalancerMotion &b : result.balancers)
-        for (const double value : b.*list)
-            if (std::abs(value) > std::abs(largest))
-                largest = value;
-    return largest;
+        for (const double rate : b.rates)
+            if (std::abs(rate) > std::abs(fastest))
+                fastest = rate;
+    return fastest;
 }
 
 /// Of the imbalances, or without any of the balls side by side, on a rotor without supports, m.
@@ -112,15 +111,6 @@ Look look_of(const results::MotionSeries &series, double ratio) {
     return look;
 }
 
-/// Largest of the lists at each time.
-std::vector<double> largest_of(const std::vector<std::vector<double>> &lists, std::size_t size) {
-    std::vector<double> largest(size, 0.0);
-    for (const std::vector<double> &list : lists)
-        for (std::size_t i = 0; i < std::min(size, list.size()); ++i)
-            largest[i] = std::max(largest[i], list[i]);
-    return largest;
-}
-
 /// The trends of a motion at constant speed over its last half.
 struct Trends {
     Trend amplitude;
@@ -152,13 +142,6 @@ Trends trends_of(const results::MotionSeries &series, double amplitude_noise, do
     for (const std::vector<double> &angles : series.angles)
         trends.creep = std::max(trends.creep, std::abs(angles.back() - angles[quarter]));
     return trends;
-}
-
-bool speed_is_constant(const results::MotionSeries &series) {
-    const std::size_t half = index_from(series, 0.5 * series.time.back());
-    const auto [low, high] = std::minmax_element(
-        series.speed.begin() + static_cast<std::ptrdiff_t>(half), series.speed.end());
-    return *high - *low <= 1e-3 * std::max(std::abs(*high), std::abs(*low));
 }
 
 /// Sets outcome, trend and decision_time; says why where the outcome is not what it looks like.
@@ -206,7 +189,11 @@ std::string judge(const Look &look, const Trends &trends, double tolerance,
 } // namespace
 
 bool ends_at_constant_speed(const results::SimulateResult &result) {
-    return speed_is_constant(result.series);
+    const results::MotionSeries &series = result.series;
+    const std::size_t half = index_from(series, 0.5 * series.time.back());
+    const auto [low, high] = std::minmax_element(
+        series.speed.begin() + static_cast<std::ptrdiff_t>(half), series.speed.end());
+    return *high - *low <= 1e-3 * std::max(std::abs(*high), std::abs(*low));
 }
 
 void classify(const model::Case &scene, results::SimulateResult &result) {
@@ -228,7 +215,7 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
     const Look look = look_of(result.series, ratio);
     const double tolerance = scene.simulate.tolerance;
     std::string why;
-    if (speed_is_constant(result.series))
+    if (ends_at_constant_speed(result))
         why = judge(look, trends_of(result.series, noise * tolerance * scale, noise * tolerance),
                     tolerance, result);
     else
@@ -239,8 +226,8 @@ void classify(const model::Case &scene, results::SimulateResult &result) {
         "ball "
         "in the rotor {:.3g} rad/s on the mean of the last tenth, swing of the angles over the "
         "last fortieth {:.3g} rad{}{}",
-        amplitude * micrometres, reference * micrometres,
-        worst(result, &results::BalancerMotion::rates), look.swing, why.empty() ? "" : "; ", why);
+        amplitude * micrometres, reference * micrometres, fastest_rate(result), look.swing,
+        why.empty() ? "" : "; ", why);
 }
 
 } // namespace whirl::simulation

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace whirl::simulation {
 
@@ -66,6 +67,20 @@ void add_segment(std::vector<double> &sizes, const model::Segment &s) {
                                    layer.material.rho});
 }
 
+/// What a restart holds of the state beside the motion of the shaft.
+struct StatePart {
+    std::vector<double> model::Restart::*list;
+    int first, count; ///< in the state
+};
+std::array<StatePart, 4> parts_of(const RotorMotion &motion) {
+    const int n = motion.coordinates();
+    const int angles = n - motion.first_angle();
+    return {{{&model::Restart::angles, n - angles, angles},
+             {&model::Restart::rates, 2 * n - angles, angles},
+             {&model::Restart::spin, 2 * n, motion.books() - 2 * n},
+             {&model::Restart::books, motion.books(), motion.size() - motion.books()}}};
+}
+
 /// All that makes this rotor another one.
 std::vector<double> signature_of(const model::Rotor &rotor) {
     std::vector<double> sizes{rotor.shaft.internal_damping, rotor.shaft.axial_force,
@@ -98,10 +113,8 @@ model::Restart restart_of(const model::Rotor &rotor_of_case, const RotorMotion &
     restart.signature = signature_of(rotor_of_case);
     restart.displacements = whole_rotor(rotor, state);
     restart.velocities = whole_rotor(rotor, state + n);
-    restart.angles.assign(state + motion.first_angle(), state + n);
-    restart.rates.assign(state + n + motion.first_angle(), state + 2 * n);
-    restart.spin.assign(state + 2 * n, state + motion.books());
-    restart.books.assign(state + motion.books(), state + motion.size());
+    for (const auto &[list, first, count] : parts_of(motion))
+        (restart.*list).assign(state + first, state + first + count);
     restart.series = {series.time, series.speed};
     for (const auto *lists : {&series.amplitude, &series.x, &series.y, &series.angles})
         restart.series.insert(restart.series.end(), lists->begin(), lists->end());
@@ -116,15 +129,15 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
     const auto angles = static_cast<std::size_t>(motion.parts().free_angles());
     const std::size_t planes = scene.rotor.balancers.size();
     const bool fits = restart.displacements.size() == whole && restart.velocities.size() == whole &&
-                      restart.angles.size() == angles && restart.rates.size() == angles &&
                       restart.largest.size() == planes && restart.last.size() == planes &&
-                      restart.books.size() == 3 &&
-                      restart.spin.size() == (motion.parts().motor ? 2U : 0U) &&
                       restart.series.size() == 2 + 3 * planes + angles &&
-                      std::all_of(restart.series.begin(), restart.series.end(),
-                                  [&](const std::vector<double> &column) {
-                                      return column.size() == restart.series.front().size();
-                                  });
+                      std::ranges::all_of(parts_of(motion),
+                                          [&](const StatePart &part) {
+                                              return std::ssize(restart.*part.list) == part.count;
+                                          }) &&
+                      std::ranges::all_of(restart.series, [&](const std::vector<double> &column) {
+                          return column.size() == restart.series.front().size();
+                      });
     if (!fits || restart.signature != signature_of(scene.rotor))
         throw model::BadInput(
             fmt::format("simulate.restart: expected the state of an interrupted run of this case, "
@@ -137,10 +150,8 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
     Eigen::VectorXd state(motion.size());
     on_shapes(rotor, restart.displacements, state.data());
     on_shapes(rotor, restart.velocities, state.data() + n);
-    std::copy(restart.angles.begin(), restart.angles.end(), state.data() + motion.first_angle());
-    std::copy(restart.rates.begin(), restart.rates.end(), state.data() + n + motion.first_angle());
-    std::copy(restart.spin.begin(), restart.spin.end(), state.data() + 2 * n);
-    std::copy(restart.books.begin(), restart.books.end(), state.data() + motion.books());
+    for (const auto &[list, first, count] : parts_of(motion))
+        std::ranges::copy(restart.*list, state.data() + first);
     return state;
 }
 

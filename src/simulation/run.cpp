@@ -3,7 +3,7 @@
 #include "linalg/dense/products.h"
 #include "process/interruption.h"
 #include "process/progress.h"
-#include "simulation/dry/dry_scene.h"
+#include "simulation/dry/dry_state.h"
 #include "simulation/restart.h"
 #include "simulation/steady_start.h"
 
@@ -154,7 +154,7 @@ std::vector<double> Run::stops() const {
     for (const double jump : _motion.jumps())
         if (jump < _scene.simulate.time)
             stops.push_back(jump);
-    std::sort(stops.begin(), stops.end());
+    std::ranges::sort(stops);
     stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
     return stops;
 }
@@ -166,12 +166,10 @@ void Run::begin(const model::Restart *from) {
         state = state_of(*from, _scene, _motion);
         _recorder.resume(*from, series_of(*from, _prepared.plane_of.size(),
                                           static_cast<std::size_t>(_motion.parts().free_angles())));
-        _energy = from->energy;
-        _momentum = from->momentum;
+        _before = {from->energy, from->momentum};
     } else {
         _recorder.output(0, state.data());
-        _energy = _motion.energy(0, state.data());
-        _momentum = _motion.momentum(0, state.data());
+        _before = _motion.totals(0, state.data());
     }
     _motion.enter_piece(std::nextafter(_t, HUGE_VAL));
     if (_stations)
@@ -184,11 +182,11 @@ void Run::begin(const model::Restart *from) {
 /// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
 void Run::pass_jump(double time) {
     Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
-    _energy -= _motion.energy(time, state.data());
-    _momentum -= _motion.momentum(time, state.data());
+    const RotorMotion::Totals less = _motion.totals(time, state.data());
     _motion.enter_piece(std::nextafter(time, HUGE_VAL));
-    _energy += _motion.energy(time, state.data());
-    _momentum += _motion.momentum(time, state.data());
+    const RotorMotion::Totals more = _motion.totals(time, state.data());
+    _before.energy = _before.energy - less.energy + more.energy;
+    _before.momentum = _before.momentum - less.momentum + more.momentum;
     if (_stations)
         _stations->begin(time, state.data());
     if (_dry)
@@ -250,9 +248,9 @@ bool Run::integrate(const model::Restart *from) {
             continue;
         if (!reach(stop))
             return false;
-        if (std::binary_search(outputs.begin(), outputs.end(), stop))
+        if (std::ranges::binary_search(outputs, stop))
             _recorder.output(_t, _solver.state());
-        if (std::binary_search(jumps.begin(), jumps.end(), stop))
+        if (std::ranges::binary_search(jumps, stop))
             pass_jump(stop);
     }
     return true;
@@ -264,8 +262,8 @@ model::Restart Run::restart() const {
     restart.case_name = _scene.name;
     restart.time = _t;
     restart.step = _solver.next_step();
-    restart.energy = _energy;
-    restart.momentum = _momentum;
+    restart.energy = _before.energy;
+    restart.momentum = _before.momentum;
     return restart;
 }
 
@@ -284,14 +282,16 @@ double Run::speed_at(double t) const {
 void Run::fill_audit(results::SimulateResult &result) const {
     const double *state = _solver.state();
     const double *books = state + _motion.books();
-    const double energy = _motion.energy(_t, state) - _energy;
-    const double momentum = _motion.momentum(_t, state) - _momentum;
+    const RotorMotion::Totals now = _motion.totals(_t, state);
+    const double energy = now.energy - _before.energy;
+    const double momentum = now.momentum - _before.momentum;
     result.audit = {energy - books[0] + books[1],
                     std::max({std::abs(energy), std::abs(books[0]), std::abs(books[1])}),
                     momentum - books[2], std::max(std::abs(momentum), std::abs(books[2]))};
     if (_motion.parts().motor) { // the spin itself takes part in the exchange
-        result.audit.energy_scale = std::max(result.audit.energy_scale, std::abs(_energy));
-        result.audit.momentum_scale = std::max(result.audit.momentum_scale, std::abs(_momentum));
+        result.audit.energy_scale = std::max(result.audit.energy_scale, std::abs(_before.energy));
+        result.audit.momentum_scale =
+            std::max(result.audit.momentum_scale, std::abs(_before.momentum));
     }
 }
 

@@ -46,8 +46,7 @@ class Run {
     OdeSolver _solver;
     std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
-    double _energy = 0;
-    double _momentum = 0;
+    RotorMotion::Totals _before; ///< at the start, with all that came to turn since
 
     [[nodiscard]] static Scales scales_of(const MotionScene &motion);
     void allowed_error(const double *state, double *allowed) const;

@@ -84,7 +84,7 @@ Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
     const double least = std::max(noise, std::numeric_limits<double>::min());
     const std::vector<Peak> peaks = peaks_in_windows(time, size, from, least);
     const auto nothing = [&](const Peak &peak) { return peak.logarithm <= std::log(least); };
-    if (std::all_of(peaks.begin(), peaks.end(), nothing))
+    if (std::ranges::all_of(peaks, nothing))
         return trend;
     const std::span<const Peak> all(peaks);
     const Line whole = line_through(all);
@@ -118,6 +118,14 @@ std::vector<double> swings_of(const std::vector<double> &time, const std::vector
             swings[i] = high - low;
     }
     return swings;
+}
+
+std::vector<double> largest_of(const std::vector<std::vector<double>> &lists, std::size_t size) {
+    std::vector<double> largest(size, 0.0);
+    for (const std::vector<double> &list : lists)
+        for (std::size_t i = 0; i < std::min(size, list.size()); ++i)
+            largest[i] = std::max(largest[i], list[i]);
+    return largest;
 }
 
 } // namespace whirl::simulation

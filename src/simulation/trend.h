@@ -31,4 +31,8 @@ struct Trend {
 [[nodiscard]] std::vector<double> swings_of(const std::vector<double> &time,
                                             const std::vector<double> &values, double width);
 
+/// Largest of these lists at each of `size` times; 0 where all are shorter.
+[[nodiscard]] std::vector<double> largest_of(const std::vector<std::vector<double>> &lists,
+                                             std::size_t size);
+
 } // namespace whirl::simulation

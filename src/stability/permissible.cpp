@@ -6,7 +6,7 @@
 #include "model/case.h"
 #include "model/errors.h"
 #include "results/formulation.h"
-#include "rigid/tilt_motion.h"
+#include "rigid/anisotropy.h"
 #include "stability/anisotropy_limit.h"
 #include "stability/band_finder.h"
 #include "stability/hill/closing_bands.h"

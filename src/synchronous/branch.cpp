@@ -1,6 +1,7 @@
 #include "synchronous/branch.h"
 
 #include "linalg/sparse_factor.h"
+#include "synchronous/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,11 +41,9 @@ double rounding_of(const ComplexQuadratic &Q, Complex l, const Eigen::VectorXcd 
 LinearSynchronous::LinearSynchronous(ComplexQuadratic from, ComplexQuadratic to, double s_from,
                                      double s_to)
     : _from(std::move(from)), _to(std::move(to)), _s_from(s_from), _s_to(s_to) {
-    // Unit diagonals: pivots are then not chosen by the units of deflections and slopes.
     const Eigen::VectorXd size = _from.K.diagonal().cwiseAbs() +
                                  s_to * s_to * Eigen::VectorXd(_from.M.diagonal().cwiseAbs());
-    _scale = size.unaryExpr(
-        [](double d) { return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0; });
+    _scale = unit_diagonal(size);
     const Eigen::VectorXcd scale = _scale.cast<Complex>();
     for (ComplexQuadratic *Q : {&_from, &_to})
         for (ComplexSparse *A : {&Q->M, &Q->D, &Q->K})

@@ -67,14 +67,12 @@ void name_whirl(const Discretization &d, results::Form form, std::vector<modes::
 void sort_ascending(SynchronousModes &list) {
     std::vector<std::size_t> order(list.modes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return list.modes[a].eigenvalue.imag() < list.modes[b].eigenvalue.imag();
-    });
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i) { return list.modes[i].eigenvalue.imag(); });
     SynchronousModes sorted;
     for (const std::size_t i : order) {
         sorted.modes.push_back(list.modes[i]);
-        if (!list.branches.empty())
-            sorted.branches.push_back(list.branches[i]);
+        sorted.branches.push_back(list.branches[i]);
     }
     list.modes = std::move(sorted.modes);
     list.branches = std::move(sorted.branches);
@@ -130,17 +128,9 @@ SynchronousModes all_synchronous_modes(const Discretization &d, results::Form fo
         return of_symmetric(d, form, [&](const SymmetricSynchronous &problem) {
             return problem.lowest(wanted, top);
         });
-    SynchronousModes out;
-    if (table_speeds(d.rotor()).empty()) {
-        GeneralSynchronous::Modes found = GeneralSynchronous(d, form).lowest(0, wanted, top);
-        out.modes = std::move(found.modes);
-        out.complete_to = found.complete_to;
-    } else {
-        FollowedSynchronous::Modes found = FollowedSynchronous(d, form).lowest(wanted, top);
-        out.modes = std::move(found.modes);
-        out.complete_to = found.complete_to;
-        out.doubtful = std::move(found.doubtful);
-    }
+    SynchronousModes out = table_speeds(d.rotor()).empty()
+                               ? GeneralSynchronous(d, form).lowest(0, wanted, top)
+                               : followed_modes(d, form, wanted, top);
     name_whirl(d, form, out.modes);
     return out;
 }

@@ -1,6 +1,7 @@
 #include "synchronous/followed.h"
 
 #include "synchronous/branch.h"
+#include "synchronous/general.h"
 #include "synchronous/parts.h"
 
 #include <algorithm>
@@ -38,15 +39,14 @@ bool same(const modes::WhirlMode &a, const modes::WhirlMode &b) {
 }
 
 /// Ascending, each once.
-void tidy(std::vector<modes::WhirlMode> &modes) {
-    std::stable_sort(modes.begin(), modes.end(), [](const auto &a, const auto &b) {
-        return a.eigenvalue.imag() < b.eigenvalue.imag();
-    });
+std::vector<modes::WhirlMode> tidied(std::vector<modes::WhirlMode> modes) {
+    std::ranges::stable_sort(modes, {},
+                             [](const modes::WhirlMode &mode) { return mode.eigenvalue.imag(); });
     std::vector<modes::WhirlMode> out;
-    for (const modes::WhirlMode &mode : modes)
-        if (std::none_of(out.begin(), out.end(), [&](const auto &o) { return same(o, mode); }))
-            out.push_back(mode);
-    modes = std::move(out);
+    for (modes::WhirlMode &mode : modes)
+        if (std::ranges::none_of(out, [&](const auto &other) { return same(other, mode); }))
+            out.push_back(std::move(mode));
+    return out;
 }
 
 /// Where Im l - s is going between two samples: the cubic in u = 0 .. 1.
@@ -103,7 +103,7 @@ std::vector<double> rows_at_once(const std::vector<double> &bends, const std::ve
     std::vector<double> out{rows[first], rows[first + 1]};
     for (std::size_t next = first + 2; next < rows.size(); ++next) {
         constexpr double widest = 2;
-        const bool bend = std::binary_search(bends.begin(), bends.end(), out.back());
+        const bool bend = std::ranges::binary_search(bends, out.back());
         if (bend || rows[next] > widest * out.front())
             break;
         out.push_back(rows[next]);
@@ -123,7 +123,7 @@ class Follower {
 
     /// @throws linalg::SolverError
     [[nodiscard]] Sample sample(double speed) const {
-        const GeneralSynchronous::Modes all = _problem.lowest(speed, 0, 1.6 * _last, looked_at);
+        const SynchronousModes all = _problem.lowest(speed, 0, 1.6 * _last, looked_at);
         Sample out{speed, {}, all.complete_to > _last};
         for (const modes::WhirlMode &mode : all.modes) {
             if (mode.eigenvalue.imag() < 0.4 * _first || mode.eigenvalue.imag() > 1.6 * _last)
@@ -275,8 +275,7 @@ class Follower {
             return false;
         for (std::size_t j = 0; j < b.points.size(); ++j)
             if (matters(b.points[j], b.speed, step) &&
-                std::none_of(pairs.begin(), pairs.end(),
-                             [j](const auto &pair) { return pair.second == j; }))
+                std::ranges::none_of(pairs, [j](const auto &pair) { return pair.second == j; }))
                 return false;
         for (const auto &[i, j] : pairs)
             if (!add_zeros(a, i, b, j, modes))
@@ -342,12 +341,14 @@ class Follower {
 
 } // namespace
 
-FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) const {
-    const std::vector<double> rows = table_speeds(_d.rotor());
-    const std::vector<double> bends = _d.rotor().table_bends();
-    Modes out;
+SynchronousModes followed_modes(const assembly::Discretization &rotor, results::Form form,
+                                int wanted, double top) {
+    const GeneralSynchronous problem(rotor, form);
+    const std::vector<double> rows = table_speeds(rotor.rotor());
+    const std::vector<double> bends = rotor.rotor().table_bends();
+    SynchronousModes out;
     double row = std::max(rows.front(), 0.0);
-    const GeneralSynchronous::Modes first = _problem.lowest(row, 0, row);
+    const SynchronousModes first = problem.lowest(row, 0, row);
     for (const modes::WhirlMode &mode : first.modes)
         if (mode.eigenvalue.imag() <= row * (1 + one_speed))
             out.modes.push_back(mode);
@@ -362,7 +363,7 @@ FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) c
         const std::vector<double> at_once = rows_at_once(bends, left, i);
         i += at_once.size() - 1;
         const double next = at_once.back();
-        Follower follower(_problem, at_once);
+        Follower follower(problem, at_once);
         const Sample from = follower.sample(row);
         const Sample to = follower.sample(next);
         follower.follow(from, to, 0);
@@ -375,8 +376,7 @@ FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) c
     if (!enough()) {
         const int missing = wanted - static_cast<int>(out.modes.size());
         for (int ask = std::max(missing, 1);; ask *= 2) {
-            const GeneralSynchronous::Modes all =
-                _problem.lowest(row, ask, std::max(top, 1.01 * row));
+            const SynchronousModes all = problem.lowest(row, ask, std::max(top, 1.01 * row));
             std::vector<modes::WhirlMode> above;
             std::copy_if(all.modes.begin(), all.modes.end(), std::back_inserter(above),
                          [&](const modes::WhirlMode &mode) {
@@ -390,7 +390,7 @@ FollowedSynchronous::Modes FollowedSynchronous::lowest(int wanted, double top) c
             break;
         }
     }
-    tidy(out.modes);
+    out.modes = tidied(std::move(out.modes));
     return out;
 }
 

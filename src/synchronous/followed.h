@@ -1,10 +1,7 @@
 #pragma once
 
 #include "results/formulation.h"
-#include "synchronous/general.h"
-
-#include <utility>
-#include <vector>
+#include "synchronous/parts.h"
 
 namespace whirl::synchronous {
 
@@ -14,26 +11,11 @@ namespace whirl::synchronous {
 /// their derivatives (left and right vectors), and each one's Im l - s is looked at as the cubic
 /// through values and derivatives. Steps in which a match or the number of zeros is doubtful are
 /// halved. Zeros are refined on the problem itself.
-class FollowedSynchronous {
-  public:
-    /// @param form  general or rotating; the rotor has bearing tables
-    FollowedSynchronous(const assembly::Discretization &rotor, results::Form form)
-        : _d(rotor), _problem(rotor, form) {}
-
-    struct Modes {
-        std::vector<modes::WhirlMode> modes; ///< ascending; without the sense of whirl
-        double complete_to = 0;              ///< rad/s; infinity: there are no more
-        /// Speeds between which a motion could not be followed, rad/s.
-        std::vector<std::pair<double, double>> doubtful;
-    };
-
-    /// At least `wanted` and all up to `top` (rad/s), where the model has so many.
-    /// @throws linalg::SolverError
-    [[nodiscard]] Modes lowest(int wanted, double top) const;
-
-  private:
-    const assembly::Discretization &_d;
-    GeneralSynchronous _problem;
-};
+/// @param form  general or rotating; the rotor has bearing tables
+/// @returns at least `wanted` and all up to `top` (rad/s), where the model has so many; without the
+///          sense of whirl
+/// @throws linalg::SolverError
+[[nodiscard]] SynchronousModes followed_modes(const assembly::Discretization &rotor,
+                                              results::Form form, int wanted, double top);
 
 } // namespace whirl::synchronous

@@ -7,7 +7,6 @@
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
-#include "synchronous/parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,18 +80,10 @@ double reach_within(double radius, double shift, double steepness) {
     return std::isinf(radius) ? radius : c > 0 ? 0 : (shift + std::sqrt(shift * shift - a * c)) / a;
 }
 
-void sort_ascending(std::vector<modes::WhirlMode> &modes) {
-    std::stable_sort(modes.begin(), modes.end(),
-                     [](const modes::WhirlMode &a, const modes::WhirlMode &b) {
-                         return a.eigenvalue.imag() < b.eigenvalue.imag();
-                     });
-}
-
 /// Enough modes where the list is complete.
-bool enough(const GeneralSynchronous::Modes &found, int wanted, double top) {
-    const auto sure = std::count_if(found.modes.begin(), found.modes.end(), [&](const auto &mode) {
-        return mode.eigenvalue.imag() <= found.complete_to;
-    });
+bool enough(const SynchronousModes &found, int wanted, double top) {
+    const auto sure = std::ranges::count_if(
+        found.modes, [&](const auto &mode) { return mode.eigenvalue.imag() <= found.complete_to; });
     return std::isinf(found.complete_to) || (sure >= wanted && found.complete_to > top);
 }
 
@@ -102,8 +93,8 @@ ComplexQuadratic::Sparse complex(const Matrix &A) {
 
 } // namespace
 
-GeneralSynchronous::Modes GeneralSynchronous::fixed(double bearing_speed, int wanted, double top,
-                                                    double steepness) const {
+SynchronousModes GeneralSynchronous::fixed(double bearing_speed, int wanted, double top,
+                                           double steepness) const {
     const assembly::FixedSystem system = assembly::assemble_fixed(_d, bearing_speed);
     const Matrix M = doubled(system.M, &system.G);
     const Matrix D = doubled(system.C, &system.Kc);
@@ -114,7 +105,7 @@ GeneralSynchronous::Modes GeneralSynchronous::fixed(double bearing_speed, int wa
     options.zeros = 2 * zeros.eigenvalues;
     if (zeros.eigenvalues > 0)
         options.shift = 0.3 * assembly::elastic_scale(_d);
-    Modes out;
+    SynchronousModes out;
     // Each mode of the complex problem brings a conjugate partner into the doubled one.
     for (int ask = std::max(_ask, 5 * wanted / 2 + 6 + 2 * zeros.eigenvalues);; ask = ask * 7 / 5) {
         options.wanted = std::min(ask, M.size());
@@ -150,14 +141,14 @@ GeneralSynchronous::Modes GeneralSynchronous::fixed(double bearing_speed, int wa
     return out;
 }
 
-GeneralSynchronous::Modes GeneralSynchronous::rotating(double bearing_speed, int wanted, double top,
-                                                       double steepness) const {
+SynchronousModes GeneralSynchronous::rotating(double bearing_speed, int wanted, double top,
+                                              double steepness) const {
     const assembly::RotatingSystem system = held_in_rotating_axes(_d, bearing_speed);
     const Weights weights(system.K, system.Kss);
     linalg::QuadraticOptions options;
     options.shift = 0.3 * assembly::support_scale(_d);
     options.fewest = 1;
-    Modes out;
+    SynchronousModes out;
     for (int ask = 2 * wanted + 4;; ask *= 2) {
         options.wanted = std::min(ask, 2 * system.K.size());
         const linalg::QuadraticResult found =
@@ -185,11 +176,13 @@ GeneralSynchronous::Modes GeneralSynchronous::rotating(double bearing_speed, int
     return out;
 }
 
-GeneralSynchronous::Modes GeneralSynchronous::lowest(double bearing_speed, int wanted, double top,
-                                                     double steepness) const {
-    Modes out = _form == results::Form::rotating ? rotating(bearing_speed, wanted, top, steepness)
-                                                 : fixed(bearing_speed, wanted, top, steepness);
-    sort_ascending(out.modes);
+SynchronousModes GeneralSynchronous::lowest(double bearing_speed, int wanted, double top,
+                                            double steepness) const {
+    SynchronousModes out = _form == results::Form::rotating
+                               ? rotating(bearing_speed, wanted, top, steepness)
+                               : fixed(bearing_speed, wanted, top, steepness);
+    std::ranges::stable_sort(out.modes, {},
+                             [](const modes::WhirlMode &mode) { return mode.eigenvalue.imag(); });
     return out;
 }
 

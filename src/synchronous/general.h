@@ -2,12 +2,10 @@
 
 #include "assembly/discretization.h"
 #include "linalg/sparse_sum.h"
-#include "modes/whirl_mode.h"
 #include "results/formulation.h"
+#include "synchronous/parts.h"
 
 #include <Eigen/SparseCore>
-
-#include <vector>
 
 namespace whirl::synchronous {
 
@@ -31,16 +29,11 @@ class GeneralSynchronous {
     GeneralSynchronous(const assembly::Discretization &rotor, results::Form form)
         : _d(rotor), _form(form) {}
 
-    struct Modes {
-        std::vector<modes::WhirlMode> modes; ///< ascending by Im l; without the sense of whirl
-        double complete_to = 0; ///< Im l up to which none is missing; infinity: all there are
-    };
-
     /// Modes with Im l > `steepness` |Re l|: at least `wanted` and all up to Im l = `top`, where
-    /// the model has so many; bearings as they are at a speed (rad/s).
+    /// the model has so many; without the sense of whirl, bearings as they are at a speed (rad/s).
     /// @throws linalg::SolverError
-    [[nodiscard]] Modes lowest(double bearing_speed, int wanted, double top,
-                               double steepness = 1) const;
+    [[nodiscard]] SynchronousModes lowest(double bearing_speed, int wanted, double top,
+                                          double steepness = 1) const;
 
     /// The problem itself.
     [[nodiscard]] ComplexQuadratic problem(double bearing_speed) const;
@@ -50,9 +43,10 @@ class GeneralSynchronous {
     results::Form _form;
     mutable int _ask = 0; ///< eigenvalues that were enough at the last speed
 
-    [[nodiscard]] Modes fixed(double bearing_speed, int wanted, double top, double steepness) const;
-    [[nodiscard]] Modes rotating(double bearing_speed, int wanted, double top,
-                                 double steepness) const;
+    [[nodiscard]] SynchronousModes fixed(double bearing_speed, int wanted, double top,
+                                         double steepness) const;
+    [[nodiscard]] SynchronousModes rotating(double bearing_speed, int wanted, double top,
+                                            double steepness) const;
 };
 
 } // namespace whirl::synchronous

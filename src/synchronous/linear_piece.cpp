@@ -4,6 +4,7 @@
 #include "linalg/quadratic/quadratic_eigen.h"
 #include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
+#include "synchronous/parts.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -81,7 +82,7 @@ std::vector<double> widest_gaps(const Piece &piece, const std::vector<CrossingPa
     for (const auto &[width, middle] : gaps)
         if (out.size() < 2 && width > no_room)
             out.push_back(middle);
-    std::sort(out.begin(), out.end());
+    std::ranges::sort(out);
     return out;
 }
 
@@ -121,9 +122,7 @@ std::vector<CrossingPair> real_ones(const Piece &piece,
             out.back().downwards = !out.back().downwards;
         }
     }
-    std::stable_sort(out.begin(), out.end(), [](const CrossingPair &a, const CrossingPair &b) {
-        return a.pair.value < b.pair.value;
-    });
+    std::ranges::stable_sort(out, {}, [](const auto &root) { return root.pair.value; });
     return out;
 }
 
@@ -131,10 +130,7 @@ std::vector<CrossingPair> real_ones(const Piece &piece,
 
 int negative_eigenvalues(const Sparse &Q) {
     // Unit diagonal: pivots are then not chosen, and not judged, by units.
-    const Eigen::VectorXd d = Q.diagonal().unaryExpr([](double value) {
-        const double size = std::abs(value);
-        return size > 0 ? std::exp2(-std::round(std::log2(size) / 2)) : 1.0;
-    });
+    const Eigen::VectorXd d = unit_diagonal(Q.diagonal().cwiseAbs());
     const Eigen::SimplicialLDLT<Sparse> ldlt(linalg::scaled(Q, d));
     if (ldlt.info() != Eigen::Success)
         throw linalg::SolverError("an inertia count met a zero pivot");

@@ -3,6 +3,7 @@
 #include "balancers/arrangement.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::synchronous {
 
@@ -35,12 +36,17 @@ assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &r
         true);
 }
 
+Eigen::VectorXd unit_diagonal(const Eigen::VectorXd &diagonal) {
+    return diagonal.unaryExpr(
+        [](double d) { return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0; });
+}
+
 std::vector<double> table_speeds(const model::Rotor &rotor) {
     std::vector<double> rows;
     for (const model::Bearing &bearing : rotor.bearings)
         if (bearing.depends_on_speed())
             rows.insert(rows.end(), bearing.speeds.begin(), bearing.speeds.end());
-    std::sort(rows.begin(), rows.end());
+    std::ranges::sort(rows);
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     return rows;
 }

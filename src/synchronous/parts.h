@@ -2,10 +2,25 @@
 
 #include "assembly/rotating_system.h"
 #include "linalg/matrix.h"
+#include "modes/whirl_mode.h"
 
+#include <Eigen/Core>
+
+#include <utility>
 #include <vector>
 
 namespace whirl::synchronous {
+
+/// Modes whose frequency is that of the spin.
+struct SynchronousModes {
+    std::vector<modes::WhirlMode> modes; ///< ascending by Im of the eigenvalue
+    /// Symmetric forms: which eigenvalue of K - W^2 A passes zero at the mode (SynchronousRoot);
+    /// empty for others.
+    std::vector<int> branches;
+    double complete_to = 0; ///< none below is missing, rad/s; infinity: the model has no more
+    /// Speeds between which some may be missing, rad/s.
+    std::vector<std::pair<double, double>> doubtful;
+};
 
 /// [A B; -B A]: the real form of A - i B on (Re, Im); without B: [A 0; 0 A].
 [[nodiscard]] linalg::Matrix doubled(const linalg::Matrix &A, const linalg::Matrix *B);
@@ -13,6 +28,10 @@ namespace whirl::synchronous {
 /// The rotor in rotating axes, the balls of its balancers held at their balanced positions.
 [[nodiscard]] assembly::RotatingSystem held_in_rotating_axes(const assembly::Discretization &rotor,
                                                              double bearing_speed);
+
+/// Powers of two s by which s d s is about 1 for each d >= 0 of a diagonal (1 where d is 0):
+/// deflections and slopes have different units, and pivots must not be chosen by them.
+[[nodiscard]] Eigen::VectorXd unit_diagonal(const Eigen::VectorXd &diagonal);
 
 /// Rows of all bearing tables of a rotor, rad/s, ascending, each once; empty where there are none.
 [[nodiscard]] std::vector<double> table_speeds(const model::Rotor &rotor);

@@ -6,6 +6,7 @@
 #include "linalg/unit_scales.h"
 #include "modes/support_damping.h"
 #include "results/formulation.h"
+#include "synchronous/parts.h"
 
 #include <array>
 #include <cmath>
@@ -26,10 +27,6 @@ enum Factor { one, speed_once, minus_speed_squared, i_speed, i_speed_squared, fa
 struct Terms {
     std::array<Sparse, factor_count> of;
 
-    void add(Factor factor, const linalg::Matrix &matrix) { add(factor, Sparse(matrix.view())); }
-    void add(Factor factor, const Sparse &matrix) {
-        of[factor] = of[factor].rows() == 0 ? matrix : Sparse(of[factor] + matrix);
-    }
     /// Gives all the same pattern; missing terms become zeros.
     void align() {
         Sparse pattern;
@@ -42,8 +39,7 @@ struct Terms {
             term = term.rows() == 0 ? pattern : Sparse(pattern + term);
     }
     /// Scales of the unknowns that make the diagonal of K + w^2 M, w a frequency of the order of
-    /// those of the single unknowns, about 1: deflections and slopes have different units, and
-    /// pivots must not be chosen by them.
+    /// those of the single unknowns, about 1.
     [[nodiscard]] Eigen::VectorXd scales() const {
         const Eigen::VectorXd K = of[one].diagonal().cwiseAbs();
         const Eigen::VectorXd M = of[minus_speed_squared].diagonal().cwiseAbs();
@@ -55,9 +51,7 @@ struct Terms {
                 ++count;
             }
         const double square = count > 0 ? std::exp2(sum / count) : 1;
-        return (K + square * M).unaryExpr([](double d) {
-            return d > 0 ? std::exp2(-std::round(std::log2(d) / 2)) : 1.0;
-        });
+        return unit_diagonal(K + square * M);
     }
     void scale(const Eigen::VectorXd &d) {
         for (Sparse &term : of)
@@ -70,13 +64,12 @@ struct Terms {
 
 Terms planar_terms(const assembly::Discretization &d, double speed) {
     const assembly::PlanarSystem system = assembly::assemble_planar(d, speed);
-    const auto damping = modes::planar_support_damping(d, speed);
-    Sparse C(d.planar_size(), d.planar_size());
-    C.setFromTriplets(damping.begin(), damping.end());
+    const auto C =
+        linalg::Matrix::from_entries(d.planar_size(), modes::planar_support_damping(d, speed));
     Terms terms;
-    terms.add(one, system.K);
-    terms.add(minus_speed_squared, linalg::Matrix::sum(1, system.M, -1, system.G));
-    terms.add(i_speed, C);
+    terms.of[one] = system.K.view();
+    terms.of[minus_speed_squared] = linalg::Matrix::sum(1, system.M, -1, system.G).view();
+    terms.of[i_speed] = C.view();
     terms.align();
     return terms;
 }
@@ -84,11 +77,11 @@ Terms planar_terms(const assembly::Discretization &d, double speed) {
 Terms general_terms(const assembly::Discretization &d, double speed) {
     const assembly::FixedSystem system = assembly::assemble_fixed(d, speed);
     Terms terms;
-    terms.add(one, system.K);
-    terms.add(speed_once, system.Kc);
-    terms.add(minus_speed_squared, system.M);
-    terms.add(i_speed, system.C);
-    terms.add(i_speed_squared, system.G);
+    terms.of[one] = system.K.view();
+    terms.of[speed_once] = system.Kc.view();
+    terms.of[minus_speed_squared] = system.M.view();
+    terms.of[i_speed] = system.C.view();
+    terms.of[i_speed_squared] = system.G.view();
     terms.align();
     return terms;
 }

@@ -24,10 +24,6 @@ class ForwardReceptance {
     ForwardReceptance(const assembly::Discretization &rotor, results::Form form,
                       const std::vector<assembly::Combination> &places);
     ~ForwardReceptance();
-    ForwardReceptance(const ForwardReceptance &) = delete;
-    ForwardReceptance &operator=(const ForwardReceptance &) = delete;
-    ForwardReceptance(ForwardReceptance &&) = delete;
-    ForwardReceptance &operator=(ForwardReceptance &&) = delete;
 
     /// R at a spin speed (rad/s), places x places, 1/kg.
     /// @throws linalg::SolverError at an undamped resonance.

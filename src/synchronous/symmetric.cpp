@@ -27,16 +27,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double at_a_row = 2e-10;
 
 bool symmetric_bearings(const model::Rotor &rotor) {
-    return std::all_of(rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &b) {
-        return std::all_of(b.rows.begin(), b.rows.end(), [](const model::BearingCoefficients &row) {
-            return model::symmetric(row.k) && model::symmetric(row.m) && model::symmetric(row.kt);
-        });
-    });
-}
-
-void sort_ascending(std::vector<CrossingPair> &list) {
-    std::stable_sort(list.begin(), list.end(), [](const CrossingPair &a, const CrossingPair &b) {
-        return a.pair.value < b.pair.value;
+    return rotor.every_row([](const model::BearingCoefficients &row) {
+        return model::symmetric(row.k) && model::symmetric(row.m) && model::symmetric(row.kt);
     });
 }
 
@@ -124,12 +116,11 @@ SymmetricSynchronous::Passages SymmetricSynchronous::about_a_shift(const Matrix 
             const Eigen::VectorXd x = pair.vector.real();
             out.list.push_back({{w, x, pair.residual, pair.rounding}, x.dot(A * x) > 0});
         }
-        sort_ascending(out.list);
+        std::ranges::stable_sort(out.list, {}, [](const auto &root) { return root.pair.value; });
         const double radius = found.complete_radius;
         out.complete_to = radius >= options.shift ? options.shift + radius : 0;
-        const auto sure = std::count_if(out.list.begin(), out.list.end(), [&](const auto &root) {
-            return root.pair.value <= out.complete_to;
-        });
+        const auto sure = std::ranges::count_if(
+            out.list, [&](const auto &root) { return root.pair.value <= out.complete_to; });
         if (sure >= wanted || std::isinf(radius) || options.wanted == 2 * K.size()) {
             out.list.resize(static_cast<std::size_t>(sure));
             return out;
@@ -169,9 +160,8 @@ SymmetricSynchronous::Passages SymmetricSynchronous::constant_up_to(double speed
             continue;
         found.counted = found.complete_to > speed;
         found.complete_to = std::min(found.complete_to, speed);
-        const auto beyond = std::find_if(found.list.begin(), found.list.end(), [&](const auto &r) {
-            return r.pair.value > speed * (1 + at_a_row / 2);
-        });
+        const auto beyond = std::ranges::find_if(
+            found.list, [&](const auto &r) { return r.pair.value > speed * (1 + at_a_row / 2); });
         found.list.erase(beyond, found.list.end());
         return found;
     }

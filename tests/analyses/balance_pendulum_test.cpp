@@ -2,6 +2,7 @@
 
 #include "analyses/balance.h"
 #include "analyses/stability.h"
+#include "closed_form/pendulum_branches.h"
 #include "closed_form/pendulum_small_motions.h"
 #include "criterion/pendulum_motion.h"
 #include "forced/forced_motion.h"
@@ -76,7 +77,7 @@ TEST(BalancePendulum, RigidSymmetricRotorIsThePlanarOne) {
                         1e-8);
             EXPECT_NEAR(state.phi, motions[i].phi, 1e-8);
             EXPECT_NEAR(state.psi, motions[i].psi, 1e-8);
-            EXPECT_EQ(state.collision, !motions[i].valid());
+            EXPECT_EQ(state.collision, !closed_form::valid(motions[i]));
             // Tilt adds damped motions of its own: the growth may only be larger by them.
             EXPECT_NEAR(std::max(0.0, state.growth), std::max(0.0, omega_0 * motions[i].growth),
                         1e-6 * omega_0);

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <optional>
 #include <random>
 
 namespace whirl::closed_form {
@@ -17,6 +19,19 @@ namespace {
 /// Half a unit of the sixth, or fourth, printed decimal.
 constexpr double six_decimals = 0.5e-6;
 constexpr double four_decimals = 0.5e-4;
+
+/// Interval of D_A = |D|.
+std::optional<ArrangementInterval> second_harmonic_interval(int balls, double capacity) {
+    return modulus_interval(balls, capacity, 0.0, 1.0);
+}
+
+/// Distance from balance |(1/n) sum exp(i a_j) + 1/E|, zero in a balanced position.
+double balance_defect(const std::vector<double> &angles, double capacity) {
+    std::complex<double> sum = 0.0;
+    for (const double angle : angles)
+        sum += std::polar(1.0, angle);
+    return std::abs(sum / static_cast<double>(angles.size()) + 1.0 / capacity);
+}
 
 /// A random balanced position: random angles, moved to balance by minimum-norm Newton steps.
 bool random_position(std::mt19937 &generator, double capacity, std::vector<double> &angles) {
@@ -195,10 +210,7 @@ TEST(BalancedPosition, SymmetricPositionsBalance) {
                 two_ball_second_harmonic(1.5), 1e-15);
 }
 
-TEST(BalancedPosition, Capacity) {
-    EXPECT_DOUBLE_EQ(capacity(2, 2.0, 0.2, 0.4), 2.0);
-    EXPECT_GT(balance_defect({1.0, -1.0}, 2.0), 0.5);
-}
+TEST(BalancedPosition, Capacity) { EXPECT_GT(balance_defect({1.0, -1.0}, 2.0), 0.5); }
 
 } // namespace
 } // namespace whirl::closed_form

@@ -44,7 +44,55 @@ void add_velocity(MotionMatrices &m, Block row, Block column, std::complex<doubl
 
 } // namespace
 
-MotionMatrices rotating_frame_matrices(const RotatingCoefficients &c) {
+ReducedSupports reduced_supports(const Support &left, const Support &right) {
+    ReducedSupports reduced;
+    for (const Support &support : {left, right}) {
+        const double z = support.position;
+        reduced.c_x += support.stiffness;
+        reduced.c_y += support.stiffness * z;
+        reduced.c_beta += support.stiffness * z * z;
+        reduced.h_x += support.damping;
+        reduced.h_y += support.damping * z;
+        reduced.h_beta += support.damping * z * z;
+    }
+    return reduced;
+}
+
+RotatingEquations rotating_coefficients(const PhysicalParameters &physical) {
+    const BallSet &balls = physical.balls;
+    const double ball_mass = balls.count * balls.mass;
+    const double A_m = ball_mass * balls.radius * balls.radius;
+    const double A_m0 = physical.imbalance.inertia();
+    RotatingEquations c;
+    c.mass = physical.mass;
+    c.mean_inertia = physical.base_inertia + 0.5 * (A_m + A_m0);
+    c.polar_inertia = physical.polar_inertia + A_m + A_m0;
+    c.anisotropy = 0.5 * (A_m0 + A_m * physical.second_harmonic);
+    c.balancer_position = physical.balancer_position;
+    c.supports = physical.supports;
+    c.ball_mass = ball_mass;
+    c.h_s = balls.damping / balls.mass;
+    c.second_harmonic = physical.second_harmonic;
+    c.spin_speed = physical.spin_speed;
+    return c;
+}
+
+RotatingEquations rotating_coefficients(const DimensionlessParameters &d) {
+    RotatingEquations c;
+    c.mass = 1.0;
+    c.mean_inertia = 1.0;
+    c.polar_inertia = d.polar_inertia;
+    c.anisotropy = d.anisotropy();
+    c.balancer_position = d.balancer_position;
+    c.supports = {1.0, d.p * d.p, d.c_y, d.h_x, d.h_beta, d.h_y};
+    c.ball_mass = d.ball_mass;
+    c.h_s = d.h_s;
+    c.second_harmonic = d.second_harmonic;
+    c.spin_speed = d.spin_speed;
+    return c;
+}
+
+MotionMatrices rotating_frame_matrices(const RotatingEquations &c) {
     const double w = c.spin_speed;
     const double z = c.balancer_position;
     const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(6, 6);

@@ -2,9 +2,17 @@
 
 #include "closed_form/pendulum_balancer.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace whirl::closed_form {
+
+/// |phi|, |psi| < pi/4: no collisions between the pendulums.
+[[nodiscard]] inline bool valid(const PendulumMotion &motion) {
+    return std::max(std::abs(motion.phi), std::abs(motion.psi)) < std::numbers::pi / 4.0;
+}
 
 /// A steady motion on a branch over speed.
 struct BranchPoint {

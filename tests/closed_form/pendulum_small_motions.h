@@ -1,6 +1,6 @@
 #pragma once
 
-#include "closed_form/band.h"
+#include "closed_form/anisotropic_rotor.h"
 #include "closed_form/pendulum_balancer.h"
 
 #include <complex>

@@ -380,7 +380,7 @@ void check_peaks(const model::Case &as_given, int number, Findings &out) {
             continue;
         if (peak.speed != at)
             dense = std::make_unique<DenseResponse>(d, form, at = peak.speed);
-        const forced::Quantity &q = quantities[static_cast<std::size_t>(peak.quantity)];
+        const forced::Quantity &q = quantities[peak.quantity];
         std::optional<model::BearingCoefficients> bearing;
         if (q.bearing != forced::Quantity::deflection)
             bearing = scene.rotor.bearings[static_cast<std::size_t>(q.bearing)].at(at);

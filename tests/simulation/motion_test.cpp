@@ -280,12 +280,12 @@ TEST(Coasting, KeepsItsEnergy) {
     motion.rates(0, state.data(), rates.data());
     // dE/dt by a central difference along the motion.
     const double step = 1e-7;
-    const double change = motion.energy(0, Eigen::VectorXd(state + step * rates).data()) -
-                          motion.energy(0, Eigen::VectorXd(state - step * rates).data());
+    const double change = motion.totals(0, Eigen::VectorXd(state + step * rates).data()).energy -
+                          motion.totals(0, Eigen::VectorXd(state - step * rates).data()).energy;
     const double vibration = rates.segment(motion.coordinates(), motion.first_angle()).norm() *
                              state.segment(motion.coordinates(), motion.first_angle()).norm();
     // What rounding of the energy leaves; the vibration alone exchanges far more with the spin.
-    const double rounding = 1e-15 * motion.energy(0, state.data()) / step;
+    const double rounding = 1e-15 * motion.totals(0, state.data()).energy / step;
     EXPECT_LT(std::abs(change / (2 * step)), rounding);
     EXPECT_GT(vibration, 100 * rounding);
 }

@@ -66,6 +66,15 @@ std::optional<Eigen::Vector2d> read_directions(CheckedTable &table, const std::s
     return Eigen::Vector2d(x.value_or(0), y.value_or(0));
 }
 
+void read_tilting(CheckedTable &table, model::Bearing &bearing) {
+    const double kt = table.number_or("kt", 0, Quantity::tilt_stiffness, Range::not_negative());
+    const double ct = table.number_or("ct", 0, Quantity::tilt_damping, Range::not_negative());
+    for (model::BearingCoefficients &row : bearing.rows) {
+        row.kt.diagonal().setConstant(kt);
+        row.ct.diagonal().setConstant(ct);
+    }
+}
+
 void read_pedestal(CheckedTable &table, model::Bearing &bearing) {
     const auto mass = read_directions(table, "pedestal_mass", "pedestal_mass_", Quantity::mass,
                                       Range::not_negative());
@@ -90,50 +99,39 @@ bool is_zero(const model::BearingCoefficients &row) {
            row.ct.isZero(0);
 }
 
-/// Adds the bearing; refuses one that does nothing.
-void add_acting(CheckedTable &table, const model::Bearing &bearing, const char *expected,
-                model::Rotor &rotor) {
-    if (!bearing.rows.empty() && std::all_of(bearing.rows.begin(), bearing.rows.end(), is_zero))
-        table.context().problems.add(table.node().origin, table.path(), expected);
-    rotor.bearings.push_back(bearing);
+/// [[bearing]], or [[seal]]: one without pedestal and resistance to tilting.
+void read_supports(CheckedTable &root, bool seal, const char *expected, model::Rotor &rotor) {
+    for (CheckedTable &table : root.tables(seal ? "seal" : "bearing")) {
+        model::Bearing bearing;
+        bearing.seal = seal;
+        read_place(table, bearing);
+        read_rows(table, bearing);
+        if (!seal) {
+            read_tilting(table, bearing);
+            read_pedestal(table, bearing);
+        }
+        bearing.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
+        table.refuse_unknown();
+        if (!bearing.rows.empty() && std::ranges::all_of(bearing.rows, is_zero))
+            table.context().problems.add(table.node().origin, table.path(), expected);
+        rotor.bearings.push_back(bearing);
+    }
 }
 
 } // namespace
 
 void read_bearings(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("bearing")) {
-        model::Bearing bearing;
-        read_place(table, bearing);
-        read_rows(table, bearing);
-        const double kt = table.number_or("kt", 0, Quantity::tilt_stiffness, Range::not_negative());
-        const double ct = table.number_or("ct", 0, Quantity::tilt_damping, Range::not_negative());
-        for (model::BearingCoefficients &row : bearing.rows) {
-            row.kt.diagonal().setConstant(kt);
-            row.ct.diagonal().setConstant(ct);
-        }
-        read_pedestal(table, bearing);
-        bearing.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
-        table.refuse_unknown();
-        add_acting(table, bearing,
-                   "expected stiffness, damping or mass (k, c, kxx, ..., m, mxx, ..., kt, ct or "
-                   "table), got a bearing with none",
-                   rotor);
-    }
+    read_supports(root, false,
+                  "expected stiffness, damping or mass (k, c, kxx, ..., m, mxx, ..., kt, ct or "
+                  "table), got a bearing with none",
+                  rotor);
 }
 
 void read_seals(CheckedTable &root, model::Rotor &rotor) {
-    for (CheckedTable &table : root.tables("seal")) {
-        model::Bearing seal;
-        seal.seal = true;
-        read_place(table, seal);
-        read_rows(table, seal);
-        seal.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
-        table.refuse_unknown();
-        add_acting(table, seal,
-                   "expected stiffness, damping or mass (k, c, kxx, ..., m or table), got a seal "
-                   "with none",
-                   rotor);
-    }
+    read_supports(root, true,
+                  "expected stiffness, damping or mass (k, c, kxx, ..., m or table), got a seal "
+                  "with none",
+                  rotor);
 }
 
 } // namespace whirl::input

@@ -16,6 +16,7 @@ using model::BearingCoefficients;
 constexpr std::array matrices{&BearingCoefficients::k, &BearingCoefficients::c,
                               &BearingCoefficients::m};
 constexpr std::size_t most_rows = 2000;
+constexpr double departure = 1e-5; ///< of straight lines, of the largest entry of a kind
 
 /// Slopes at the nodes that make the cubics between them one with continuous second derivative, and
 /// third derivative at the second and the last node but one (not-a-knot): so a cubic is met
@@ -99,9 +100,9 @@ std::vector<Entry> entries_of(const model::Bearing &bearing) {
 /// little enough, by at most h^2/8 times the larger second derivative of its ends. Halves, so that
 /// bearings with tables over the same speeds share their rows: each row is a piece to solve for.
 void add_halved(const std::vector<Entry> &entries, std::size_t i, double from, double to,
-                double departure, std::vector<double> &out) {
+                std::vector<double> &out) {
     const double square = (to - from) * (to - from);
-    const bool near = std::all_of(entries.begin(), entries.end(), [&](const Entry &entry) {
+    const bool near = std::ranges::all_of(entries, [&](const Entry &entry) {
         const double bend =
             std::max(std::abs(entry.curvature(i, from)), std::abs(entry.curvature(i, to)));
         return square * bend <= 8 * departure * entry.size;
@@ -111,19 +112,19 @@ void add_halved(const std::vector<Entry> &entries, std::size_t i, double from, d
         return;
     }
     const double middle = from + (to - from) / 2;
-    add_halved(entries, i, from, middle, departure, out);
-    add_halved(entries, i, middle, to, departure, out);
+    add_halved(entries, i, from, middle, out);
+    add_halved(entries, i, middle, to, out);
 }
 
 } // namespace
 
-bool refine_by_spline(model::Bearing &bearing, double departure) {
+bool refine_by_spline(model::Bearing &bearing) {
     if (bearing.rows.size() < 3)
         return true;
     const std::vector<Entry> entries = entries_of(bearing);
     std::vector<double> speeds;
     for (std::size_t i = 0; i + 1 < bearing.speeds.size(); ++i)
-        add_halved(entries, i, bearing.speeds[i], bearing.speeds[i + 1], departure, speeds);
+        add_halved(entries, i, bearing.speeds[i], bearing.speeds[i + 1], speeds);
     if (speeds.size() > most_rows)
         return false;
     speeds.push_back(bearing.speeds.back());

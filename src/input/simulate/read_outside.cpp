@@ -1,29 +1,24 @@
-#include "input/simulate/read_outside.h"
-
 #include "input/csv_table.h"
+#include "input/sections.h"
 
 #include <fmt/core.h>
 
 namespace whirl::input {
 namespace {
 
-void read_imbalance(CheckedTable &table, model::SimulateSettings &simulate) {
-    model::SuddenImbalance imbalance;
+void read_imbalance(CheckedTable &table, double end, model::SuddenImbalance &imbalance) {
     read_place(table, imbalance);
     imbalance.time = table.number("time", Quantity::time, Range::not_negative());
     imbalance.mr = table.number("mr", Quantity::imbalance);
     imbalance.phase = table.number_or("phase", 0, Quantity::angle);
-    if (imbalance.time >= simulate.time)
+    if (imbalance.time >= end)
         table.fail("time", fmt::format("expected a time before the end of the motion, {} s, got {} "
                                        "s",
-                                       simulate.time, imbalance.time));
-    table.refuse_unknown();
-    simulate.imbalances.push_back(imbalance);
+                                       end, imbalance.time));
 }
 
 /// Components, frequency, phases and when it acts: of a force, or of the foundation's acceleration.
-model::StationForce read_harmonic(CheckedTable &table, Quantity quantity) {
-    model::StationForce force;
+void read_harmonic(CheckedTable &table, Quantity quantity, model::StationForce &force) {
     force.x = table.number_or("x", 0, quantity);
     force.y = table.number_or("y", 0, quantity);
     if (!table.has("x") && !table.has("y"))
@@ -37,7 +32,6 @@ model::StationForce read_harmonic(CheckedTable &table, Quantity quantity) {
     if (force.to && *force.to <= force.from)
         table.fail("to",
                    fmt::format("expected more than from = {} s, got {} s", force.from, *force.to));
-    return force;
 }
 
 std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path &file,
@@ -72,7 +66,7 @@ model::BaseMotion read_base(CheckedTable &table) {
                 table.fail(key, "expected either a table or a harmonic acceleration, got both");
         base.table = read_base_table(context.folder / *file, context.problems);
     } else {
-        base.harmonic = read_harmonic(table, Quantity::acceleration);
+        read_harmonic(table, Quantity::acceleration, base.harmonic.emplace());
     }
     table.refuse_unknown();
     return base;
@@ -94,17 +88,15 @@ void read_start(CheckedTable &table, model::Case &scene) {
 
 void read_outside(CheckedTable &simulate, model::Case &scene) {
     read_start(simulate, scene);
-    for (CheckedTable &table : simulate.tables("imbalance"))
-        read_imbalance(table, scene.simulate);
-    for (CheckedTable &table : simulate.tables("force")) {
-        const std::string name = table.text("name").value_or("");
-        const double z = table.number("z", Quantity::length);
-        model::StationForce force = read_harmonic(table, Quantity::force);
-        force.name = name;
-        force.z = z;
-        table.refuse_unknown();
-        scene.simulate.forces.push_back(force);
-    }
+    read_each(simulate, "imbalance", scene.simulate.imbalances,
+              [&](CheckedTable &table, model::SuddenImbalance &imbalance) {
+                  read_imbalance(table, scene.simulate.time, imbalance);
+              });
+    read_each(simulate, "force", scene.simulate.forces,
+              [](CheckedTable &table, model::StationForce &force) {
+                  read_place(table, force);
+                  read_harmonic(table, Quantity::force, force);
+              });
     if (auto base = simulate.table("base"))
         scene.simulate.base = read_base(*base);
 }

@@ -1,5 +1,4 @@
 #include "input/sections.h"
-#include "input/simulate/read_outside.h"
 
 #include <fmt/core.h>
 

@@ -185,14 +185,14 @@ bool DryEvents::collide(double t, Eigen::VectorXd &state) {
 
 /// Changes the velocities and keeps the books.
 void DryEvents::jump(double t, Eigen::VectorXd &state, const Eigen::VectorXd &change) {
-    const double before = _motion.energy(t, state.data());
-    const double momentum = _motion.momentum(t, state.data());
+    const RotorMotion::Totals before = _motion.totals(t, state.data());
     state.segment(change.size(), change.size()) += change;
+    const RotorMotion::Totals after = _motion.totals(t, state.data());
     // What keeps the spin as it is gives an impulse, and the work of that impulse.
-    const double impulse = _motion.momentum(t, state.data()) - momentum;
+    const double impulse = after.momentum - before.momentum;
     const double work = _motion.spin(t, state.data()).speed * impulse;
-    const double lost = before + work - _motion.energy(t, state.data());
-    _created = std::max(_created, -lost / std::abs(before));
+    const double lost = before.energy + work - after.energy;
+    _created = std::max(_created, -lost / std::abs(before.energy));
     state.tail<3>() += Eigen::Vector3d(work, lost, impulse);
 }
 

@@ -1,4 +1,4 @@
-#include "simulation/dry/dry_scene.h"
+#include "simulation/dry/dry_state.h"
 
 #include "model/errors.h"
 
@@ -23,7 +23,7 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
         const double angle = angles[static_cast<std::size_t>(i)];
         around.emplace_back(angle - turn * std::floor(angle / turn), i);
     }
-    std::sort(around.begin(), around.end());
+    std::ranges::sort(around);
     for (std::size_t k = 0; k < around.size() && around.size() > 1; ++k) {
         const auto [here, i] = around[k];
         const auto [there, j] = around[(k + 1) % around.size()];
@@ -53,7 +53,7 @@ DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, 
             resists.push_back(free.motion->resists(i));
     }
     dry.closed.assign(dry.gaps.size(), false);
-    if (std::find(resists.begin(), resists.end(), true) == resists.end())
+    if (std::ranges::find(resists, true) == resists.end())
         return dry;
     dry.resists = resists;
     dry.slip.assign(resists.size(), 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "balancers/parts_motion.h"
+#include "simulation/moving_parts.h"
 
 #include <cstddef>
 #include <vector>
@@ -43,5 +44,13 @@ struct Constraint {
     int first = -1, second = 0;
     std::size_t multiplier = 0; ///< its place
 };
+
+/// Who may touch whom, and who resists rolling: neighbours in each race by their angles at the
+/// start, which they remain.
+/// @param angles  of all coordinates at the start, rad
+/// @param rate    1/s, see DryState
+/// @throws model::BadInput where parts that cannot pass each other overlap at the start.
+[[nodiscard]] DryState dry_state(const MovingParts &parts, const std::vector<double> &angles,
+                                 double rate);
 
 } // namespace whirl::simulation

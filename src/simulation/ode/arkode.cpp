@@ -21,25 +21,15 @@ namespace whirl::simulation {
 
 namespace {
 
-struct FreeContext {
-    void operator()(SUNContext context) const { SUNContext_Free(&context); }
+/// Owns what a function of the library releases.
+template <auto release> struct Release {
+    template <class T> void operator()(T *resource) const { release(resource); }
 };
-struct FreeVector {
-    void operator()(N_Vector vector) const { N_VDestroy(vector); }
-};
-struct FreeMatrix {
-    void operator()(SUNMatrix matrix) const { SUNMatDestroy(matrix); }
-};
-struct FreeSolver {
-    void operator()(SUNLinearSolver solver) const { SUNLinSolFree(solver); }
-};
-struct FreeStepper {
-    void operator()(void *memory) const { ARKStepFree(&memory); }
-};
-struct FreeTable {
-    void operator()(ARKodeButcherTable table) const { ARKodeButcherTable_Free(table); }
-};
-template <class T, class Free> using Handle = std::unique_ptr<std::remove_pointer_t<T>, Free>;
+template <class T, auto release>
+using Handle = std::unique_ptr<std::remove_pointer_t<T>, Release<release>>;
+
+void free_context(SUNContext context) { SUNContext_Free(&context); }
+void free_stepper(void *memory) { ARKStepFree(&memory); }
 
 /// What the integrator's own word for a failure means.
 std::string in_words(int flag) {
@@ -96,34 +86,18 @@ struct Arkode::Data {
     const OdeProblem &problem;
     bool stiff;
     // In the order of their making; destroyed from the last to the first.
-    Handle<SUNContext, FreeContext> context = nullptr;
-    Handle<N_Vector, FreeVector> y = nullptr;
-    Handle<SUNMatrix, FreeMatrix> jacobian = nullptr;
-    Handle<SUNLinearSolver, FreeSolver> linear = nullptr;
-    std::unique_ptr<void, FreeStepper> stepper = nullptr;
+    Handle<SUNContext, free_context> context = nullptr;
+    Handle<N_Vector, N_VDestroy> y = nullptr;
+    Handle<SUNMatrix, SUNMatDestroy> jacobian = nullptr;
+    Handle<SUNLinearSolver, SUNLinSolFree> linear = nullptr;
+    Handle<void *, free_stepper> stepper = nullptr;
     double t = 0;
     OdeCounts before = {}; ///< of what ran before the last start
 
-    /// dy/dt; in turning axes less i speed y, for these turn away.
-    void rates_in_axes(double at, const double *y, double *out) const {
-        const TurningAxes &axes = problem.axes;
-        if (axes.speed == 0) {
-            problem.rates(at, y, out);
-            return;
-        }
-        problem.rates(0, y, out);
-        for (const int first : axes.first)
-            for (int i = first; i < first + axes.count; ++i) {
-                out[i] += axes.speed * y[i + axes.count];
-                out[i + axes.count] -= axes.speed * y[i];
-            }
-    }
-
     static int rates(double t, N_Vector y, N_Vector out, void *self) {
-        auto &data = *static_cast<Data *>(self);
-        const auto &problem = data.problem;
+        const auto &problem = static_cast<Data *>(self)->problem;
         double *values = N_VGetArrayPointer(out);
-        data.rates_in_axes(t, N_VGetArrayPointer(y), values);
+        problem.rates_in_axes(t, N_VGetArrayPointer(y), values);
         // A trial step that is far too long may overflow: it is repeated with a shorter one.
         const bool finite = std::all_of(values, values + problem.size,
                                         [](double value) { return std::isfinite(value); });
@@ -164,7 +138,7 @@ struct Arkode::Data {
         std::vector<double> a;
         for (const auto &row : pair.a)
             a.insert(a.end(), row.begin(), row.end());
-        const Handle<ARKodeButcherTable, FreeTable> table(ARKodeButcherTable_Create(
+        const Handle<ARKodeButcherTable, ARKodeButcherTable_Free> table(ARKodeButcherTable_Create(
             RungeKuttaPair::stages, pair.order, pair.embedded, pair.c.data(), a.data(),
             pair.b.data(), pair.embedded_b.data()));
         if (!table)

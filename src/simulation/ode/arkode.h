@@ -14,10 +14,6 @@ class Arkode : public Integrator {
     /// of Verner, order 8 with an estimate of order 7
     Arkode(const OdeProblem &problem, bool stiff);
     ~Arkode() override;
-    Arkode(const Arkode &) = delete;
-    Arkode &operator=(const Arkode &) = delete;
-    Arkode(Arkode &&) = delete;
-    Arkode &operator=(Arkode &&) = delete;
 
     void start(double t, const double *y, double step) override;
     double step(double end) override;

@@ -73,32 +73,24 @@ void ExponentialAdams::compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y)
     }
 }
 
-void ExponentialAdams::decompose(Point &at) {
+/// The modal coordinates of the vectors of y, or of its rates.
+void ExponentialAdams::decompose(const Eigen::VectorXd &y, double *modal) {
     for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
         const auto place = static_cast<Eigen::Index>(i) * _half;
-        _stack.col(0).segment(place, _half) = at.y.segment(_problem.axes.first[i], _half);
-        _stack.col(1).segment(place, _half) = at.y.segment(_problem.axes.first[i] + _half, _half);
+        _stack.col(0).segment(place, _half) = y.segment(_problem.axes.first[i], _half);
+        _stack.col(1).segment(place, _half) = y.segment(_problem.axes.first[i] + _half, _half);
     }
-    _inverse(_stack.col(0).data(), _stack.col(1).data(), at.modal.data(), at.modal.data() + _modes);
+    _inverse(_stack.col(0).data(), _stack.col(1).data(), modal, modal + _modes);
 }
 
 /// @returns whether all rates are numbers.
 bool ExponentialAdams::evaluate(Point &at) {
-    const TurningAxes &axes = _problem.axes;
     ++_counts.rates;
-    _problem.rates(0, at.y.data(), _rates.data());
+    _problem.rates_in_axes(0, at.y.data(), _rates.data());
     if (!_rates.allFinite())
         return false;
-    for (std::size_t i = 0; i < axes.first.size(); ++i) {
-        const Eigen::Index x = axes.first[i];
-        const auto place = static_cast<Eigen::Index>(i) * _half;
-        _stack.col(0).segment(place, _half) =
-            _rates.segment(x, _half) + axes.speed * at.y.segment(x + _half, _half);
-        _stack.col(1).segment(place, _half) =
-            _rates.segment(x + _half, _half) - axes.speed * at.y.segment(x, _half);
-    }
     double *n = at.n.data();
-    _inverse(_stack.col(0).data(), _stack.col(1).data(), n, n + _modes);
+    decompose(_rates, n);
     linalg::in_lanes([&]() __attribute__((always_inline)) {
         add_products<-1>(_eigenvalues.data(), at.modal.data(), _modes, n);
     });
@@ -111,7 +103,7 @@ bool ExponentialAdams::evaluate(Point &at) {
 void ExponentialAdams::start(double t, const double *y, double /*step*/) {
     _t = _end = t;
     _now.y = Eigen::Map<const Eigen::VectorXd>(y, _problem.size);
-    decompose(_now);
+    decompose(_now.y, _now.modal.data());
     if (!evaluate(_now))
         throw linalg::SolverError("the motion grows beyond all numbers");
     _differences.col(0) = _now.n;
@@ -183,9 +175,8 @@ void ExponentialAdams::change_step(double h) {
         else
             rescale(ratio);
     }
-    const auto found = std::find_if(_weights.begin(), _weights.end(), [h](const Weights &w) {
-        return std::abs(w.h / h - 1) < same_step;
-    });
+    const auto found = std::ranges::find_if(
+        _weights, [h](const Weights &w) { return std::abs(w.h / h - 1) < same_step; });
     if (found != _weights.end()) {
         _weights.splice(_weights.begin(), _weights, found);
         return;
@@ -296,9 +287,8 @@ double ExponentialAdams::step(double end) {
 
 const double *ExponentialAdams::within(double share) {
     const double part = share * _last_step;
-    auto found = std::find_if(_within.begin(), _within.end(), [part](const Weights &w) {
-        return std::abs(w.h / part - 1) < same_step;
-    });
+    auto found = std::ranges::find_if(
+        _within, [part](const Weights &w) { return std::abs(w.h / part - 1) < same_step; });
     if (found == _within.end()) {
         _within.push_front(
             weights_of(adams_weights(_problem.axes.linear.eigenvalues, _last_step, kept, share)));

@@ -85,7 +85,7 @@ class ExponentialAdams : public Integrator {
     [[nodiscard]] bool evaluate(Point &at);
     /// The vectors that these modal coordinates make, into `_stack` and from there to y.
     void compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y);
-    void decompose(Point &at);
+    void decompose(const Eigen::VectorXd &y, double *modal);
     [[nodiscard]] Weights weights_of(const AdamsWeights &weights) const;
     void aim(double end);
     void change_step(double h);

@@ -11,8 +11,6 @@ class Integrator {
     virtual ~Integrator() = default;
     Integrator(const Integrator &) = delete;
     Integrator &operator=(const Integrator &) = delete;
-    Integrator(Integrator &&) = delete;
-    Integrator &operator=(Integrator &&) = delete;
 
     /// @param step  to try first; 0: chosen. Methods that choose it anyway leave it.
     virtual void start(double t, const double *y, double step) = 0;

@@ -29,6 +29,9 @@ struct OdeProblem {
     /// square over the entries.
     std::function<void(const double *y, double *allowed)> allowed_error;
     TurningAxes axes = {};
+
+    /// dy/dt; in turning axes less i speed y, for these turn away.
+    void rates_in_axes(double t, const double *y, double *out) const;
 };
 
 struct OdeCounts {

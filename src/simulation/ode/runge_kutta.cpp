@@ -21,8 +21,6 @@ constexpr std::array<double, RungeKuttaPair::stages> difference{-3.2721039010281
 
 constexpr RungeKuttaPair pair_of_verner() {
     RungeKuttaPair pair;
-    pair.order = 8;
-    pair.embedded = 7;
     pair.c = {0,     0.05, 0.1065625, 0.15984375, 0.39, 0.465, 0.155, 0.943, 0.901802041735857,
               0.909, 0.94, 1,         1};
     pair.b = {0.04427989419007951,

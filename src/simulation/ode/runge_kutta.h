@@ -7,8 +7,8 @@ namespace whirl::simulation {
 /// Coefficients of an explicit Runge-Kutta pair (Butcher's table).
 struct RungeKuttaPair {
     static constexpr int stages = 13;
-    int order = 0;    ///< of the solution that goes on
-    int embedded = 0; ///< of the one that it is compared with
+    static constexpr int order = 8;    ///< of the solution that goes on
+    static constexpr int embedded = 7; ///< of the one that it is compared with
     std::array<double, stages> c{};
     std::array<std::array<double, stages>, stages> a{};
     std::array<double, stages> b{};

@@ -79,9 +79,8 @@ void StationRecorder::offer(std::size_t station, PeakCandidate candidate) {
         return;
     candidate.start = _time;
     candidate.state = _state;
-    const auto place = std::find_if(all.begin(), all.end(), [&](const PeakCandidate &other) {
-        return candidate.value > other.value;
-    });
+    const auto place = std::ranges::find_if(
+        all, [&](const PeakCandidate &other) { return candidate.value > other.value; });
     all.insert(place, std::move(candidate));
     std::erase_if(all, [&](const PeakCandidate &other) {
         return other.value < (1 - doubt) * all.front().value;

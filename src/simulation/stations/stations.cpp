@@ -4,7 +4,7 @@
 #include "forced/response_places.h"
 #include "linalg/check.h"
 #include "model/errors.h"
-#include "modes/orbits.h"
+#include "simulation/equations.h"
 #include "simulation/outcome.h"
 #include "simulation/scene_outside.h"
 #include "simulation/trend.h"
@@ -27,8 +27,7 @@ model::Case steady_case(const model::Case &scene, const results::SimulateResult 
         if (imbalance.time < result.time)
             steady.rotor.imbalances.push_back(
                 {imbalance.name, imbalance.z, imbalance.mr, imbalance.phase});
-    const auto [low, high] =
-        std::minmax_element(result.series.speed.begin(), result.series.speed.end());
+    const auto [low, high] = std::ranges::minmax_element(result.series.speed);
     steady.speeds = model::SpeedRange{*low, *high, 2};
     return steady;
 }
@@ -54,23 +53,12 @@ void add_peaks(const model::Case &steady, const assembly::Discretization &d, res
 
 void add_last_speed(const assembly::Discretization &d, results::Form form,
                     results::SimulateResult &result) {
-    forced::ForcedMotion forced(d, form);
-    forced.solve(result.speed);
-    if (forced.rounding() > forced::resonance_rounding)
-        throw linalg::SolverError("a resonance without damping");
-    for (results::StationMotion &station : result.stations) {
-        const forced::Phasor u = forced.motion(d.deflection_at(station.z));
-        station.steady = modes::ellipse_of(u.x, u.y).major;
-    }
-}
-
-/// Largest of the stations at each time, m.
-std::vector<double> largest_amplitudes(const results::MotionSeries &series) {
-    std::vector<double> largest(series.time.size(), 0);
-    for (const std::vector<double> &station : series.amplitude)
-        for (std::size_t k = 0; k < largest.size(); ++k)
-            largest[k] = std::max(largest[k], station[k]);
-    return largest;
+    std::vector<double> places;
+    for (const results::StationMotion &station : result.stations)
+        places.push_back(station.z);
+    const std::vector<double> amplitudes = steady_amplitudes(d, form, result.speed, places);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        result.stations[i].steady = amplitudes[i];
 }
 
 constexpr double micrometres = 1e6;
@@ -104,8 +92,9 @@ void add_steady_response(const model::Case &scene, int order, results::SimulateR
 }
 
 void classify_stations(const model::Case &scene, results::SimulateResult &result) {
-    const std::vector<double> amplitudes = largest_amplitudes(result.series);
-    const double scale = *std::max_element(amplitudes.begin(), amplitudes.end());
+    const std::vector<double> amplitudes =
+        largest_of(result.series.amplitude, result.series.time.size());
+    const double scale = *std::ranges::max_element(amplitudes);
     const results::StationMotion &worst =
         result.stations[results::largest_station(result.stations)];
     result.evidence = fmt::format("largest amplitude {:.5g} µm at {} after {:.6g} s at {:.6g} rpm",

@@ -1,11 +1,18 @@
 #pragma once
 
-#include "closed_form/band.h"
-
 #include <optional>
 #include <vector>
 
 namespace whirl::closed_form {
+
+/// Open interval of spin speed (rad/s, or dimensionless where the caller is); no `to`: up to
+/// infinity.
+struct Band {
+    double from = 0.0;
+    std::optional<double> to;
+
+    [[nodiscard]] bool contains(double speed) const { return speed > from && (!to || speed < *to); }
+};
 
 /// Rigid rotor with unequal diametral inertias 1 - a and 1 + a, symmetric on isotropic supports:
 /// its tilt motion, dimensionless (mean diametral inertia 1, time unit 1/omega_0). Source: A. N.

@@ -25,12 +25,4 @@ struct ArrangementInterval {
 [[nodiscard]] std::optional<ArrangementInterval> modulus_interval(int balls, double capacity,
                                                                   double constant, double factor);
 
-/// Interval of D_A = |D|.
-[[nodiscard]] std::optional<ArrangementInterval> second_harmonic_interval(int balls,
-                                                                          double capacity);
-
-/// Interval of the composite rotor's inertial anisotropy |A_m0 + A_m D|/2, kg m2.
-[[nodiscard]] std::optional<ArrangementInterval>
-anisotropy_interval(int balls, double capacity, double imbalance_inertia, double ball_inertia);
-
 } // namespace whirl::closed_form

@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace whirl::closed_form {
@@ -10,11 +11,6 @@ namespace whirl::closed_form {
 /// sum cos a_j = -n/E, sum sin a_j = 0. Source: A. N. Gorbenko, Mass-inertia characteristics and
 /// dimensionless equations of motion of a rotor with an auto-balancer, section 2.4.
 
-/// Capacity E = n m R / (m0 R0): the imbalance the balls can make over the imbalance there is. A
-/// balanced position needs E >= 1. Arguments in kg, m, kg m.
-[[nodiscard]] double capacity(int balls, double ball_mass, double ball_radius,
-                              double imbalance_moment);
-
 /// Symmetric balanced position, none for E < 1 or fewer than two balls. Even n: n/2 balls at each
 /// of
 /// +-acos(-1/E) (two balls: the only position there is). Odd n: one ball opposite the imbalance, at
@@ -22,11 +18,8 @@ namespace whirl::closed_form {
 /// side by side.
 [[nodiscard]] std::optional<std::vector<double>> symmetric_position(int balls, double capacity);
 
-/// Distance from balance |(1/n) sum exp(i a_j) + 1/E|, zero in a balanced position.
-[[nodiscard]] double balance_defect(const std::vector<double> &angles, double capacity);
-
 /// Second harmonic of the arrangement D = D_c + i D_s = (1/n) sum exp(2 i a_j). The paper keeps D_A
 /// = |D|.
-[[nodiscard]] std::complex<double> second_harmonic(const std::vector<double> &angles);
+[[nodiscard]] std::complex<double> second_harmonic(std::span<const double> angles);
 
 } // namespace whirl::closed_form

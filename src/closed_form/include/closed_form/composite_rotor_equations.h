@@ -1,21 +1,14 @@
 #pragma once
 
 #include "closed_form/anisotropic_rotor.h"
-#include "closed_form/composite_rotor_parameters.h"
+#include "closed_form/composite_rotor.h"
 
 #include <complex>
 #include <vector>
 
 namespace whirl::closed_form {
 
-/// Coefficients of the equations in the rotating frame, dimensional or dimensionless:
-/// M_s a_C + h_x w' + h_y phi' + c_x w + c_y phi + b = 0,
-/// A (phi'' ) - i Omega C phi' + a conj(phi'' + Omega^2 phi) + h_beta phi' + h_y w' + c_beta phi +
-/// c_y w
-///   + z_A b = 0 and s'' + h_s s' + (n m/2)(a_A - D conj a_A) = 0,
-/// where primes on w, phi outside the conjugate are absolute (d/dt + i Omega) and b = s'' + 2 i
-/// Omega s'
-/// - Omega^2 s.
+/// A composite rotor on its supports, balls held; dimensional or dimensionless.
 struct RotatingCoefficients {
     double mass = 0.0;               ///< M_s
     double mean_inertia = 0.0;       ///< A_Sigma
@@ -23,14 +16,7 @@ struct RotatingCoefficients {
     std::complex<double> anisotropy; ///< a = (A_m0 + A_m D)/2
     double balancer_position = 0.0;  ///< z_A
     ReducedSupports supports;
-    double ball_mass = 0.0;               ///< n m
-    double h_s = 0.0;                     ///< h_A / m
-    std::complex<double> second_harmonic; ///< D
-    double spin_speed = 0.0;              ///< Omega
 };
-[[nodiscard]] RotatingCoefficients rotating_coefficients(const PhysicalParameters &physical);
-[[nodiscard]] RotatingCoefficients
-rotating_coefficients(const DimensionlessParameters &dimensionless);
 
 /// Forward critical speeds with the balls held (rad/s, ascending; up to four): for each principal
 /// inertia A_Sigma -+ |a|, (c_x - M W^2)(c_beta - (A_Sigma -+ |a| - C) W^2) = c_y^2.

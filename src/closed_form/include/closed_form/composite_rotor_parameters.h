@@ -1,7 +1,6 @@
 #pragma once
 
 #include "closed_form/composite_rotor.h"
-#include "closed_form/supports.h"
 
 namespace whirl::closed_form {
 

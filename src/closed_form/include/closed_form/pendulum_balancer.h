@@ -28,9 +28,6 @@ struct PendulumMotion {
     double psi = 0.0;              ///< rad
     bool stable = false;           ///< no small motion grows (growth below 1e-6)
     double growth = 0.0;           ///< largest real part of the eigenvalues, per 1/omega_0
-
-    /// |phi|, |psi| < pi/4: no collisions between the pendulums.
-    [[nodiscard]] bool valid() const;
 };
 
 /// Every steady motion with outward pendulums (|phi|, |psi| < pi/2) at speed ratio R_w =

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "closed_form/anisotropic_rotor.h"
-#include "closed_form/band.h"
 
 #include <optional>
 #include <vector>
