@@ -35,7 +35,7 @@ std::vector<stability::SpeedInterval> those_that_grow(std::vector<stability::Spe
     const auto decays = [&motions](const stability::SpeedInterval &band) {
         return motions.fastest_growing((band.first + band.second) / 2).value.real() < 0;
     };
-    bands.erase(std::remove_if(bands.begin(), bands.end(), decays), bands.end());
+    std::erase_if(bands, decays);
     return bands;
 }
 
@@ -44,10 +44,9 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
     const double growth = stability::growth_of(motions);
     if (growth <= 0)
         return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
-    const bool real =
-        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
-            return motion.value.real() == growth && motion.value.imag() == 0;
-        });
+    const bool real = std::ranges::any_of(motions, [growth](const stability::Motion &motion) {
+        return motion.value.real() == growth && motion.value.imag() == 0;
+    });
     return real ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
@@ -97,16 +96,12 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
         const std::vector<stability::SpeedInterval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);
         for (const stability::SpeedInterval &band : all)
-            if (std::find(result.unstable.begin(), result.unstable.end(), band) ==
-                result.unstable.end())
-                found.ends.erase(std::remove_if(found.ends.begin(), found.ends.end(),
-                                                [&band](const results::StabilityEnd &end) {
-                                                    return end.speed >= band.first &&
-                                                           end.speed <= band.second;
-                                                }),
-                                 found.ends.end());
+            if (std::ranges::find(result.unstable, band) == result.unstable.end())
+                std::erase_if(found.ends, [&band](const results::StabilityEnd &end) {
+                    return end.speed >= band.first && end.speed <= band.second;
+                });
     }
-    const bool counted = std::all_of(found.ends.begin(), found.ends.end(), [](const auto &end) {
+    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
         return end.growing_below >= 0 && end.growing_above >= 0;
     });
     if (!counted) {
@@ -202,8 +197,8 @@ band_errors(const stability::BandFinder &finder, const stability::MotionsAt &at,
             const stability::SpeedInterval &range, const std::vector<ends::WholeMotion> &roots) {
     std::optional<ends::FinerEnds> finer;
     const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
-        const auto root = std::find_if(roots.begin(), roots.end(),
-                                       [speed](const auto &known) { return known.speed == speed; });
+        const auto root = std::ranges::find_if(
+            roots, [speed](const auto &known) { return known.speed == speed; });
         if (root == roots.end())
             return std::nullopt;
         if (!finer)
@@ -251,7 +246,7 @@ void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
     constexpr double hardly = 1e-8;
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     for (std::size_t i = 0; i < speeds.size() && i < of.growth.size(); ++i) {
-        const bool inside = std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
+        const bool inside = std::ranges::any_of(bands, [&](const auto &band) {
             return speeds[i] >= band.first && speeds[i] <= band.second;
         });
         double &growth = of.growth[i];
@@ -269,8 +264,8 @@ void settle_rounding(results::StabilityResult &result, bool damped) {
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
     const auto balancers =
         balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
-    if (std::none_of(balancers.begin(), balancers.end(),
-                     [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
+    if (std::ranges::none_of(
+            balancers, [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
         return;
     for (const GrowthAndVerdict &of : {GrowthAndVerdict{result.growth, result.verdict},
                                        {result.resolved_growth, result.resolved_verdict}})

@@ -104,7 +104,7 @@ std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, c
     std::vector<bool> taken(to.roots.size(), false);
     for (const int i : group.first) {
         const Root &a = from.roots[static_cast<std::size_t>(i)];
-        const auto found = std::find_if(group.second.begin(), group.second.end(), [&](int j) {
+        const auto found = std::ranges::find_if(group.second, [&](int j) {
             const Root &b = to.roots[static_cast<std::size_t>(j)];
             const double both = share(from.problem, a, b) * share(to.problem, b, a);
             return !taken[static_cast<std::size_t>(j)] && both > the_same && both < 1 / the_same;
@@ -140,8 +140,8 @@ void add_as_one(Cluster a, Cluster b, double start, double step, Strands &out) {
     const auto before = [](const Root *x, const Root *y) {
         return std::pair(x->sign(), x->value.imag()) < std::pair(y->sign(), y->value.imag());
     };
-    std::sort(a.begin(), a.end(), before);
-    std::sort(b.begin(), b.end(), before);
+    std::ranges::sort(a, before);
+    std::ranges::sort(b, before);
     ++out.clusters;
     for (std::size_t k = 0; k < a.size(); ++k)
         out.strands.push_back({a[k], b[k], start, step, false, out.clusters});

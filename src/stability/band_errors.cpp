@@ -24,9 +24,7 @@ struct End {
 };
 
 const Motion &fastest_growing(const std::vector<Motion> &motions) {
-    return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
-        return a.value.real() < b.value.real();
-    });
+    return *std::ranges::max_element(motions, {}, [](const Motion &a) { return a.value.real(); });
 }
 
 /// How far the end can lie from where the growth rises out of its noise.

@@ -78,7 +78,7 @@ std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs 
         const double allowed =
             agreeing_eigenvalues * std::max(std::abs(pair.value), std::abs(speed)) +
             100 * (pair.rounding + pair.residual) * std::abs(pair.value);
-        if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
+        if (std::ranges::none_of(others, [&](const auto &other) {
                 return apart(pair.value, other.value, repeats) <= allowed;
             }))
             out.push_back(&pair);
@@ -87,7 +87,7 @@ std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs 
 }
 
 bool same_motions(const MotionSolver &solver, const std::vector<MotionsAtSpeed> &motions) {
-    return std::all_of(motions.begin(), motions.end(), [&solver](const MotionsAtSpeed &at) {
+    return std::ranges::all_of(motions, [&solver](const MotionsAtSpeed &at) {
         return missing(at.pairs, solver.pairs(at.speed), at.speed, 0).empty();
     });
 }

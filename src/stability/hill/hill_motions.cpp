@@ -125,12 +125,10 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
             constexpr double more_than_enough = 1e-3;
             _last = worst < more_than_enough * settled ? std::max(1, N - 1) : N;
             _most = std::max(_most, N);
-            after.erase(std::remove_if(after.begin(), after.end(),
-                                       [&](const linalg::ComplexPair &pair) {
-                                           return std::abs(pair.value.imag()) > strip * speed ||
-                                                  fine.largest_term(pair.vector) > wanted.terms;
-                                       }),
-                        after.end());
+            std::erase_if(after, [&](const linalg::ComplexPair &pair) {
+                return std::abs(pair.value.imag()) > strip * speed ||
+                       fine.largest_term(pair.vector) > wanted.terms;
+            });
             return {std::move(after), N + 1};
         }
         before = std::move(after);
