@@ -76,6 +76,10 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
     }
 }
 
+AllMotions::AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds)
+    : AllMotions(finder.solver().discretization(), finder.model().form, finder.arrangement(),
+                 finder.good_shapes(speeds), speeds.front(), speeds.back()) {}
+
 double AllMotions::least_reach() const { return 2.1 * std::max(std::abs(_from), std::abs(_to)); }
 
 double AllMotions::reach() const {

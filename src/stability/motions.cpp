@@ -142,8 +142,7 @@ struct MotionSolver::Data {
                 periodic = std::make_unique<PeriodicMotions>(d, balancers, bearings_drive(rotor),
                                                              top, shapes, std::move(experience));
             else if (form == results::Form::hill)
-                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
-                                                     shapes.get());
+                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N);
         } else {
             fixed = fixed_at(0);
             root_K = root_of_diagonal(fixed.K);
@@ -357,8 +356,6 @@ std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
 }
 
 const PeriodicMotions *MotionSolver::by_monodromy() const { return _data->periodic.get(); }
-
-int MotionSolver::term_unknowns() const { return static_cast<int>(_data->root_M.size()); }
 
 int MotionSolver::unknowns() const {
     return static_cast<int>(_data->root_M.size()) *
