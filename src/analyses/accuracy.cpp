@@ -133,8 +133,8 @@ bool stands_still(const Study &study, std::complex<double> value) {
 
 /// How many of them are no measure of an error: all, where there is more than one.
 std::size_t left_out(const Study &study, const Eigenvalues &values) {
-    const auto count = std::count_if(values.begin(), values.end(),
-                                     [&](const auto &value) { return stands_still(study, value); });
+    const auto count = std::ranges::count_if(
+        values, [&](const auto &value) { return stands_still(study, value); });
     return count > 1 ? static_cast<std::size_t>(count) : 0;
 }
 

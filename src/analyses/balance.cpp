@@ -157,7 +157,7 @@ void fill_notes(const model::Case &scene, const criterion::BalanceScene &s,
     const auto pedestal = [](const model::Bearing &b) {
         return b.pedestal && !b.pedestal->mass.isZero(0);
     };
-    if (std::any_of(rotor.bearings.begin(), rotor.bearings.end(), pedestal))
+    if (std::ranges::any_of(rotor.bearings, pedestal))
         notes.emplace_back("the rigid closed form leaves out the masses of the pedestals");
     if (rotor.bearings_depend_on_speed())
         notes.push_back(

@@ -19,10 +19,10 @@ std::string plane_text(const results::BalancePlane &plane, std::size_t index) {
 }
 
 bool rigid_says_on(const results::BalanceBands &bands, double speed) {
-    return bands.rigid_bands && std::any_of(bands.rigid_bands->begin(), bands.rigid_bands->end(),
-                                            [speed](const results::SpeedBand &b) {
-                                                return b.from <= speed && b.to > speed;
-                                            });
+    return bands.rigid_bands &&
+           std::ranges::any_of(*bands.rigid_bands, [speed](const results::SpeedBand &b) {
+               return b.from <= speed && b.to > speed;
+           });
 }
 
 /// Upper ends of the joint band, and what the rigid form says of them.
@@ -208,9 +208,10 @@ void motions_in_time(const results::BalanceResult &result, double time,
     int agree = 0;
     std::string other;
     for (const results::SimulatedSpeed &run : result.simulated) {
-        const bool stable = std::any_of(
-            result.balanced_position->bands.begin(), result.balanced_position->bands.end(),
-            [&](const results::SpeedBand &b) { return run.speed > b.from && run.speed < b.to; });
+        const bool stable =
+            std::ranges::any_of(result.balanced_position->bands, [&](const results::SpeedBand &b) {
+                return run.speed > b.from && run.speed < b.to;
+            });
         if (stable == (run.outcome == "balanced"))
             ++agree;
         else

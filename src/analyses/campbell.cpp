@@ -127,7 +127,7 @@ void note_absent(results::CampbellResult &result, const std::vector<tracking::Li
         std::string labels;
         int count = 0;
         for (std::size_t i = 0; i < lines.size(); ++i)
-            if (std::count(lines[i].absence.begin(), lines[i].absence.end(), why) > 0)
+            if (std::ranges::count(lines[i].absence, why) > 0)
                 labels += (count++ > 0 ? ", " : "") + result.modes[i].label;
         if (count > 0)
             result.model.notes.push_back(absence_note(why, labels, count > 1));
@@ -145,8 +145,8 @@ void note_far_apart(results::CampbellResult &result) {
     int largest = 0;
     std::size_t at = 0;
     for (std::size_t k = 1; k < result.speeds.size(); ++k) {
-        const auto inside = static_cast<int>(std::count_if(
-            result.crossings.begin(), result.crossings.end(), [&](const results::Crossing &c) {
+        const auto inside = static_cast<int>(
+            std::ranges::count_if(result.crossings, [&](const results::Crossing &c) {
                 return c.multiple == result.crossings.front().multiple &&
                        c.speed > result.speeds[k - 1] && c.speed <= result.speeds[k];
             }));
@@ -175,7 +175,7 @@ void note_real(results::CampbellResult &result, const std::vector<modes::Spectru
         if (spectrum.growing.empty())
             continue;
         ++diverging;
-        const double largest = *std::max_element(spectrum.growing.begin(), spectrum.growing.end());
+        const double largest = *std::ranges::max_element(spectrum.growing);
         result.divergence.back() = largest;
         if (largest > worst) {
             worst = largest;
@@ -218,7 +218,7 @@ void note_short_bands(results::ModelSummary &model, bool by_steps,
     if (by_steps)
         model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
                               "leaves it again within one step of the speeds may not be listed");
-    else if (std::any_of(multiples.begin(), multiples.end(), [](double m) { return m != 1; }))
+    else if (std::ranges::any_of(multiples, [](double m) { return m != 1; }))
         model.notes.push_back("a motion that comes to stay on another multiple of the spin speed "
                               "than 1x and leaves it again within a 200th of the range may not be "
                               "listed");
@@ -226,10 +226,9 @@ void note_short_bands(results::ModelSummary &model, bool by_steps,
 
 void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
               int wanted) {
-    const bool few =
-        std::any_of(spectra.begin(), spectra.end(), [wanted](const modes::Spectrum &s) {
-            return static_cast<int>(s.modes.size()) < wanted;
-        });
+    const bool few = std::ranges::any_of(spectra, [wanted](const modes::Spectrum &s) {
+        return static_cast<int>(s.modes.size()) < wanted;
+    });
     if (few)
         model.notes.push_back(
             fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "

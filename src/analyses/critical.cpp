@@ -64,9 +64,8 @@ void refuse_hill(results::Form form) {
 
 /// The modes asked for, more while they are in the range of the case.
 void keep_lowest(synchronous::SynchronousModes &list, int wanted, double top) {
-    const auto in_range = static_cast<std::size_t>(
-        std::count_if(list.modes.begin(), list.modes.end(),
-                      [top](const modes::WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
+    const auto in_range = static_cast<std::size_t>(std::ranges::count_if(
+        list.modes, [top](const modes::WhirlMode &m) { return m.eigenvalue.imag() <= top; }));
     const std::size_t keep =
         std::min(list.modes.size(), std::max(static_cast<std::size_t>(wanted), in_range));
     list.modes.resize(keep);
@@ -111,8 +110,8 @@ void note_rounding(const model::Rotor &rotor, results::CriticalResult &result) {
     for (const model::Bearing &bearing : rotor.bearings)
         bearings += bearing.rows.front().k.trace() / 2;
     constexpr double far = 1e9; // of the 1e16 that double precision holds
-    const bool lost = std::any_of(result.critical_speeds.begin(), result.critical_speeds.end(),
-                                  [](const auto &c) { return !(c.error < 1e-6); });
+    const bool lost = std::ranges::any_of(result.critical_speeds,
+                                          [](const auto &c) { return !(c.error < 1e-6); });
     if (lost && bearings > 0 && shaft > far * bearings)
         result.model.notes.push_back(fmt::format(
             "the shaft (48 EI/L^3 = {:.3g} N/m) is {:.1g} times as stiff as its bearings: rounding "

@@ -156,7 +156,7 @@ std::vector<results::CriticalSpeed> critical_speeds_of(const model::Case &scene)
 
 /// The same mode at the same speed.
 bool has(const std::vector<results::ModeShape> &shapes, const results::ModeShape &other) {
-    return std::any_of(shapes.begin(), shapes.end(), [&other](const results::ModeShape &shape) {
+    return std::ranges::any_of(shapes, [&other](const results::ModeShape &shape) {
         return shape.label == other.label && std::abs(shape.at - other.at) < 1e-9 * other.at &&
                std::abs(shape.eigenvalue - other.eigenvalue) <= 1e-9 * std::abs(other.eigenvalue);
     });

@@ -127,7 +127,7 @@ class Response {
     [[nodiscard]] bool confirmed() const {
         if (!_error_known || _discretization.rigid())
             return false;
-        return std::all_of(_nodes.begin(), _nodes.end(), [&](const auto &node) {
+        return std::ranges::all_of(_nodes, [&](const auto &node) {
             const double z = place_of(node.first);
             return _finer.at(z, _forced.at(z)) < 0.1;
         });
@@ -244,7 +244,7 @@ void note_bends(const model::Rotor &rotor, results::ResponseResult &result) {
     for (const model::Bearing &bearing : rotor.supports())
         if (bearing.depends_on_speed())
             for (const double row : bearing.speeds)
-                if (std::any_of(result.peaks.begin(), result.peaks.end(), [row](const auto &peak) {
+                if (std::ranges::any_of(result.peaks, [row](const auto &peak) {
                         return std::abs(peak.speed - row) <= at_row * std::abs(row);
                     }))
                     bends.insert(row);

@@ -345,7 +345,7 @@ void stiffen(results::RigidLimitResult &result, const model::Rotor &rotor,
     if (std::isfinite(comparison.worst(1).difference))
         result.as_is = shaft_at(comparison, result, 1);
     result.sentence = sentence_of(result);
-    const auto stiff = std::find_if(factors.begin(), factors.end(), [&comparison](double factor) {
+    const auto stiff = std::ranges::find_if(factors, [&comparison](double factor) {
         return comparison.worst(factor).difference <= stiff_enough;
     });
     result.mesh_factor = stiff == factors.end() ? factors.back() : *stiff;

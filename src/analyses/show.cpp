@@ -92,8 +92,8 @@ void add_static_sag(results::ShowResult &result, const model::Case &scene,
         return;
     }
     const auto supports = scene.rotor.supports();
-    if (result.sag && std::any_of(supports.begin(), supports.end(),
-                                  [](const auto &bearing) { return bearing.depends_on_speed(); }))
+    if (result.sag && std::ranges::any_of(
+                          supports, [](const auto &bearing) { return bearing.depends_on_speed(); }))
         result.model.notes.emplace_back("static sag: with the first row of the bearing tables");
 }
 

@@ -120,11 +120,10 @@ void compare_with_no_balls(const model::Case &scene, int order, results::Simulat
             "{}; balanced is judged by the amplitude of a free rotor", no_growth.what()));
     }
     // Resistance to rolling makes whole intervals of positions stable, which no eigenvalue knows.
-    const bool dry = std::any_of(scene.rotor.balancers.begin(), scene.rotor.balancers.end(),
-                                 [](const model::Balancer &b) {
-                                     const auto *balls = std::get_if<model::Balls>(&b.parts);
-                                     return balls && balls->resists();
-                                 });
+    const bool dry = std::ranges::any_of(scene.rotor.balancers, [](const model::Balancer &b) {
+        const auto *balls = std::get_if<model::Balls>(&b.parts);
+        return balls && balls->resists();
+    });
     note_overlaps(scene, result);
     if (!dry && simulation::ends_at_constant_speed(result))
         result.linear_growth =

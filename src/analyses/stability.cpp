@@ -25,38 +25,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 namespace whirl::analyses {
 
 namespace {
-
-/// Motions at the speeds of a grid, kept: they are asked for by several parts of the analysis.
-class KeptMotions {
-  public:
-    KeptMotions(const stability::MotionSolver &solver, const std::vector<double> &grid)
-        : _solver(solver) {
-        for (const double speed : grid)
-            _kept.try_emplace(speed);
-    }
-    std::vector<stability::Motion> operator()(double speed) {
-        const auto found = _kept.find(speed);
-        if (found == _kept.end())
-            return _solver.at(speed);
-        if (found->second.empty()) {
-            found->second = _solver.at(speed);
-            process::report_progress(
-                std::min(0.9, static_cast<double>(++_done) / static_cast<double>(_kept.size())));
-        }
-        return found->second;
-    }
-
-  private:
-    const stability::MotionSolver &_solver;
-    std::map<double, std::vector<stability::Motion>> _kept;
-    int _done = 0;
-};
 
 /// Ends of bands at which a root passes zero are roots of det K too, which are sharper.
 void sharpen(results::StabilityResult &result,
@@ -106,23 +79,26 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
     }
 }
 
-void find_shapes(stability::BandFinder &finder, const std::vector<double> &grid) {
-    if (finder.solver().by_monodromy() == nullptr || grid.size() < 2)
-        return;
-    try {
-        (void)finder.good_shapes(grid);
-    } catch (const stability::NotSettled &) {
-    } // which give_up_unsettled looks at; more shapes later would mean to begin anew
+/// Makes ready to look at the speeds of a grid, as many of them as a Hill series describes.
+void begin(stability::BandFinder &finder, std::vector<double> &grid,
+           stability::StabilityModel &model) {
+    finder.keep(grid);
+    if (finder.solver().by_monodromy() != nullptr && grid.size() > 1)
+        try {
+            (void)finder.good_shapes(grid);
+        } catch (const stability::NotSettled &) {
+        } // more shapes later would mean to begin anew
+    give_up_unsettled(finder, grid, model);
 }
 
 /// The bands of each arrangement, those of the first known already.
 /// @param first   unstable bands of the first arrangement
 /// @param finder_of_first  with which they were found
-results::ArrangementFamily family_of(const stability::StabilityModel &model,
-                                     const std::vector<balancers::Arrangement> &arrangements,
+results::ArrangementFamily family_of(const std::vector<balancers::Arrangement> &arrangements,
                                      const std::vector<stability::SpeedInterval> &first,
                                      const stability::BandFinder &finder_of_first,
                                      const std::vector<double> &grid) {
+    const stability::StabilityModel &model = finder_of_first.model();
     results::ArrangementFamily out;
     out.arrangements = static_cast<int>(arrangements.size());
     std::vector<std::vector<double>> critical;
@@ -132,15 +108,11 @@ results::ArrangementFamily family_of(const stability::StabilityModel &model,
         std::optional<stability::BandFinder> other;
         if (k > 0)
             other.emplace(model, arrangements[k], finder_of_first);
-        const stability::MotionSolver &solver = (other ? *other : finder_of_first).solver();
-        const stability::MotionsAt at = [&solver](double speed) { return solver.at(speed); };
-        const auto bands =
-            other ? bands_between_ends(*other, model, arrangements[k], at, grid).found.bands
-                  : first;
+        const auto bands = other ? bands_between_ends(*other, grid).found.bands : first;
         out.always_unstable = k == 0 ? bands : stability::common(out.always_unstable, bands);
         some.insert(some.end(), bands.begin(), bands.end());
         if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed()) {
-            const auto &d = solver.discretization();
+            const auto &d = (other ? *other : finder_of_first).solver().discretization();
             const assembly::Discretization undamped(model::without_damping(model.rotor),
                                                     model.order);
             const auto shapes = other ? other->good_shapes(grid) : nullptr; // first: in full
@@ -179,9 +151,11 @@ int neutral_pairs(const model::Rotor &rotor) {
 }
 
 /// Critical and additional speeds, and those at which a root is zero; band ends among them.
-void search_zero_roots(const stability::StabilityModel &model,
-                       const balancers::Arrangement &arrangement, const assembly::Discretization &d,
-                       const std::vector<double> &grid, results::StabilityResult &result) {
+void search_zero_roots(const stability::BandFinder &finder, const std::vector<double> &grid,
+                       results::StabilityResult &result) {
+    const stability::StabilityModel &model = finder.model();
+    const balancers::Arrangement &arrangement = finder.arrangement();
+    const assembly::Discretization &d = finder.solver().discretization();
     bool failed = false;
     const assembly::Discretization undamped(model::without_damping(model.rotor), model.order);
     result.critical_speeds =
@@ -196,20 +170,6 @@ void search_zero_roots(const stability::StabilityModel &model,
     if (failed)
         result.model.notes.emplace_back("critical or additional speeds could not be resolved "
                                         "beside the other roots: they are not listed");
-}
-
-void find_growth(stability::BandFinder &finder, const stability::StabilityModel &model,
-                 const balancers::Arrangement &arrangement, const stability::MotionsAt &at,
-                 const std::vector<double> &grid, std::optional<ends::AllMotions> &all,
-                 results::StabilityResult &result) {
-    if (model.form == results::Form::hill) {
-        add_hill_growth(at, model, finder.solver(), result);
-        return;
-    }
-    all.emplace(finder.solver().discretization(), model.form, arrangement, finder.good_shapes(grid),
-                grid.front(), grid.back());
-    count_resolved_if_driven(*all, model.rotor);
-    add_growth(*all, result);
 }
 
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
@@ -231,39 +191,41 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
         tell_resolved_apart(motions, model, {}, result);
         return;
     }
-    KeptMotions kept(solver, grid);
-    const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
-    find_shapes(finder, grid);
-    give_up_unsettled(at, grid, model);
+    begin(finder, grid, model);
+    const bool range = grid.size() > 1;
     std::optional<ends::AllMotions> all;
     std::optional<process::Stage> stage(std::in_place, "growth at the speeds", 0.0, 0.3);
-    find_growth(finder, model, arrangement, at, grid, all, result);
+    if (model.form == results::Form::hill) {
+        add_hill_growth(finder, model.from, result);
+    } else {
+        all.emplace(finder, grid);
+        count_resolved_if_driven(*all, model.rotor);
+        add_growth(*all, result);
+    }
     std::vector<ends::WholeMotion> roots;
-    if (grid.size() > 1) {
+    if (range) {
         stage.emplace("unstable bands", 0.3, 0.6);
-        roots = search_bands(finder, all ? &*all : nullptr, model.form, at, grid, result);
+        roots = search_bands(finder, all ? &*all : nullptr, grid, result);
         settle_rounding(result, model.rotor.damped());
     }
     result.model.unknowns = solver.unknowns();
     result.harmonics = solver.harmonics();
     if (model.form == results::Form::rotating && !model.rotor.bearings_depend_on_speed())
-        search_zero_roots(model, arrangement, solver.discretization(), grid, result);
-    if (grid.size() > 1) {
+        search_zero_roots(finder, grid, result);
+    if (range) {
         stage.emplace("errors of the bands", 0.6, 0.65);
         if (!all || !std::isfinite(all->resolved_up_to()))
-            result.unstable_error = band_errors(finder, at, model, arrangement, result.unstable,
-                                                {grid.front(), grid.back()}, roots);
+            result.unstable_error = band_errors(finder, result.unstable, grid, roots);
     }
     if (all)
         tell_resolved_apart(*all, model, roots, result);
-    if (grid.size() > 1) {
-        stage.emplace("permissible anisotropy", 0.65, 0.8);
-        result.permissible =
-            stability::permissible_anisotropies(model, arrangement, grid, finder, result.unstable);
-    }
+    if (!range)
+        return;
+    stage.emplace("permissible anisotropy", 0.65, 0.8);
+    result.permissible = stability::permissible_anisotropies(finder, grid, result.unstable);
     stage.emplace("arrangements of the balls", 0.8, 1.0);
-    if (arrangements.size() > 1 && grid.size() > 1)
-        result.family = family_of(model, arrangements, result.unstable, finder, grid);
+    if (arrangements.size() > 1)
+        result.family = family_of(arrangements, result.unstable, finder, grid);
 }
 
 /// Growth, bands and what hangs on them.
@@ -337,22 +299,17 @@ UnstableBands unstable_bands_of(stability::StabilityModel model, const std::vect
     if (model.conservative)
         return out;
     using stability::BandFinder;
-    const auto found_by = like ? std::make_shared<BandFinder>(model, arrangement, *like)
-                               : std::make_shared<BandFinder>(model, arrangement);
-    out.finder = found_by;
-    BandFinder &finder = *found_by;
+    out.finder = like ? std::make_shared<BandFinder>(model, arrangement, *like)
+                      : std::make_shared<BandFinder>(model, arrangement);
+    BandFinder &finder = *out.finder;
     std::vector<double> known = described(grid, model);
-    KeptMotions kept(finder.solver(), known);
-    const stability::MotionsAt at = [&kept](double speed) { return kept(speed); };
-    find_shapes(finder, known);
-    give_up_unsettled(at, known, model);
+    begin(finder, known, model);
     if (known.size() > 1) {
-        BandsBetween between = bands_between_ends(finder, model, arrangement, at, known);
+        BandsBetween between = bands_between_ends(finder, known);
         out.bands = std::move(between.found.bands);
         out.doubtful = std::move(between.found.doubtful);
         if (with_errors)
-            out.errors = band_errors(finder, at, model, arrangement, out.bands,
-                                     {known.front(), known.back()}, between.roots);
+            out.errors = band_errors(finder, out.bands, known, between.roots);
     }
     const auto not_resolved = [&](double from, double to) {
         out.bands.emplace_back(from, to);

@@ -35,7 +35,7 @@ std::vector<stability::SpeedInterval> those_that_grow(std::vector<stability::Spe
     const auto decays = [&motions](const stability::SpeedInterval &band) {
         return motions.fastest_growing((band.first + band.second) / 2).value.real() < 0;
     };
-    bands.erase(std::remove_if(bands.begin(), bands.end(), decays), bands.end());
+    std::erase_if(bands, decays);
     return bands;
 }
 
@@ -44,10 +44,9 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
     const double growth = stability::growth_of(motions);
     if (growth <= 0)
         return growth < 0 ? results::Verdict::stable : results::Verdict::neutral;
-    const bool real =
-        std::any_of(motions.begin(), motions.end(), [growth](const stability::Motion &motion) {
-            return motion.value.real() == growth && motion.value.imag() == 0;
-        });
+    const bool real = std::ranges::any_of(motions, [growth](const stability::Motion &motion) {
+        return motion.value.real() == growth && motion.value.imag() == 0;
+    });
     return real ? results::Verdict::diverges : results::Verdict::unstable;
 }
 
@@ -67,12 +66,13 @@ std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
 /// damping, equations that stay periodic. Each completes the other; notes where they do not agree.
 /// @param motions  of the rotor; none: form hill
 /// @returns the motions at the ends that are known as roots
-std::vector<ends::WholeMotion>
-add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motions,
-                   results::Form form, const stability::MotionsAt &at,
-                   const std::vector<double> &grid, results::StabilityResult &result) {
+std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
+                                                  const ends::AllMotions *motions,
+                                                  const std::vector<double> &grid,
+                                                  results::StabilityResult &result) {
+    const stability::MotionsAt at = [&finder](double speed) { return finder.at(speed); };
     auto &notes = result.model.notes;
-    const stability::BandsFound bands = finder.find(at, grid);
+    const stability::BandsFound bands = finder.find(grid);
     result.unstable = motions != nullptr ? those_that_grow(bands.bands, *motions) : bands.bands;
     for (const auto &[from, to] : bands.doubtful)
         notes.push_back(
@@ -89,7 +89,8 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
                                     "first of them {:.10g} rad/s: ends inside of unstable bands "
                                     "may be missing there",
                                     found.doubtful.size(), found.doubtful.front().first));
-    for (const double edge : ends::reconcile(found, result.unstable, at, form, range))
+    for (const double edge :
+         ends::reconcile(found, result.unstable, at, finder.model().form, range))
         notes.push_back(fmt::format("at {:.10g} rad/s an unstable band ends, but no change of the "
                                     "number of growing motions was found",
                                     edge));
@@ -97,16 +98,12 @@ add_bands_and_ends(stability::BandFinder &finder, const ends::AllMotions *motion
         const std::vector<stability::SpeedInterval> all = result.unstable;
         result.unstable = those_that_grow(all, *motions);
         for (const stability::SpeedInterval &band : all)
-            if (std::find(result.unstable.begin(), result.unstable.end(), band) ==
-                result.unstable.end())
-                found.ends.erase(std::remove_if(found.ends.begin(), found.ends.end(),
-                                                [&band](const results::StabilityEnd &end) {
-                                                    return end.speed >= band.first &&
-                                                           end.speed <= band.second;
-                                                }),
-                                 found.ends.end());
+            if (std::ranges::find(result.unstable, band) == result.unstable.end())
+                std::erase_if(found.ends, [&band](const results::StabilityEnd &end) {
+                    return end.speed >= band.first && end.speed <= band.second;
+                });
     }
-    const bool counted = std::all_of(found.ends.begin(), found.ends.end(), [](const auto &end) {
+    const bool counted = std::ranges::all_of(found.ends, [](const auto &end) {
         return end.growing_below >= 0 && end.growing_above >= 0;
     });
     if (!counted) {
@@ -154,17 +151,17 @@ void add_growth(const ends::AllMotions &motions, double speed, results::Stabilit
 
 } // namespace
 
-void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     const stability::MotionSolver &solver, results::StabilityResult &result) {
+void add_hill_growth(const stability::BandFinder &finder, double from,
+                     results::StabilityResult &result) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const double speed : result.speeds) {
-        const bool known = std::abs(speed) >= model.from;
+        const bool known = std::abs(speed) >= from;
         const std::vector<stability::Motion> motions =
-            known ? at(speed) : std::vector<stability::Motion>{};
+            known ? finder.at(speed) : std::vector<stability::Motion>{};
         result.growth.push_back(known ? stability::growth_of(motions) : unknown);
         result.verdict.push_back(known ? verdict_of(motions) : results::Verdict::unknown);
     }
-    const stability::PeriodicMotions *periodic = solver.by_monodromy();
+    const stability::PeriodicMotions *periodic = finder.solver().by_monodromy();
     if (periodic != nullptr && periodic->unconfirmed() > 0)
         result.model.notes.push_back(fmt::format(
             "up to {:.6g} rad/s, but not at rest, growth at some speeds is that of the rotor on "
@@ -178,44 +175,36 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
         add_growth(motions, speed, result);
 }
 
-BandsBetween bands_between_ends(stability::BandFinder &finder,
-                                const stability::StabilityModel &model,
-                                const balancers::Arrangement &arrangement,
-                                const stability::MotionsAt &at, const std::vector<double> &grid) {
-    if (model.form != results::Form::hill)
+BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector<double> &grid) {
+    if (finder.model().form != results::Form::hill)
         try {
-            const ends::AllMotions motions(finder.solver().discretization(), model.form,
-                                           arrangement, finder.good_shapes(grid), grid.front(),
-                                           grid.back());
-            if (const auto found = certain_ends(motions, grid, ends::few_steps))
+            if (const auto found = certain_ends({finder, grid}, grid, ends::few_steps))
                 return {{ends::bands_of(*found, {grid.front(), grid.back()}), {}},
                         std::move(found->roots)};
         } catch (const linalg::SolverError &) { // the search for bands has other ways
         }
-    return {finder.find(at, grid), {}};
+    return {finder.find(grid), {}};
 }
 
 std::vector<stability::SpeedInterval>
-band_errors(const stability::BandFinder &finder, const stability::MotionsAt &at,
-            const stability::StabilityModel &model, const balancers::Arrangement &arrangement,
-            const std::vector<stability::SpeedInterval> &bands,
-            const stability::SpeedInterval &range, const std::vector<ends::WholeMotion> &roots) {
+band_errors(const stability::BandFinder &finder, const std::vector<stability::SpeedInterval> &bands,
+            const std::vector<double> &grid, const std::vector<ends::WholeMotion> &roots) {
     std::optional<ends::FinerEnds> finer;
     const auto by_root = [&](double speed, double inward, double reach) -> std::optional<double> {
-        const auto root = std::find_if(roots.begin(), roots.end(),
-                                       [speed](const auto &known) { return known.speed == speed; });
+        const auto root = std::ranges::find_if(
+            roots, [speed](const auto &known) { return known.speed == speed; });
         if (root == roots.end())
             return std::nullopt;
         if (!finer)
-            finer.emplace(finder.solver().discretization(), model.form, arrangement);
+            finer.emplace(finder.solver().discretization(), finder.model().form,
+                          finder.arrangement());
         return finer->error(*root, inward, reach);
     };
-    return stability::band_errors(finder, at, model, arrangement, bands, range, by_root);
+    return stability::band_errors(finder, bands, {grid.front(), grid.back()}, by_root);
 }
 
 std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
-                                            const ends::AllMotions *motions, results::Form form,
-                                            const stability::MotionsAt &at,
+                                            const ends::AllMotions *motions,
                                             const std::vector<double> &grid,
                                             results::StabilityResult &result) {
     auto found =
@@ -225,7 +214,7 @@ std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
         result.ends = std::move(found->ends);
         return std::move(found->roots);
     }
-    return add_bands_and_ends(finder, motions, form, at, grid, result);
+    return add_bands_and_ends(finder, motions, grid, result);
 }
 
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result) {
@@ -251,7 +240,7 @@ void settle_rounding(GrowthAndVerdict of, const std::vector<double> &speeds,
     constexpr double hardly = 1e-8;
     const double top = std::max(std::abs(speeds.front()), std::abs(speeds.back()));
     for (std::size_t i = 0; i < speeds.size() && i < of.growth.size(); ++i) {
-        const bool inside = std::any_of(bands.begin(), bands.end(), [&](const auto &band) {
+        const bool inside = std::ranges::any_of(bands, [&](const auto &band) {
             return speeds[i] >= band.first && speeds[i] <= band.second;
         });
         double &growth = of.growth[i];
@@ -269,8 +258,8 @@ void settle_rounding(results::StabilityResult &result, bool damped) {
 void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &result) {
     const auto balancers =
         balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor));
-    if (std::none_of(balancers.begin(), balancers.end(),
-                     [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
+    if (std::ranges::none_of(
+            balancers, [](const auto &balancer) { return balancer.parts.diameter.has_value(); }))
         return;
     for (const GrowthAndVerdict &of : {GrowthAndVerdict{result.growth, result.verdict},
                                        {result.resolved_growth, result.resolved_verdict}})
@@ -293,14 +282,14 @@ std::vector<double> described(const std::vector<double> &speeds,
     return forward.size() >= backward.size() ? forward : backward;
 }
 
-void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
+void give_up_unsettled(const stability::BandFinder &finder, std::vector<double> &grid,
                        stability::StabilityModel &model) {
     if (model.form != results::Form::hill)
         return;
     double unsettled = -1;
     for (const double speed : grid)
         try {
-            (void)at(speed);
+            (void)finder.at(speed);
         } catch (const stability::NotSettled &) {
             unsettled = std::max(unsettled, std::abs(speed));
         }

@@ -17,10 +17,10 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 /// The same, and bands, of motions that are the same at every speed: all of the range or nothing.
 void add_growth_of_all_speeds(const ends::AllMotions &motions, results::StabilityResult &result);
 
-/// The same of the speeds that a Hill series describes.
-/// @param solver  that `at` asks
-void add_hill_growth(const stability::MotionsAt &at, const stability::StabilityModel &model,
-                     const stability::MotionSolver &solver, results::StabilityResult &result);
+/// The same of form hill.
+/// @param from  rad/s, least |speed| that is described
+void add_hill_growth(const stability::BandFinder &finder, double from,
+                     results::StabilityResult &result);
 
 /// Unstable bands, and the motions at their ends that are known as roots.
 struct BandsBetween {
@@ -29,29 +29,24 @@ struct BandsBetween {
 };
 
 /// Unstable bands by the ends of growth, where these are certain, else by the search for bands.
-/// @param at  motions of the whole rotor of the finder
 [[nodiscard]] BandsBetween bands_between_ends(stability::BandFinder &finder,
-                                              const stability::StabilityModel &model,
-                                              const balancers::Arrangement &arrangement,
-                                              const stability::MotionsAt &at,
                                               const std::vector<double> &grid);
 
 /// Errors of the ends of unstable bands (stability::band_errors), by a root of a finer model where
 /// the end is one of `roots`.
+/// @param grid  over which they were looked for
 [[nodiscard]] std::vector<stability::SpeedInterval>
-band_errors(const stability::BandFinder &finder, const stability::MotionsAt &at,
-            const stability::StabilityModel &model, const balancers::Arrangement &arrangement,
-            const std::vector<stability::SpeedInterval> &bands,
-            const stability::SpeedInterval &range, const std::vector<ends::WholeMotion> &roots);
+band_errors(const stability::BandFinder &finder, const std::vector<stability::SpeedInterval> &bands,
+            const std::vector<double> &grid, const std::vector<ends::WholeMotion> &roots);
 
 /// Unstable bands and the speeds at which the number of growing motions changes: by the ends of
 /// growth where these are certain, else by the search for bands beside them.
 /// @param motions  of the rotor; none: form hill
 /// @returns the motions at the ends that are known as roots
-[[nodiscard]] std::vector<ends::WholeMotion>
-search_bands(stability::BandFinder &finder, const ends::AllMotions *motions, results::Form form,
-             const stability::MotionsAt &at, const std::vector<double> &grid,
-             results::StabilityResult &result);
+[[nodiscard]] std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
+                                                          const ends::AllMotions *motions,
+                                                          const std::vector<double> &grid,
+                                                          results::StabilityResult &result);
 
 /// Growth at the speeds of a result and what follows from it, to be changed together.
 struct GrowthAndVerdict {
@@ -76,7 +71,7 @@ void add_neutral_balls(const model::Rotor &rotor, results::StabilityResult &resu
 
 /// Speeds at which the Hill series does not settle, and all slower ones, are given up: of the grid
 /// the longest run of those that are left stays.
-void give_up_unsettled(const stability::MotionsAt &at, std::vector<double> &grid,
+void give_up_unsettled(const stability::BandFinder &finder, std::vector<double> &grid,
                        stability::StabilityModel &model);
 
 } // namespace whirl::analyses

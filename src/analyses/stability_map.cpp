@@ -184,7 +184,7 @@ process::Outcome point_of(const model::MapSettings &map, double x, double y, con
         const auto growth =
             growth_at(scene, model::required_speeds(scene).values(),
                       [&](const auto &model, const auto &) { return common.for_point(model); });
-        return {*std::max_element(growth.begin(), growth.end())};
+        return {*std::ranges::max_element(growth)};
     });
 }
 

@@ -24,7 +24,7 @@ std::vector<double> borders(const model::Rotor &rotor, double from, double to) {
             out.push_back(bend);
     if (from < 0 && to > 0)
         out.push_back(0);
-    std::sort(out.begin(), out.end());
+    std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
     if (out.size() < 2) // one speed
         out = {from, from + std::max(1.0, std::abs(from))};
@@ -75,6 +75,10 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
         _zeros = modes::zero_modes(discretization, form, speed, speed).eigenvalues;
     }
 }
+
+AllMotions::AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds)
+    : AllMotions(finder.solver().discretization(), finder.model().form, finder.arrangement(),
+                 finder.good_shapes(speeds), speeds.front(), speeds.back()) {}
 
 double AllMotions::least_reach() const { return 2.1 * std::max(std::abs(_from), std::abs(_to)); }
 
@@ -138,7 +142,7 @@ void AllMotions::tell_signs(Spectrum &spectrum) const {
             continue;
         const auto found = at_its_speed(_whole, lifted(root, spectrum.speed));
         if (!found || std::abs(found->value - before) > root.noise ||
-            std::any_of(spectrum.roots.begin(), spectrum.roots.end(), [&](const Root &other) {
+            std::ranges::any_of(spectrum.roots, [&](const Root &other) {
                 return &other != &root && is_that(*found, other);
             }))
             continue;
@@ -176,12 +180,11 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     };
     const double beside = is_rough() ? nearby : 0;
     std::erase_if(roots, [&](const Root &root) { return !asked_for(root.value, beside); });
-    std::sort(roots.begin(), roots.end(),
-              [](const Root &a, const Root &b) { return a.value.real() > b.value.real(); });
+    std::ranges::sort(roots, std::ranges::greater{}, [](const Root &a) { return a.value.real(); });
     bool neutral = false;
     // Few shapes have few of the motions that are faster than what the elements resolve.
     const bool all_there = !_drives_all || !_shapes || up_to <= _resolved;
-    bool counted = all_there && std::all_of(roots.begin(), roots.end(), [this](const Root &root) {
+    bool counted = all_there && std::ranges::all_of(roots, [this](const Root &root) {
                        return !_drives_all || root.sign() != 0 || root.sharp ||
                               within_reach(std::abs(root.value));
                    });
@@ -213,7 +216,7 @@ FastestGrowing AllMotions::fastest_growing(double speed, double above, double up
     if (best && (best->real() > 0 || !neutral))
         return {*best, counted};
     const auto told =
-        std::find_if(roots.begin(), roots.end(), [](const Root &root) { return root.sign() != 0; });
+        std::ranges::find_if(roots, [](const Root &root) { return root.sign() != 0; });
     return {told == roots.end() || neutral ? 0 : told->value, counted};
 }
 

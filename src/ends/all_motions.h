@@ -6,6 +6,7 @@
 #include "ends/spectrum.h"
 #include "modes/form_matrices.h"
 #include "results/formulation.h"
+#include "stability/band_finder.h"
 
 #include <limits>
 #include <map>
@@ -32,6 +33,10 @@ class AllMotions {
     AllMotions(const assembly::Discretization &discretization, results::Form form,
                const balancers::Arrangement &arrangement,
                std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to);
+    /// Of the rotor of a finder, on shapes that it has or finds.
+    /// @param finder  must outlive this
+    /// @param speeds  ascending, over the range
+    AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds);
     ~AllMotions() = default;
     AllMotions(const AllMotions &) = delete;
     AllMotions &operator=(const AllMotions &) = delete;

@@ -24,20 +24,17 @@ bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
 bool grows(const Motion &motion) { return motion.value.real() > motion.noise; }
 
 int growing(const std::vector<Motion> &motions) {
-    return static_cast<int>(std::count_if(motions.begin(), motions.end(), grows));
+    return static_cast<int>(std::ranges::count_if(motions, grows));
 }
 
 /// Motions that neither grow nor die out: without damping two of these meet and part.
 int neutral(const std::vector<Motion> &motions) {
-    return static_cast<int>(std::count_if(motions.begin(), motions.end(), [](const Motion &m) {
-        return std::abs(m.value.real()) <= m.noise;
-    }));
+    return static_cast<int>(std::ranges::count_if(
+        motions, [](const Motion &m) { return std::abs(m.value.real()) <= m.noise; }));
 }
 
 const Motion &fastest(const std::vector<Motion> &motions) {
-    return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
-        return a.value.real() < b.value.real();
-    });
+    return *std::ranges::max_element(motions, {}, [](const Motion &a) { return a.value.real(); });
 }
 
 bool begins_or_ends_growth(const StabilityEnd &end) {
@@ -74,8 +71,7 @@ void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const M
         (begins ? end.growing_above : end.growing_below) = count;
         ends.push_back(end);
     }
-    std::sort(ends.begin(), ends.end(),
-              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    std::ranges::sort(ends, {}, &StabilityEnd::speed);
 }
 
 bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
@@ -106,14 +102,13 @@ std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &band
     snap(found.ends, bands);
     const std::vector<SpeedInterval> by_ends = bands_of(found, range);
     for (const SpeedInterval &band : bands)
-        if (std::none_of(by_ends.begin(), by_ends.end(),
-                         [&](const auto &other) { return overlap(band, other); }))
+        if (std::ranges::none_of(by_ends, [&](const auto &other) { return overlap(band, other); }))
             take_up(found.ends, band, at, form, range);
     const std::vector<SpeedInterval> all = bands_of(found, range);
     std::vector<double> unexplained;
     for (const SpeedInterval &band : bands)
         for (const double edge : {band.first, band.second})
-            if (std::none_of(all.begin(), all.end(), [&](const SpeedInterval &other) {
+            if (std::ranges::none_of(all, [&](const SpeedInterval &other) {
                     return near(edge, other.first) || near(edge, other.second);
                 }))
                 unexplained.push_back(edge);
@@ -121,8 +116,8 @@ std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &band
         bands = all;
     // The number may change there without growth ceasing: bands differ, the list does not.
     std::erase_if(unexplained, [&](double edge) {
-        return std::any_of(found.ends.begin(), found.ends.end(),
-                           [edge](const auto &end) { return near(end.speed, edge); });
+        return std::ranges::any_of(found.ends,
+                                   [edge](const auto &end) { return near(end.speed, edge); });
     });
     return unexplained;
 }
@@ -182,10 +177,9 @@ class CountSearch {
     /// The end of a band, known to be one better than by halving, where it alone is near.
     [[nodiscard]] std::optional<double> edge_between(double low, double high) const {
         const auto inside = [&](double edge) { return edge > low && edge < high; };
-        if (high - low > 3 * beside * std::abs(high) ||
-            std::count_if(_edges.begin(), _edges.end(), inside) != 1)
+        if (high - low > 3 * beside * std::abs(high) || std::ranges::count_if(_edges, inside) != 1)
             return std::nullopt;
-        return *std::find_if(_edges.begin(), _edges.end(), inside);
+        return *std::ranges::find_if(_edges, inside);
     }
 
     /// The motions that grow at one of two speeds close to each other only sank below the noise on
@@ -242,7 +236,7 @@ EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds
             edges.push_back(end);
         }
     }
-    std::sort(looks.begin(), looks.end());
+    std::ranges::sort(looks);
     CountSearch search(at, std::move(edges));
     EndsFound out;
     std::optional<Look> before;

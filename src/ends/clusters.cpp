@@ -27,11 +27,11 @@ double radius(const Cluster &roots) {
 }
 
 std::ptrdiff_t growing(const Cluster &roots) {
-    return std::count_if(roots.begin(), roots.end(), [](const Root *r) { return r->sign() > 0; });
+    return std::ranges::count_if(roots, [](const Root *r) { return r->sign() > 0; });
 }
 
 bool known(const Cluster &roots) {
-    return std::all_of(roots.begin(), roots.end(), [](const Root *r) { return r->sign() != 0; });
+    return std::ranges::all_of(roots, [](const Root *r) { return r->sign() != 0; });
 }
 
 /// Where a root is at one end of a step, as the polynomial has it.
@@ -214,9 +214,8 @@ bool off_the_axis(const Cluster &a, const Cluster &b, const ClusterStep &step) {
 bool drowned(const Cluster &a, const Cluster &b) {
     const auto in_noise = [](const Cluster &roots) {
         constexpr double both_parts = 3;
-        return std::all_of(roots.begin(), roots.end(), [](const Root *r) {
-            return std::abs(r->value) <= both_parts * r->noise;
-        });
+        return std::ranges::all_of(
+            roots, [](const Root *r) { return std::abs(r->value) <= both_parts * r->noise; });
     };
     return a.size() == b.size() && (in_noise(a) || in_noise(b));
 }

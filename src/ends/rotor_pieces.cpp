@@ -10,9 +10,9 @@ namespace whirl::ends {
 RotorPieces::RotorPieces(const modes::FormMatrices &whole, const Eigen::MatrixXd *shapes,
                          const std::vector<double> &borders, const std::vector<double> &rows)
     : _whole(whole), _shapes(shapes), _M(reduced(whole.mass())), _borders(borders), _ends(borders) {
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(_ends),
-                 [&](double row) { return row > borders.front() && row < borders.back(); });
-    std::sort(_ends.begin(), _ends.end());
+    std::ranges::copy_if(rows, std::back_inserter(_ends),
+                         [&](double row) { return row > borders.front() && row < borders.back(); });
+    std::ranges::sort(_ends);
     _ends.erase(std::unique(_ends.begin(), _ends.end()), _ends.end());
     _parts.resize(_ends.size() - 1);
 }

@@ -84,9 +84,7 @@ Root conjugate(Root root) {
 }
 
 void drop_zeros(std::vector<Root> &roots, int zeros) {
-    std::stable_sort(roots.begin(), roots.end(), [](const Root &a, const Root &b) {
-        return std::abs(a.value) < std::abs(b.value);
-    });
+    std::ranges::stable_sort(roots, {}, [](const Root &a) { return std::abs(a.value); });
     roots.erase(roots.begin(), roots.begin() + std::min<std::ptrdiff_t>(zeros, std::ssize(roots)));
 }
 
@@ -101,13 +99,12 @@ DenseProblem scaled(const DenseProblem &p, const Eigen::VectorXd &d) {
 
 int Spectrum::growing() const {
     return static_cast<int>(
-        std::count_if(roots.begin(), roots.end(), [](const Root &r) { return r.sign() > 0; }));
+        std::ranges::count_if(roots, [](const Root &r) { return r.sign() > 0; }));
 }
 
 const Root &Spectrum::nearest(std::complex<double> value) const {
-    return *std::min_element(roots.begin(), roots.end(), [&](const Root &a, const Root &b) {
-        return std::abs(a.value - value) < std::abs(b.value - value);
-    });
+    return *std::ranges::min_element(roots, {},
+                                     [&](const Root &a) { return std::abs(a.value - value); });
 }
 
 Spectrum all_roots(const DenseProblem &unscaled, double speed, double shift, int zeros) {

@@ -18,7 +18,7 @@ std::vector<std::size_t> counterparts(const std::vector<double> &list,
     constexpr double none = std::numeric_limits<double>::infinity();
     // least[i][j]: the first i entries among the first j of the longest.
     std::vector<std::vector<double>> least(m + 1, std::vector<double>(n + 1, none));
-    std::fill(least[0].begin(), least[0].end(), 0.0);
+    std::ranges::fill(least[0], 0.0);
     for (std::size_t i = 1; i <= m; ++i)
         for (std::size_t j = i; j <= n; ++j)
             least[i][j] = std::min(least[i][j - 1],
@@ -35,8 +35,7 @@ std::vector<std::size_t> counterparts(const std::vector<double> &list,
 std::vector<std::pair<double, double>> intervals_of(const std::vector<std::vector<double>> &lists) {
     std::vector<std::pair<double, double>> out;
     const auto longest =
-        std::max_element(lists.begin(), lists.end(),
-                         [](const auto &a, const auto &b) { return a.size() < b.size(); });
+        std::ranges::max_element(lists, {}, [](const auto &a) { return a.size(); });
     if (longest == lists.end())
         return out;
     for (const double speed : *longest)

@@ -32,11 +32,9 @@ std::vector<double> base_speeds(double from, double to, const std::vector<double
     for (int k = 1; k < steps; ++k)
         out.push_back(low + (high - low) * k / steps);
     out.insert(out.end(), looks.begin(), looks.end());
-    std::sort(out.begin(), out.end());
+    std::ranges::sort(out);
     out.erase(std::unique(out.begin(), out.end()), out.end());
-    out.erase(std::remove_if(out.begin(), out.end(),
-                             [&](double speed) { return speed < low || speed > high; }),
-              out.end());
+    std::erase_if(out, [&](double speed) { return speed < low || speed > high; });
     return out;
 }
 
@@ -75,13 +73,12 @@ class EndSearch {
     }
 
     EndsFound ends() {
-        std::sort(_found.begin(), _found.end(),
-                  [](const Found &a, const Found &b) { return a.motion.speed < b.motion.speed; });
+        std::ranges::sort(_found, {}, [](const Found &a) { return a.motion.speed; });
         doubt_doubles();
         const std::vector<int> growing = growing_between(_found, &Count::growing);
         std::vector<Found> counted;
-        std::copy_if(_found.begin(), _found.end(), std::back_inserter(counted),
-                     [this](const Found &found) { return resolved(found); });
+        std::ranges::copy_if(_found, std::back_inserter(counted),
+                             [this](const Found &found) { return resolved(found); });
         const std::vector<int> resolved_growing = std::isfinite(_motions.resolved_up_to())
                                                       ? growing_between(counted, &Count::resolved)
                                                       : growing;
@@ -127,7 +124,7 @@ class EndSearch {
     }
 
     [[nodiscard]] bool at_an_end(double speed) const {
-        return std::any_of(_found.begin(), _found.end(), [speed](const Found &found) {
+        return std::ranges::any_of(_found, [speed](const Found &found) {
             return std::abs(found.motion.speed - speed) <= 1e-6 * std::abs(speed);
         });
     }

@@ -38,84 +38,17 @@ Complex cubic(double t, Complex rise, Complex d0, Complex d1) {
     return t * (d0 + t * (3.0 * rise - 2.0 * d0 - d1 + t * (d0 + d1 - 2.0 * rise)));
 }
 
-/// Logarithms of a strand, from its start: of the speed, and of the value with its slopes over the
-/// step.
-struct Powers {
-    double ratio = 0;
-    Complex rise, d0, d1;
-};
-Powers powers_of(const Strand &strand) {
-    const double end = strand.start + strand.step;
-    Powers out;
-    out.ratio = std::log(end / strand.start);
-    out.rise = std::log(strand.to->value / strand.from->value);
-    out.d0 = out.ratio * strand.start * strand.from->rate / strand.from->value;
-    out.d1 = out.ratio * end * strand.to->rate / strand.to->value;
-    return out;
+/// How far the value is from a parabola, whose rates are linear.
+Complex off_parabola(const Strand &strand) {
+    return strand.to->value - strand.from->value -
+           strand.step * (strand.from->rate + strand.to->rate) / 2.0;
 }
 
 /// What does not fit where one root would have become another: the mean of the rates does not lead
 /// there, or they differ.
 double misfit(const Strand &strand) {
-    double slopes = std::abs(strand.step) * size_of(strand.to->rate - strand.from->rate);
-    double scale = 1;
-    if (strand.power) {
-        const Powers p = powers_of(strand);
-        slopes = size_of(p.d1 - p.d0);
-        scale = std::max(size_of(strand.from->value), size_of(strand.to->value));
-    }
-    return scale * (size_of(strand.misfit()) + 0.25 * slopes);
-}
-
-/// As one root would become another: straight, or as powers of the speed.
-struct Candidate {
-    Strand strand;
-    double misfit = 0;
-};
-Candidate candidate(const Root &a, const Root &b, double start, double step) {
-    Candidate out{{&a, &b, start, step, false}, 0};
-    out.misfit = misfit(out.strand);
-    if (!is_long(start, start + step) || a.value == 0.0 || b.value == 0.0)
-        return out;
-    Strand power = out.strand;
-    power.power = true;
-    if (const double off = misfit(power); off < out.misfit)
-        out = {power, off};
-    return out;
-}
-
-/// How much of motion b is in motion a, as the left vector of a tells: 1 of a itself.
-double share(const DenseProblem &of_a, const Root &a, const Root &b) {
-    const Eigen::VectorXcd states = of_a.D * b.right + (a.value + b.value) * (of_a.M * b.right);
-    return std::abs(a.left.dot(states) / a.slope);
-}
-
-/// The partners of the roots of a group by their vectors: where motions pass close by each other,
-/// values and rates do not tell which is which, but each is all but orthogonal to the others.
-/// Of motions that may neither grow nor die out (undamped ones, which turn where they meet) nothing
-/// is told by that.
-/// @returns nothing where one has no partner
-std::optional<std::vector<std::pair<int, int>>> partners(const Spectrum &from, const Spectrum &to,
-                                                         const Group &group) {
-    constexpr double the_same = 0.8;
-    if (group.first.size() != group.second.size())
-        return std::nullopt;
-    std::vector<std::pair<int, int>> out;
-    std::vector<bool> taken(to.roots.size(), false);
-    for (const int i : group.first) {
-        const Root &a = from.roots[static_cast<std::size_t>(i)];
-        const auto found = std::find_if(group.second.begin(), group.second.end(), [&](int j) {
-            const Root &b = to.roots[static_cast<std::size_t>(j)];
-            const double both = share(from.problem, a, b) * share(to.problem, b, a);
-            return !taken[static_cast<std::size_t>(j)] && both > the_same && both < 1 / the_same;
-        });
-        if (found == group.second.end() || a.sign() == 0 ||
-            to.roots[static_cast<std::size_t>(*found)].sign() == 0)
-            return std::nullopt;
-        taken[static_cast<std::size_t>(*found)] = true;
-        out.emplace_back(i, *found);
-    }
-    return out;
+    return size_of(off_parabola(strand)) +
+           0.25 * std::abs(strand.step) * size_of(strand.to->rate - strand.from->rate);
 }
 
 /// The number of the conjugate of each root, a neighbour in the list; itself of a real one.
@@ -136,39 +69,24 @@ std::vector<int> conjugates(const Spectrum &spectrum) {
 
 /// Motions that cannot be told apart, none of which comes to the axis: growing ones as growing
 /// ones, in order of their frequencies, so that each stands where one of them is.
-void add_as_one(Cluster a, Cluster b, double start, double step, Strands &out) {
+void add_as_one(Cluster a, Cluster b, double step, Strands &out) {
     const auto before = [](const Root *x, const Root *y) {
         return std::pair(x->sign(), x->value.imag()) < std::pair(y->sign(), y->value.imag());
     };
-    std::sort(a.begin(), a.end(), before);
-    std::sort(b.begin(), b.end(), before);
+    std::ranges::sort(a, before);
+    std::ranges::sort(b, before);
     ++out.clusters;
     for (std::size_t k = 0; k < a.size(); ++k)
-        out.strands.push_back({a[k], b[k], start, step, false, out.clusters});
-}
-
-/// The least angle between the value and the imaginary axis along a strand.
-double turn_to_axis(const Strand &strand) {
-    double least = HUGE_VAL;
-    const bool grows = strand.from->value.real() > 0;
-    for (int k = 0; k <= samples; ++k) {
-        const Complex value = strand.at(static_cast<double>(k) / samples);
-        if ((value.real() > 0) != grows)
-            return 0;
-        least = std::min(least, std::atan2(std::abs(value.real()), std::abs(value.imag())));
-    }
-    return least;
+        out.strands.push_back({a[k], b[k], step, out.clusters});
 }
 
 bool passes_safely(const Strand &strand) {
     const int a = strand.from->sign();
     const int b = strand.to->sign();
     if (a == 0 || b == 0)
-        return true;            // nothing more can be told here
-    if (strand.power && a == b) // far enough from the axis for all that it could turn aside
-        return std::abs(strand.from->value.real()) > 0 &&
-               std::abs(strand.misfit()) < 0.2 * turn_to_axis(strand);
-    const double bend = strand.bend();
+        return true; // nothing more can be told here
+    // The part of the real part that another look in between could disprove.
+    const double bend = std::abs(off_parabola(strand).real());
     int changes = 0;
     double least = HUGE_VAL;
     double before = strand.from->value.real();
@@ -234,30 +152,14 @@ std::optional<double> passing(const Strand &a, const Strand &b, const Course &of
 } // namespace
 
 Complex Strand::at(double t) const {
-    if (!power)
-        return from->value + cubic(t, to->value - from->value, step * from->rate, step * to->rate);
-    const Powers p = powers_of(*this);
-    const double share = std::log1p(t * step / start) / p.ratio;
-    return from->value * std::exp(cubic(share, p.rise, p.d0, p.d1));
-}
-
-Complex Strand::misfit() const {
-    if (!power)
-        return to->value - from->value - step * (from->rate + to->rate) / 2.0;
-    const Powers p = powers_of(*this);
-    return p.rise - (p.d0 + p.d1) / 2.0;
-}
-
-double Strand::bend() const {
-    const double size = std::max(std::abs(from->value), std::abs(to->value));
-    return power ? size * std::abs(misfit()) : std::abs(misfit().real());
+    return from->value + cubic(t, to->value - from->value, step * from->rate, step * to->rate);
 }
 
 Strands followed(const Spectrum &from, const Spectrum &to) {
     const double step = to.speed - from.speed;
     const auto between = [&](int i, int j) {
-        return candidate(from.roots[static_cast<std::size_t>(i)],
-                         to.roots[static_cast<std::size_t>(j)], from.speed, step);
+        return Strand{&from.roots[static_cast<std::size_t>(i)],
+                      &to.roots[static_cast<std::size_t>(j)], step};
     };
     const auto rows = static_cast<Eigen::Index>(from.roots.size());
     const auto columns = static_cast<Eigen::Index>(to.roots.size());
@@ -272,24 +174,20 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
         const int same = conjugate_from[static_cast<std::size_t>(i)];
         for (Eigen::Index j = 0; j < columns; ++j)
             off(i, j) = same < i ? off(same, conjugate_to[static_cast<std::size_t>(j)])
-                                 : between(static_cast<int>(i), static_cast<int>(j)).misfit;
+                                 : misfit(between(static_cast<int>(i), static_cast<int>(j)));
     }
     const ClusterStep of_step{from.speed, to.speed, is_long(from.speed, to.speed)};
-    for (const Group &group : groups_of(std::move(off))) {
-        const auto &[of_from, of_to] = group;
+    for (const auto &[of_from, of_to] : groups_of(std::move(off))) {
         if (of_from.size() == 1 && of_to.size() == 1) {
-            out.strands.push_back(between(of_from.front(), of_to.front()).strand);
+            out.strands.push_back(between(of_from.front(), of_to.front()));
             continue;
         }
         const Cluster a = cluster(from, of_from);
         const Cluster b = cluster(to, of_to);
         if (all_alike(a, b, step))
             continue;
-        if (const auto pairs = partners(from, to, group)) {
-            for (const auto &[i, j] : *pairs)
-                out.strands.push_back(between(i, j).strand);
-        } else if ((of_step.is_long && drowned(a, b)) || off_the_axis(a, b, of_step)) {
-            add_as_one(a, b, from.speed, step, out);
+        if ((of_step.is_long && drowned(a, b)) || off_the_axis(a, b, of_step)) {
+            add_as_one(a, b, step, out);
         } else {
             out.clear = false;
         }

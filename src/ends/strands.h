@@ -7,23 +7,14 @@
 
 namespace whirl::ends {
 
-/// One motion over a step of speed: eigenvalues and rates at both ends, a cubic between them; over
-/// long steps near rest, where those of balls rise with powers of the speed, one between the
-/// logarithms of both.
+/// One motion over a step of speed: eigenvalues and rates at both ends, a cubic between them.
 struct Strand {
     const Root *from = nullptr, *to = nullptr;
-    double start = 0;   ///< rad/s, speed of `from`
-    double step = 0;    ///< rad/s
-    bool power = false; ///< logarithms
-    int cluster = 0;    ///< of motions not told apart that stay off the axis together, or none
+    double step = 0; ///< rad/s
+    int cluster = 0; ///< of motions not told apart that stay off the axis together, or none
 
     /// @param t  from 0 to 1
     [[nodiscard]] std::complex<double> at(double t) const;
-    /// What does not fit: how far the value (or its logarithm) is from a parabola, whose rates are
-    /// linear.
-    [[nodiscard]] std::complex<double> misfit() const;
-    /// The part of the real part that another look in between could disprove, 1/s.
-    [[nodiscard]] double bend() const;
 };
 
 /// The motions of a step, followed as far as values and rates at its ends tell which is which.

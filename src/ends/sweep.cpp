@@ -45,14 +45,12 @@ Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough
 Spectrum Sweep::look(double speed) {
     --_looks_left;
     Spectrum out = _at(speed);
-    const auto unknown =
-        std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
-            return root.sign() == 0 && _slow(std::abs(root.value));
-        });
-    const auto resolved =
-        std::count_if(out.roots.begin(), out.roots.end(), [this](const Root &root) {
-            return root.sign() > 0 && std::abs(root.value) <= _resolved;
-        });
+    const auto unknown = std::ranges::count_if(out.roots, [this](const Root &root) {
+        return root.sign() == 0 && _slow(std::abs(root.value));
+    });
+    const auto resolved = std::ranges::count_if(out.roots, [this](const Root &root) {
+        return root.sign() > 0 && std::abs(root.value) <= _resolved;
+    });
     _counts[speed] = {out.growing(), static_cast<int>(unknown), static_cast<int>(resolved)};
     return out;
 }
@@ -107,7 +105,7 @@ std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const St
     }
     if (sum != b.growing() - a.growing())
         return strands.middle;
-    std::sort(standing.begin(), standing.end());
+    std::ranges::sort(standing);
     for (std::size_t k = 1; k < standing.size(); ++k)
         if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
             return (standing[k] + standing[k - 1]) / 2;

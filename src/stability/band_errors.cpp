@@ -24,15 +24,13 @@ struct End {
 };
 
 const Motion &fastest_growing(const std::vector<Motion> &motions) {
-    return *std::max_element(motions.begin(), motions.end(), [](const Motion &a, const Motion &b) {
-        return a.value.real() < b.value.real();
-    });
+    return *std::ranges::max_element(motions, {}, [](const Motion &a) { return a.value.real(); });
 }
 
 /// How far the end can lie from where the growth rises out of its noise.
-double blurred(const MotionsAt &at, const End &end, double &slope) {
+double blurred(const BandFinder &finder, const End &end, double &slope) {
     const double step = std::min(0.25 * end.width, 1e-4 * std::abs(end.speed));
-    const Motion inside = fastest_growing(at(end.speed + end.inward * step));
+    const Motion inside = fastest_growing(finder.at(end.speed + end.inward * step));
     slope = std::max(inside.value.real(), 0.0) / step;
     return slope > 0 ? std::min(step, inside.noise / slope) : step;
 }
@@ -100,16 +98,15 @@ std::optional<double> by_roots(const PeriodicMotions &motions, const FinerRotor 
 
 } // namespace
 
-std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt &at,
-                                       const StabilityModel &model,
-                                       const balancers::Arrangement &arrangement,
+std::vector<SpeedInterval> band_errors(const BandFinder &finder,
                                        const std::vector<SpeedInterval> &bands,
                                        const SpeedInterval &range, const ErrorByRoot &by_root) {
+    const StabilityModel &model = finder.model();
     const bool elastic = !model.rotor.shaft.rigid;
     const PeriodicMotions *const periodic = finder.solver().by_monodromy();
     std::optional<FinerRotor> whole;
     if (elastic && periodic != nullptr && model.rotor.damped() && !bands.empty())
-        whole.emplace(model, arrangement);
+        whole.emplace(model, finder.arrangement());
     std::optional<MotionSolver> finer;
     std::map<double, std::vector<Motion>> known; // of the finer model: the same speeds come again
     const MotionsAt finer_at = [&](double speed) {
@@ -118,7 +115,7 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt
         if (!finer) {
             StabilityModel finer_model = model;
             finer_model.order = mesh_error::finer_order(model.order);
-            finer.emplace(finer_model, arrangement);
+            finer.emplace(finer_model, finder.arrangement());
         }
         return known.emplace(speed, finer->at(speed)).first->second;
     };
@@ -126,11 +123,11 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder, const MotionsAt
         if (whole)
             if (const auto error = by_roots(*periodic, *whole, end))
                 return *error;
-        if (elastic && by_root)
+        if (elastic)
             if (const auto error = by_root(end.speed, end.inward, reach_of(end)))
                 return *error;
         double slope = 0;
-        const double rounding = blurred(at, end, slope);
+        const double rounding = blurred(finder, end, slope);
         return rounding + 1e-12 * std::abs(end.speed) +
                (elastic ? mesh_error::estimate_safety * distance(finer_at, end, slope) : 0.0);
     };

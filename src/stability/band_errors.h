@@ -1,7 +1,6 @@
 #pragma once
 
 #include "stability/band_finder.h"
-#include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
 #include <functional>
@@ -21,12 +20,11 @@ using ErrorByRoot = std::function<std::optional<double>(double speed, double inw
 /// does not have is off by its width.
 ///
 /// @param finder  of the model that the bands belong to
-/// @param at      its motions
 /// @param range   in which they were looked for
-/// @param by_root  asked first; may be empty
-[[nodiscard]] std::vector<SpeedInterval>
-band_errors(const BandFinder &finder, const MotionsAt &at, const StabilityModel &model,
-            const balancers::Arrangement &arrangement, const std::vector<SpeedInterval> &bands,
-            const SpeedInterval &range, const ErrorByRoot &by_root = {});
+/// @param by_root  asked first
+[[nodiscard]] std::vector<SpeedInterval> band_errors(const BandFinder &finder,
+                                                     const std::vector<SpeedInterval> &bands,
+                                                     const SpeedInterval &range,
+                                                     const ErrorByRoot &by_root);
 
 } // namespace whirl::stability

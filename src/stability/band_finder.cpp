@@ -4,8 +4,8 @@
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
+#include "process/progress.h"
 #include "reduction/planar_shapes.h"
-#include "results/formulation.h"
 #include "stability/band_confirmation.h"
 #include "stability/hill/hill_motions.h"
 #include "stability/periodic_motions.h"
@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace whirl::stability {
 
@@ -55,12 +57,11 @@ std::vector<MotionsAtSpeed> sampled_motions(const MotionSolver &solver,
 }
 
 /// Sum of x x^T over the planar shapes x of all motions, over the amplitudes of r shapes.
-Eigen::MatrixXd energies(const std::vector<MotionsAtSpeed> &motions, Eigen::Index r,
-                         Eigen::Index term) {
+Eigen::MatrixXd energies(const std::vector<MotionsAtSpeed> &motions, Eigen::Index r) {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(r, r);
     for (const MotionsAtSpeed &at : motions)
         for (const linalg::ComplexPair &pair : at.pairs) {
-            Eigen::MatrixXd parts = reduction::planar_parts(pair.vector, r, term);
+            Eigen::MatrixXd parts = reduction::planar_parts(pair.vector, r, pair.vector.size());
             const double length = parts.colwise().norm().maxCoeff();
             if (!(length > 0))
                 continue;
@@ -72,23 +73,53 @@ Eigen::MatrixXd energies(const std::vector<MotionsAtSpeed> &motions, Eigen::Inde
 
 /// Those of some eigenpairs that none of the others is, as far as a search for bands needs them.
 std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs &others,
-                                                 double speed, double repeats) {
+                                                 double speed) {
     std::vector<const linalg::ComplexPair *> out;
     for (const linalg::ComplexPair &pair : some) {
         const double allowed =
             agreeing_eigenvalues * std::max(std::abs(pair.value), std::abs(speed)) +
             100 * (pair.rounding + pair.residual) * std::abs(pair.value);
-        if (std::none_of(others.begin(), others.end(), [&](const auto &other) {
-                return apart(pair.value, other.value, repeats) <= allowed;
+        if (std::ranges::none_of(others, [&](const auto &other) {
+                return apart(pair.value, other.value, 0) <= allowed;
             }))
             out.push_back(&pair);
     }
     return out;
 }
 
+/// Takes in what the motions of a rotor at some speeds lack of the shapes.
+/// @param reduced  its eigenpairs at a speed, on the shapes as they are by then
+/// @returns whether these do for all of them, and are few
+bool enriched(reduction::PlanarShapes &planar, const MotionSolver &whole,
+              const std::vector<double> &speeds, const std::function<Pairs(double)> &reduced) {
+    const Eigen::Index N = whole.discretization().planar_size();
+    for (const double speed : speeds) {
+        if (speed == 0)
+            continue;
+        const Pairs pairs = whole.pairs(speed);
+        auto lacking = missing(pairs, reduced(speed), speed);
+        for (const double part : newness) {
+            const Eigen::Index before = planar.matrix().cols();
+            for (const auto *pair : lacking)
+                planar.add(reduction::planar_parts(pair->vector, N, pair->vector.size()), part);
+            if (planar.matrix().cols() != before) // else nothing lacks, or nothing is new enough
+                lacking = missing(pairs, reduced(speed), speed);
+        }
+        if (!lacking.empty() ||
+            static_cast<double>(planar.matrix().cols()) > large_part * static_cast<double>(N))
+            return false;
+    }
+    return true;
+}
+
+/// Frequency up to which shapes are to describe motions at these speeds, rad/s.
+double top_of(const std::vector<double> &speeds) {
+    return 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
+}
+
 bool same_motions(const MotionSolver &solver, const std::vector<MotionsAtSpeed> &motions) {
-    return std::all_of(motions.begin(), motions.end(), [&solver](const MotionsAtSpeed &at) {
-        return missing(at.pairs, solver.pairs(at.speed), at.speed, 0).empty();
+    return std::ranges::all_of(motions, [&solver](const MotionsAtSpeed &at) {
+        return missing(at.pairs, solver.pairs(at.speed), at.speed).empty();
     });
 }
 
@@ -106,8 +137,7 @@ compact_shapes(const StabilityModel &model, const balancers::Arrangement &arrang
                const std::vector<double> &speeds) {
     const Eigen::Index r = all->cols();
     const std::vector<MotionsAtSpeed> motions = sampled_motions(solver, speeds);
-    const auto principal =
-        linalg::symmetric_eigenpairs(energies(motions, r, solver.term_unknowns()));
+    const auto principal = linalg::symmetric_eigenpairs(energies(motions, r));
     const Eigen::VectorXd &energy = principal.eigenvalues(); // ascending
     Eigen::Index tried = 0;
     for (const double part : least_parts) {
@@ -123,6 +153,17 @@ compact_shapes(const StabilityModel &model, const balancers::Arrangement &arrang
             return shapes;
     }
     return all;
+}
+
+/// With the reduced rotor; nothing where the whole one does not agree.
+/// @param part  as in find_bands
+std::optional<BandsFound> confirmed(const MotionsAt &reduced, const MotionsAt &at,
+                                    const std::vector<double> &speeds,
+                                    const PeriodicMotions *periodic = nullptr, double part = 0) {
+    BandsFound found = find_bands(reduced, speeds, part);
+    if (auto bands = confirmed_bands(at, found.bands, {speeds.front(), speeds.back()}, periodic))
+        return BandsFound{std::move(*bands), std::move(found.doubtful)};
+    return std::nullopt;
 }
 
 } // namespace
@@ -141,8 +182,21 @@ BandFinder::BandFinder(const StabilityModel &model, const balancers::Arrangement
         _few = like._few;
 }
 
-std::unique_ptr<MotionSolver> BandFinder::reduced() const {
-    return std::make_unique<MotionSolver>(_model, _arrangement, _shapes);
+void BandFinder::keep(const std::vector<double> &speeds) {
+    for (const double speed : speeds)
+        _kept.try_emplace(speed);
+}
+
+std::vector<Motion> BandFinder::at(double speed) const {
+    const auto kept = _kept.find(speed);
+    if (kept == _kept.end())
+        return _whole.at(speed);
+    if (kept->second.empty()) {
+        kept->second = _whole.at(speed);
+        process::report_progress(
+            std::min(0.9, static_cast<double>(++_asked) / static_cast<double>(_kept.size())));
+    }
+    return kept->second;
 }
 
 /// With the fewer shapes of a rotor like this one, where they do for this one too: at the largest
@@ -156,7 +210,7 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_alike(const std::vector<double
     const std::size_t last = speeds.size() - 1;
     for (const std::size_t place : {last, last / 4}) {
         const double speed = speeds[backward ? last - place : place];
-        if (speed != 0 && !missing(_whole.pairs(speed), few->pairs(speed), speed, 0).empty())
+        if (speed != 0 && !missing(_whole.pairs(speed), few->pairs(speed), speed).empty())
             return nullptr;
     }
     return few;
@@ -172,41 +226,28 @@ std::unique_ptr<MotionSolver> BandFinder::reduced_for(const std::vector<double> 
     }
     if (!_model.reduction || d.rigid() || d.planar_size() <= small)
         return nullptr;
-    const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    reduction::PlanarShapes planar(d, top);
+    reduction::PlanarShapes planar(d, top_of(speeds));
     if (_shapes)
         planar.add(*_shapes, newness.back());
     std::unique_ptr<MotionSolver> out;
     const auto take = [&] {
         _shapes = std::make_shared<Eigen::MatrixXd>(planar.matrix());
-        out = reduced();
+        out = std::make_unique<MotionSolver>(_model, _arrangement, _shapes);
     };
     take();
-    const std::size_t last = speeds.size() - 1;
-    for (const std::size_t place : {last, std::size_t{0}, last / 2, last / 4, 3 * last / 4}) {
-        const double speed = speeds[place];
-        if (speed == 0)
-            continue;
-        const double repeats = _model.form == results::Form::hill ? 2 * std::abs(speed) : 0;
-        const Pairs whole = _whole.pairs(speed);
-        const Eigen::Index term = _whole.term_unknowns();
-        auto lacking = missing(whole, out->pairs(speed), speed, repeats);
-        for (const double part : newness) {
-            for (const auto *pair : lacking)
-                planar.add(reduction::planar_parts(pair->vector, d.planar_size(), term), part);
-            if (planar.matrix().cols() == _shapes->cols())
-                continue; // nothing lacks, or nothing that is new enough
+    const auto reduced = [&](double speed) {
+        if (planar.matrix().cols() != _shapes->cols())
             take();
-            lacking = missing(whole, out->pairs(speed), speed, repeats);
-        }
-        if (static_cast<double>(planar.matrix().cols()) > large_part * d.planar_size() ||
-            !lacking.empty())
-            return nullptr;
-    }
+        return out->pairs(speed);
+    };
+    const std::size_t last = speeds.size() - 1;
+    if (!enriched(
+            planar, _whole,
+            {speeds[last], speeds[0], speeds[last / 2], speeds[last / 4], speeds[3 * last / 4]},
+            reduced))
+        return nullptr;
     _good = true;
-    _few = _model.form == results::Form::hill
-               ? _shapes
-               : compact_shapes(_model, _arrangement, _shapes, *out, speeds);
+    _few = compact_shapes(_model, _arrangement, _shapes, *out, speeds);
     return _few == _shapes ? std::move(out)
                            : std::make_unique<MotionSolver>(_model, _arrangement, _few);
 }
@@ -226,74 +267,47 @@ std::shared_ptr<const Eigen::MatrixXd> BandFinder::good_shapes(const std::vector
 bool BandFinder::enrich_for(const StabilityModel &other, const balancers::Arrangement &arrangement,
                             const std::vector<double> &speeds) {
     const MotionSolver whole(other, arrangement);
-    const Eigen::Index N = whole.discretization().planar_size();
-    if (!_good || _few->rows() != N || whole.by_monodromy() != nullptr)
+    if (!_good || _few->rows() != whole.discretization().planar_size() ||
+        whole.by_monodromy() != nullptr)
         return false;
-    const double top = 2 * std::max(std::abs(speeds.front()), std::abs(speeds.back()));
-    reduction::PlanarShapes planar(whole.discretization(), top, *_few);
-    for (const double speed : speeds) {
-        if (speed == 0)
-            continue;
-        const Pairs pairs = whole.pairs(speed);
-        const auto lacking = [&] {
-            return missing(pairs, MotionSolver(other, arrangement, _few).pairs(speed), speed, 0);
-        };
-        auto lacks = lacking();
-        for (const double part : newness) {
-            const Eigen::Index before = planar.matrix().cols();
-            for (const auto *pair : lacks)
-                planar.add(reduction::planar_parts(pair->vector, N, whole.term_unknowns()), part);
-            if (planar.matrix().cols() == before)
-                continue;
+    reduction::PlanarShapes planar(whole.discretization(), top_of(speeds), *_few);
+    Eigen::Index taken = planar.matrix().cols();
+    const auto reduced = [&](double speed) {
+        if (planar.matrix().cols() != std::exchange(taken, planar.matrix().cols()))
             _few = std::make_shared<const Eigen::MatrixXd>(planar.matrix());
-            lacks = lacking();
-        }
-        if (!lacks.empty() ||
-            static_cast<double>(planar.matrix().cols()) > large_part * static_cast<double>(N))
-            return false;
-    }
+        return MotionSolver(other, arrangement, _few).pairs(speed);
+    };
+    if (!enriched(planar, whole, speeds, reduced))
+        return false;
     _shapes = _few;
     return true;
 }
 
 BandsFound BandFinder::find(const std::vector<double> &speeds) {
-    return find([this](double speed) { return _whole.at(speed); }, speeds);
-}
-
-/// With the reduced rotor; nothing where there is none, or the whole one does not agree.
-std::optional<BandsFound> BandFinder::confirmed(const MotionsAt &reduced, const MotionsAt &at,
-                                                const std::vector<double> &speeds,
-                                                const PeriodicMotions *periodic, double part) {
-    BandsFound found = find_bands(reduced, speeds, part);
-    if (auto bands = confirmed_bands(at, found.bands, {speeds.front(), speeds.back()}, periodic))
-        return BandsFound{std::move(*bands), std::move(found.doubtful)};
-    return std::nullopt;
-}
-
-BandsFound BandFinder::find(const MotionsAt &at, const std::vector<double> &speeds) {
+    const MotionsAt whole = [this](double speed) { return at(speed); };
     if (const PeriodicMotions *periodic = _whole.by_monodromy()) {
         _shapes = periodic->good_shapes(speeds);
         if (!_shapes)
-            return find_bands(at, speeds);
+            return find_bands(whole, speeds);
         const MotionsAt reduced = [periodic](double speed) { return periodic->reduced_at(speed); };
         // Where something dies out the ends are roots, which the whole rotor's own are near.
         constexpr double roughly = 1e-3;
         if (_model.rotor.damped())
-            if (const auto found = confirmed(reduced, at, speeds, periodic, roughly))
+            if (const auto found = confirmed(reduced, whole, speeds, periodic, roughly))
                 return *found;
-        const auto found = confirmed(reduced, at, speeds);
-        return found ? *found : find_bands(at, speeds);
+        const auto found = confirmed(reduced, whole, speeds);
+        return found ? *found : find_bands(whole, speeds);
     }
     try {
         if (const std::unique_ptr<MotionSolver> few = reduced_for(speeds)) {
             const MotionsAt reduced = [&few](double speed) { return few->at(speed); };
-            if (auto found = confirmed(reduced, at, speeds))
+            if (auto found = confirmed(reduced, whole, speeds))
                 return std::move(*found);
         }
     } catch (const linalg::SolverError &) {    // no such shapes
     } catch (const model::AnalysisFailure &) { // a speed at which the reduced one fails
     }
-    return find_bands(at, speeds);
+    return find_bands(whole, speeds);
 }
 
 } // namespace whirl::stability

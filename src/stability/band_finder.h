@@ -4,6 +4,7 @@
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,13 +29,19 @@ class BandFinder {
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                const BandFinder &like);
 
+    [[nodiscard]] const StabilityModel &model() const { return _model; }
+    [[nodiscard]] const balancers::Arrangement &arrangement() const { return _arrangement; }
     /// The whole rotor.
     [[nodiscard]] const MotionSolver &solver() const { return _whole; }
     [[nodiscard]] const std::shared_ptr<const Eigen::MatrixXd> &shapes() const { return _shapes; }
 
-    /// @param at      motions of the whole rotor, as solver() gives them
+    /// From here on the motions at these speeds are kept: several parts of an analysis ask for
+    /// them.
+    void keep(const std::vector<double> &speeds);
+    /// Motions of the whole rotor.
+    [[nodiscard]] std::vector<Motion> at(double speed) const;
+
     /// @param speeds  ascending, at least two
-    [[nodiscard]] BandsFound find(const MotionsAt &at, const std::vector<double> &speeds);
     [[nodiscard]] BandsFound find(const std::vector<double> &speeds);
 
     /// Planar shapes with which the eigenvalues at these speeds are those of the whole rotor; none
@@ -57,11 +64,9 @@ class BandFinder {
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
     std::shared_ptr<const Eigen::MatrixXd> _few; ///< fewer that do as well, or the same
     bool _good = false;                          ///< the shapes are good for the speeds asked for
+    mutable std::map<double, std::vector<Motion>> _kept; ///< at their speeds, once asked for
+    mutable int _asked = 0;                              ///< of these
 
-    [[nodiscard]] static std::optional<BandsFound>
-    confirmed(const MotionsAt &reduced, const MotionsAt &at, const std::vector<double> &speeds,
-              const PeriodicMotions *periodic = nullptr, double part = 0);
-    [[nodiscard]] std::unique_ptr<MotionSolver> reduced() const;
     [[nodiscard]] std::unique_ptr<MotionSolver>
     reduced_alike(const std::vector<double> &speeds) const;
     [[nodiscard]] std::unique_ptr<MotionSolver> reduced_for(const std::vector<double> &speeds);

@@ -100,7 +100,7 @@ void BandSearch::add_beyond(Coalescence &m, const Look &a, const Look &b) {
         const Look &next = std::prev(place)->second;
         const std::vector<int> &to = continuation(next, place->second).to;
         for (int &index : at) {
-            const auto found = std::find(to.begin(), to.end(), index);
+            const auto found = std::ranges::find(to, index);
             if (index == Continuation::nowhere || found == to.end())
                 return;
             index = static_cast<int>(found - to.begin());
@@ -225,10 +225,8 @@ void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &
         [&](double x) {
             const std::vector<Motion> motions = _at(x);
             const auto expected = value_at(x);
-            const auto nearest = std::min_element(
-                motions.begin(), motions.end(), [&](const Motion &m, const Motion &n) {
-                    return std::abs(m.value - expected) < std::abs(n.value - expected);
-                });
+            const auto nearest = std::ranges::min_element(
+                motions, {}, [&](const Motion &m) { return std::abs(m.value - expected); });
             if (grows(*nearest) && !unstable) {
                 unstable = true;
                 found = x;

@@ -184,9 +184,8 @@ class Follower {
                                      const std::vector<int> &to) const {
         const int action = from.empty() ? 0 : a(from.front()).action;
         return action != 0 && !to.empty() &&
-               std::all_of(from.begin(), from.end(),
-                           [&](int i) { return a(i).action == action; }) &&
-               std::all_of(to.begin(), to.end(), [&](int j) { return b(j).action == action; });
+               std::ranges::all_of(from, [&](int i) { return a(i).action == action; }) &&
+               std::ranges::all_of(to, [&](int j) { return b(j).action == action; });
     }
 
     /// Each has become a mixture of both: which of them is which then depends on how states are

@@ -10,12 +10,12 @@ double motion_reach(std::vector<std::vector<double>> sizes, double least) {
     constexpr std::size_t fewest = 8;
     std::vector<double> all;
     for (std::vector<double> &here : sizes) {
-        std::sort(here.begin(), here.end());
+        std::ranges::sort(here);
         if (!here.empty())
             least = std::max(least, here[std::min(here.size(), fewest) - 1]);
         all.insert(all.end(), here.begin(), here.end());
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     double below = least;
     double widest = 1;
     double reach = 2 * least;

@@ -91,8 +91,8 @@ void drop_sidebands(std::vector<Motion> &motions, double speed) {
     std::vector<Motion> kept;
     for (Motion &motion : motions) {
         const bool border = std::abs(motion.value.imag()) > 0.45 * width;
-        if (!border || std::none_of(kept.begin(), kept.end(),
-                                    [&](const Motion &other) { return same(motion, other); }))
+        if (!border ||
+            std::ranges::none_of(kept, [&](const Motion &other) { return same(motion, other); }))
             kept.push_back(std::move(motion));
     }
     motions = std::move(kept);
@@ -142,8 +142,7 @@ struct MotionSolver::Data {
                 periodic = std::make_unique<PeriodicMotions>(d, balancers, bearings_drive(rotor),
                                                              top, shapes, std::move(experience));
             else if (form == results::Form::hill)
-                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N,
-                                                     shapes.get());
+                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N);
         } else {
             fixed = fixed_at(0);
             root_K = root_of_diagonal(fixed.K);
@@ -233,9 +232,7 @@ struct MotionSolver::Data {
             if (found.complete_radius < reach)
                 throw linalg::SolverError("the eigenvalues differ by too many orders of magnitude");
             std::vector<ComplexPair> pairs = found.pairs;
-            std::sort(pairs.begin(), pairs.end(), [](const auto &a, const auto &b) {
-                return std::abs(a.value) < std::abs(b.value);
-            });
+            std::ranges::sort(pairs, {}, [](const auto &a) { return std::abs(a.value); });
             for (int skip = zeros; skip > 0 && !pairs.empty(); pairs.erase(pairs.begin()))
                 skip -= pairs.front().value.imag() != 0 ? 2 : 1;
             return {std::move(pairs), functional};
@@ -305,9 +302,7 @@ struct MotionSolver::Data {
 
     [[nodiscard]] Solved those_that_matter(double speed) const {
         Solved all = solved(speed);
-        std::stable_sort(all.pairs.begin(), all.pairs.end(), [](const auto &a, const auto &b) {
-            return std::abs(a.value) < std::abs(b.value);
-        });
+        std::ranges::stable_sort(all.pairs, {}, [](const auto &a) { return std::abs(a.value); });
         Solved kept{{}, all.functional};
         for (std::size_t i = 0; i < all.pairs.size(); ++i)
             if (matters(motion_of(all.pairs[i], speed), i, speed))
@@ -361,8 +356,6 @@ std::vector<linalg::ComplexPair> MotionSolver::pairs(double speed) const {
 }
 
 const PeriodicMotions *MotionSolver::by_monodromy() const { return _data->periodic.get(); }
-
-int MotionSolver::term_unknowns() const { return static_cast<int>(_data->root_M.size()); }
 
 int MotionSolver::unknowns() const {
     return static_cast<int>(_data->root_M.size()) *

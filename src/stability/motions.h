@@ -67,8 +67,6 @@ class MotionSolver {
 
     /// Real unknowns of the eigenproblem, the largest so far.
     [[nodiscard]] int unknowns() const;
-    /// The same of one term of the Hill series.
-    [[nodiscard]] int term_unknowns() const;
     /// Most harmonics of the Hill series that a speed so far needed; 0 for other forms.
     [[nodiscard]] int harmonics() const;
     [[nodiscard]] const assembly::Discretization &discretization() const;

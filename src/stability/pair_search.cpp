@@ -59,8 +59,7 @@ class Neighbourhood {
                    pair_point(m.to, m.first_to, m.second_to)};
         for (const PairValues &at : m.beyond)
             _points.push_back(pair_point(at.speed, at.first, at.second));
-        std::sort(_points.begin(), _points.end(),
-                  [](const auto &a, const auto &b) { return a.speed < b.speed; });
+        std::ranges::sort(_points, {}, &PairPoint::speed);
         _without_first.assign(_points.begin() + 1, _points.end());
         _without_last.assign(_points.begin(), _points.end() - 1);
     }
@@ -182,9 +181,8 @@ class CoalescenceSearch {
                 moved < 1e-7 * (_m.to - _m.from))
                 return {Kind::stable, speed};
             // Keep the two points nearest to the guess.
-            std::sort(three.begin(), three.end(), [&](const PairPoint &x, const PairPoint &y) {
-                return std::abs(x.speed - guess.speed) < std::abs(y.speed - guess.speed);
-            });
+            std::ranges::sort(three, {},
+                              [&](const PairPoint &x) { return std::abs(x.speed - guess.speed); });
             _points = {three[0], three[1]};
             _crossing = false;
             const double reach = 4 * moved;

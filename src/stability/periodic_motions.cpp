@@ -329,9 +329,8 @@ std::vector<Motion> PeriodicMotions::reduced_at(double speed) const {
 
 PeriodicMotions::Fastest PeriodicMotions::fastest_growing(double speed) const {
     const List &list = known(speed);
-    const auto most = std::max_element(list.begin(), list.end(), [](const auto &a, const auto &b) {
-        return a.motion.value.real() < b.motion.value.real();
-    });
+    const auto most =
+        std::ranges::max_element(list, {}, [](const auto &a) { return a.motion.value.real(); });
     return {most->motion.value, most->frequency, most->motion.noise};
 }
 

@@ -43,13 +43,13 @@ std::optional<periodic::WholeRotor::Root> PeriodicMotions::whole_root(double spe
 /// The reduced rotor has the motions of the whole one that were looked at.
 bool PeriodicMotions::has_wanted() const {
     constexpr double closely = 1e-8; // over the spin speed
-    return std::all_of(_good_at.begin(), _good_at.end(), [this](const auto &at) {
+    return std::ranges::all_of(_good_at, [this](const auto &at) {
         const double speed = at.first;
         const List &list = known(speed);
-        return std::all_of(at.second.begin(), at.second.end(), [&](const Wanted &one) {
+        return std::ranges::all_of(at.second, [&](const Wanted &one) {
             const double allowed =
                 closely * std::max(std::abs(speed), std::abs(one.value)) + 10 * one.noise;
-            return std::any_of(list.begin(), list.end(), [&](const Listed &other) {
+            return std::ranges::any_of(list, [&](const Listed &other) {
                 const std::complex<double> off = one.value - other.motion.value;
                 return std::abs(std::complex<double>(
                            off.real(), std::remainder(off.imag(), 2 * speed))) <= allowed;

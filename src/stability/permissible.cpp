@@ -353,9 +353,10 @@ std::optional<double> permissible(Varied &varied, double largest, bool undamped,
 } // namespace
 
 std::vector<results::PermissibleAnisotropy>
-permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                         const std::vector<double> &grid, const BandFinder &finder,
+permissible_anisotropies(const BandFinder &finder, const std::vector<double> &grid,
                          const std::vector<SpeedInterval> &bands) {
+    const StabilityModel &model = finder.model();
+    const balancers::Arrangement &arrangement = finder.arrangement();
     const model::Rotor &rotor = model.rotor;
     constexpr std::size_t enough = 101;
     const std::vector<double> speeds = thinned(grid, enough);
@@ -372,7 +373,7 @@ permissible_anisotropies(const StabilityModel &model, const balancers::Arrangeme
                                              {},        largest,      limit.of_disc};
         if (largest > 0)
             entry.dI = closing_anisotropy([&](double dI) { return model_with(model, i, dI); },
-                                          arrangement, element.dI, finder, bands, speeds);
+                                          element.dI, finder, bands, speeds);
         if (largest > 0 && !entry.dI)
             entry.dI = permissible(varied, largest, !rotor.damped(), speeds);
         entry.closed_form =

@@ -23,8 +23,7 @@ namespace whirl::stability {
 /// search then still finds, until it finds none.
 /// @param finder  with which the bands of the rotor as it is were found
 [[nodiscard]] std::vector<results::PermissibleAnisotropy>
-permissible_anisotropies(const StabilityModel &model, const balancers::Arrangement &arrangement,
-                         const std::vector<double> &speeds, const BandFinder &finder,
+permissible_anisotropies(const BandFinder &finder, const std::vector<double> &speeds,
                          const std::vector<SpeedInterval> &bands);
 
 } // namespace whirl::stability

@@ -120,9 +120,8 @@ std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
     const auto blurred = [&](const ZeroRootSpeed &root) {
         return root.speed < suspicious * top && !leaves_a_trace(system, root.speed);
     };
-    out.erase(std::remove_if(out.begin(), out.end(), blurred), out.end());
-    std::sort(out.begin(), out.end(),
-              [](const auto &a, const auto &b) { return a.speed < b.speed; });
+    std::erase_if(out, blurred);
+    std::ranges::sort(out, {}, &ZeroRootSpeed::speed);
     const auto same = [](const auto &a, const auto &b) {
         return b.speed - a.speed <= 1e-7 * b.speed;
     };
@@ -284,9 +283,9 @@ bool same_at_all_speeds(const StabilityModel &model,
     if (results::in_rotating_axes(model.form) || model.rotor.bearings_depend_on_speed())
         return false;
     const model::Rotor &rotor = model.rotor;
-    const bool gyroscopic = rotor.shaft.rigid || rotor.shaft.rotary_inertia ||
-                            std::any_of(rotor.discs.begin(), rotor.discs.end(),
-                                        [](const model::Disc &disc) { return disc.Ip != 0; });
+    const bool gyroscopic =
+        rotor.shaft.rigid || rotor.shaft.rotary_inertia ||
+        std::ranges::any_of(rotor.discs, [](const model::Disc &disc) { return disc.Ip != 0; });
     return !gyroscopic &&
            Eigen::SparseMatrix<double>(assembly::assemble_fixed(discretization, 0).Kc.view())
                    .norm() == 0;

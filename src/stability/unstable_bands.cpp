@@ -16,7 +16,7 @@ class GrowthAlong {
   public:
     GrowthAlong(const MotionsAt &at, double unstable) : _at(at) {
         const std::vector<Motion> motions = at(unstable);
-        _reference = *std::max_element(motions.begin(), motions.end(), by_growth);
+        _reference = *std::ranges::max_element(motions, by_growth);
     }
 
     struct Look {
@@ -28,7 +28,7 @@ class GrowthAlong {
         std::vector<double> likeness;
         for (const Motion &motion : motions)
             likeness.push_back(std::abs(_reference.state.dot(motion.state)));
-        const double most = *std::max_element(likeness.begin(), likeness.end());
+        const double most = *std::ranges::max_element(likeness);
         const Motion *best = nullptr;
         for (std::size_t i = 0; i < motions.size(); ++i)
             if (likeness[i] > 0.7 * most && (best == nullptr || by_growth(*best, motions[i])))
@@ -219,7 +219,7 @@ double band_end(const MotionsAt &at, double stable, double unstable, double tole
 }
 
 std::vector<SpeedInterval> joined(std::vector<SpeedInterval> bands) {
-    std::sort(bands.begin(), bands.end());
+    std::ranges::sort(bands);
     std::vector<SpeedInterval> out;
     for (const SpeedInterval &band : bands) {
         const double tolerance = 1e-9 * std::abs(band.first);
@@ -246,10 +246,9 @@ BandsFound find_bands(const MotionsAt &at, const std::vector<double> &speeds, do
     const Known &known = search.known();
     BandsFound out;
     for (const auto &[speed, step] : search.seeds()) {
-        const bool covered =
-            std::any_of(out.bands.begin(), out.bands.end(), [s = speed](const auto &band) {
-                return s >= band.first && s <= band.second;
-            });
+        const bool covered = std::ranges::any_of(out.bands, [s = speed](const auto &band) {
+            return s >= band.first && s <= band.second;
+        });
         if (covered)
             continue;
         const double low = end_towards(at, known, speed, step, speeds.front(), part);

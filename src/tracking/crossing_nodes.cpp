@@ -5,7 +5,7 @@
 namespace whirl::tracking {
 
 std::optional<std::size_t> place_of(const Node &node, int line) {
-    const auto found = std::find(node.lines.begin(), node.lines.end(), line);
+    const auto found = std::ranges::find(node.lines, line);
     if (found == node.lines.end())
         return std::nullopt;
     return static_cast<std::size_t>(found - node.lines.begin());

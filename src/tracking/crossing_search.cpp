@@ -56,12 +56,10 @@ void CrossingSearch::search(const Node &a, const Node &b, const std::vector<Link
 void CrossingSearch::find_lock_ends(const Node &a, const Node &b, int line) {
     const double from = a.snapshot.spectrum.speed;
     const double to = b.snapshot.spectrum.speed;
-    const bool known = std::any_of(_ends.begin(), _ends.end(), [from, to](const BandEnd &end) {
-        return end.speed >= from && end.speed <= to;
-    });
-    const bool tried = std::any_of(_tried.begin(), _tried.end(), [from, to](const auto &part) {
-        return part.first <= from && to <= part.second;
-    });
+    const bool known = std::ranges::any_of(
+        _ends, [from, to](const BandEnd &end) { return end.speed >= from && end.speed <= to; });
+    const bool tried = std::ranges::any_of(
+        _tried, [from, to](const auto &part) { return part.first <= from && to <= part.second; });
     if (known || tried || from * to <= 0)
         return;
     _tried.emplace_back(from, to);
@@ -166,11 +164,10 @@ bool CrossingSearch::upper_whirl(const Node &node, std::size_t place) const {
 /// A node may lie within the tolerance of a root found before.
 void CrossingSearch::take(int line, double speed, double real) {
     const double frequency = _multiple * std::abs(speed);
-    const bool known =
-        std::any_of(_out.found.begin(), _out.found.end(), [&](const results::Crossing &other) {
-            return other.multiple == _multiple && other.mode == line &&
-                   std::abs(other.speed - speed) <= 1e2 * resolved * std::abs(speed);
-        });
+    const bool known = std::ranges::any_of(_out.found, [&](const results::Crossing &other) {
+        return other.multiple == _multiple && other.mode == line &&
+               std::abs(other.speed - speed) <= 1e2 * resolved * std::abs(speed);
+    });
     if (!known)
         _out.found.push_back(
             {_multiple, speed, frequency, line, results::damping_of({real, frequency})});

@@ -111,8 +111,7 @@ class Sweep {
     static void drop_on_rides(const std::vector<Locked> &rides, double multiple, bool bands,
                               std::vector<results::Crossing> &found) {
         std::erase_if(found, [&](const results::Crossing &c) {
-            return c.multiple == multiple &&
-                   std::any_of(rides.begin(), rides.end(), [&](const Locked &ride) {
+            return c.multiple == multiple && std::ranges::any_of(rides, [&](const Locked &ride) {
                        if (bands && (c.speed == ride.from || c.speed == ride.to))
                            return false;
                        const double margin = 1e3 * resolved * std::abs(c.speed);
@@ -124,16 +123,15 @@ class Sweep {
 
     /// A band that opens and closes within a step may have been met in both ways.
     static void drop_ride_in_place_of(const Locked &band, Crossings &out) {
-        const auto ride =
-            std::find_if(out.locked.begin(), out.locked.end(), [&](const Locked &other) {
-                return other.multiple == band.multiple && same_band(other, band);
-            });
+        const auto ride = std::ranges::find_if(out.locked, [&](const Locked &other) {
+            return other.multiple == band.multiple && same_band(other, band);
+        });
         if (ride == out.locked.end())
             return;
         for (const auto &[of_ride, end] :
              {std::pair(ride->from, band.from), std::pair(ride->to, band.to)}) {
             const auto at = [&](double speed) {
-                return std::find_if(out.found.begin(), out.found.end(), [&](const auto &c) {
+                return std::ranges::find_if(out.found, [&](const auto &c) {
                     return c.multiple == band.multiple && c.speed == speed;
                 });
             };
@@ -165,14 +163,14 @@ class Sweep {
             kinks(_nodes.solver().discretization().rotor(), _nodes.speed(k), _nodes.speed(k + 1));
         std::vector<Link> links = _nodes.links(k);
         std::erase_if(links, [&](const Link &link) {
-            return std::any_of(rides.begin(), rides.end(), [&](const Locked &ride) {
+            return std::ranges::any_of(rides, [&](const Locked &ride) {
                 return (ride.mode == link.line &&
                         inside(ride, _nodes.speed(k), _nodes.speed(k + 1))) ||
                        (hill() && passes(ride, link, k));
             });
         });
         std::erase_if(links, [&](const Link &link) {
-            return std::any_of(known.begin(), known.end(), [&](const FollowedCrossing &crossing) {
+            return std::ranges::any_of(known, [&](const FollowedCrossing &crossing) {
                 return crossing.step == k && crossing.line == link.line;
             });
         });
@@ -247,7 +245,7 @@ class Sweep {
                                 double multiple) const {
         const modes::Spectrum &first = _nodes.spectrum(k);
         const modes::Spectrum &second = _nodes.spectrum(k + 1);
-        return std::any_of(links.begin(), links.end(), [&](const Link &link) {
+        return std::ranges::any_of(links, [&](const Link &link) {
             if (multiple == 1 && results::in_rotating_axes(_nodes.solver().form()) &&
                 locked(first.modes[link.from], first.speed) !=
                     locked(second.modes[link.to], second.speed))

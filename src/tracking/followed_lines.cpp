@@ -44,8 +44,8 @@ void solve_again(const modes::SpectrumSolver &solver, const std::vector<double> 
 } // namespace
 
 bool among_lowest(const Line &line, int modes) {
-    return std::any_of(line.place.begin(), line.place.end(),
-                       [modes](int place) { return place != Line::absent && place < modes; });
+    return std::ranges::any_of(
+        line.place, [modes](int place) { return place != Line::absent && place < modes; });
 }
 
 int modes_to_follow(const model::Rotor &rotor, int modes) {
@@ -70,7 +70,7 @@ FollowedLines followed_lines(const modes::SpectrumSolver &solver, const std::vec
             again = left_spectrum(out.tracking.lines, speeds.size(), modes);
         }
         process::broadcast(again);
-        if (attempt == attempts || std::count(again.begin(), again.end(), 0) == std::ssize(again))
+        if (attempt == attempts || std::ranges::count(again, 0) == std::ssize(again))
             return out;
         computed += more_modes;
     }

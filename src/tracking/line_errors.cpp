@@ -204,7 +204,7 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     const bool series = solver.form() == results::Form::hill; // cut off: an error of its own
     if (rotor.shaft.rigid && !series) {
         for (auto &list : errors)
-            std::fill(list.begin(), list.end(), 0.0);
+            std::ranges::fill(list, 0.0);
         return errors;
     }
     const mesh_error::FinerModel finer(rotor, solver);

@@ -43,8 +43,8 @@ char letter(results::Whirl whirl) {
 
 /// The first of these speeds at which the line is there, and its place there.
 std::optional<std::pair<std::size_t, int>> beginning(const Line &line, const Places &speeds) {
-    const auto first = std::find_if(speeds.begin(), speeds.end(),
-                                    [&line](std::size_t k) { return there(line, k); });
+    const auto first =
+        std::ranges::find_if(speeds, [&line](std::size_t k) { return there(line, k); });
     if (first == speeds.end())
         return std::nullopt;
     return std::pair(*first, line.place[*first]);
@@ -53,8 +53,8 @@ std::optional<std::pair<std::size_t, int>> beginning(const Line &line, const Pla
 /// The line is there from the first speed on, or begins where a motion begins to whirl; not in the
 /// middle of one that could not be followed.
 bool whole(const Line &line) {
-    const auto first = std::find_if(line.place.begin(), line.place.end(),
-                                    [](int place) { return place != Line::absent; });
+    const auto first =
+        std::ranges::find_if(line.place, [](int place) { return place != Line::absent; });
     if (first == line.place.begin())
         return true;
     const Absence before = line.absence[static_cast<std::size_t>(first - line.place.begin()) - 1];
@@ -72,8 +72,7 @@ class Series {
     /// Those of these lines, by their beginning at the speeds.
     void name(Places which, const Places &speeds, std::vector<LineName> &names) {
         const auto begins = [&](std::size_t i) { return *beginning(_lines[i], speeds); };
-        std::stable_sort(which.begin(), which.end(),
-                         [&](std::size_t a, std::size_t b) { return begins(a) < begins(b); });
+        std::ranges::stable_sort(which, {}, begins);
         for (const std::size_t i : which) {
             const results::Whirl whirl = usual_whirl(_lines[i], _spectra, speeds);
             const auto sense = static_cast<std::size_t>(whirl);
@@ -120,9 +119,8 @@ std::vector<LineName> line_names(const std::vector<Line> &lines,
     Places others; // that are there between them alone
     Places unsure;
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool low = std::any_of(naming.begin(), naming.end(), [&](std::size_t k) {
-            return there(lines[i], k) && lines[i].place[k] < modes;
-        });
+        const bool low = std::ranges::any_of(
+            naming, [&](std::size_t k) { return there(lines[i], k) && lines[i].place[k] < modes; });
         if (there(lines[i], naming.front()))
             first.push_back(i);
         else if (low)

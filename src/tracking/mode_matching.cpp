@@ -72,7 +72,7 @@ bool is_sure(const Eigen::MatrixXd &overlap, Eigen::Index i, Eigen::Index j) {
 /// Pairs (cost, i, j) taken in ascending order of cost, each row and column once.
 using Candidates = std::vector<std::tuple<double, Eigen::Index, Eigen::Index>>;
 void take_best(Candidates candidates, Matching &matching) {
-    std::sort(candidates.begin(), candidates.end());
+    std::ranges::sort(candidates);
     for (const auto &[cost, i, j] : candidates)
         if (matching.to[static_cast<std::size_t>(i)] == Matching::none &&
             matching.from[static_cast<std::size_t>(j)] == Matching::none)
@@ -294,7 +294,7 @@ Absence fate(const modes::Spectrum &here, int place, const modes::Spectrum &ther
     const double window = std::max(3 * l.imag(), 0.1 * size);
     const auto near = [&](double real) { return std::abs(real - l.real()) <= window; };
     const auto count = [&](const std::vector<double> &reals) {
-        return std::count_if(reals.begin(), reals.end(), near);
+        return std::ranges::count_if(reals, near);
     };
     // Balls that stand still in the rotor: at rest nothing whirls, and what hardly moves them at
     // low speeds is lost in rounding.

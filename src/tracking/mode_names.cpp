@@ -58,14 +58,14 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
         if (inside || (wanted.beyond_range && named_at.front() >= 0 && speed >= 0))
             _speeds.push_back(speed);
     }
-    std::sort(_speeds.begin(), _speeds.end());
+    std::ranges::sort(_speeds);
     _speeds.erase(std::unique(_speeds.begin(), _speeds.end()), _speeds.end());
     std::vector<std::size_t> naming;
     std::vector<char> asked;
     for (std::size_t k = 0; k < _speeds.size(); ++k) {
         if (std::binary_search(named_at.begin(), named_at.end(), _speeds[k]))
             naming.push_back(k);
-        asked.push_back(std::count(wanted.speeds.begin(), wanted.speeds.end(), _speeds[k]) > 0);
+        asked.push_back(std::ranges::count(wanted.speeds, _speeds[k]) > 0);
     }
     Tracking tracking;
     int computed = modes + 2;
@@ -80,7 +80,7 @@ ModeNames::ModeNames(const modes::SpectrumSolver &solver, const model::SpeedRang
         if (tracking.cut_short || left.value_or(0) < 0)
             throw model::AnalysisFailure("following the lines takes more speeds than names are "
                                          "worth");
-        if (std::none_of(tracking.lines.begin(), tracking.lines.end(), [&](const Line &line) {
+        if (std::ranges::none_of(tracking.lines, [&](const Line &line) {
                 return comes_from_beyond(line, _spectra, asked, wanted);
             }))
             break;
@@ -131,9 +131,9 @@ std::string ModeNames::nearest(double solved, const Sought &sought) const {
     }
     if (near.empty())
         return "";
-    const auto best = std::min_element(near.begin(), near.end());
+    const auto best = std::ranges::min_element(near);
     const double rounding = (step == 0 ? 1e-9 : 1e-4) * std::abs(sought.value);
-    const bool sure = std::all_of(near.begin(), near.end(), [&](const auto &other) {
+    const bool sure = std::ranges::all_of(near, [&](const auto &other) {
         return other.second == best->second || other.first > sought.clear * best->first + rounding;
     });
     return sure ? best->second : "";
@@ -176,7 +176,7 @@ names_of_critical(const ModeNames &names,
         if (!out[i].empty())
             continue;
         std::string any = next(critical[i].first, [](const modes::WhirlMode &) { return true; });
-        if (std::find(out.begin(), out.end(), any) == out.end())
+        if (std::ranges::find(out, any) == out.end())
             out[i] = std::move(any);
     }
     return out;

@@ -142,7 +142,7 @@ TEST(RigidLimitModel, PermissibleAnisotropyIsThatOfTheStabilityAnalysis) {
     const auto found = model_values(scene.rotor, 2, {target});
     const auto model = stability::stability_model(scene, scene.speeds->values());
     const auto entries = stability::permissible_anisotropies(
-        model, {}, stability::search_speeds(*scene.speeds), {model, {}}, {});
+        {model, {}}, stability::search_speeds(*scene.speeds), {});
     ASSERT_TRUE(found[0] && entries.at(0).dI);
     EXPECT_NEAR(found[0]->value, *entries[0].dI, 1e-7 * *entries[0].dI); // of the descent
 }

@@ -194,8 +194,7 @@ void add_notes(const model::Rotor &rotor, const MapScene &map, const CriticalMap
             "have that stiffness in every direction, not of the rotor itself, whose bearings "
             "differ");
     for (const CriticalMapCurve &curve : out.curves)
-        if (std::any_of(curve.error.begin(), curve.error.end(),
-                        [](double error) { return std::isinf(error); }))
+        if (std::ranges::any_of(curve.error, [](double error) { return std::isinf(error); }))
             notes.push_back(fmt::format(
                 "critical speed map: errors of the {} curve {} are not known everywhere",
                 results::whirl_name(curve.whirl), curve.number));

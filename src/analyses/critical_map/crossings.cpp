@@ -41,7 +41,7 @@ std::vector<double> speeds_across(const model::Bearing &bearing, double low, dou
     for (const double speed : bearing.speeds)
         if (speed > low && speed < high)
             speeds.push_back(speed);
-    std::sort(speeds.begin(), speeds.end());
+    std::ranges::sort(speeds);
     return speeds;
 }
 
@@ -147,7 +147,7 @@ std::vector<CriticalMapBearing> bearings_across(const model::Rotor &rotor,
         if (varied && *varied != i)
             continue;
         const model::Bearing &bearing = rotor.bearings[i];
-        const auto equal = std::find_if(out.begin(), out.end(), [&](const auto &other) {
+        const auto equal = std::ranges::find_if(out, [&](const auto &other) {
             return equal_stiffness(rotor.bearings[other.bearings.front()], bearing);
         });
         if (equal != out.end()) {

@@ -48,7 +48,7 @@ SynchronousModes lowest_of_each(const MapScene &map, const assembly::Discretizat
         of.resize(std::min(of.size(), keep));
         places.insert(places.end(), of.begin(), of.end());
     }
-    std::sort(places.begin(), places.end());
+    std::ranges::sort(places);
     SynchronousModes out;
     out.complete_to = found.complete_to;
     for (const std::size_t i : places) {

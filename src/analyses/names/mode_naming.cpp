@@ -28,7 +28,7 @@ template <class Item> std::vector<double> speeds_of(const std::vector<Item> &ite
 /// The peaks of all stations lie close together at each resonance: one speed in place of those
 /// within a hundredth.
 std::vector<double> few_speeds(std::vector<double> speeds) {
-    std::sort(speeds.begin(), speeds.end());
+    std::ranges::sort(speeds);
     std::vector<double> few;
     for (auto first = speeds.begin(); first != speeds.end();) {
         const auto last = std::find_if(first, speeds.end(), [first](double speed) {
@@ -41,9 +41,8 @@ std::vector<double> few_speeds(std::vector<double> speeds) {
 }
 
 std::optional<double> next_to(const std::vector<double> &speeds, double speed) {
-    const auto found = std::min_element(speeds.begin(), speeds.end(), [speed](double a, double b) {
-        return std::abs(a - speed) < std::abs(b - speed);
-    });
+    const auto found =
+        std::ranges::min_element(speeds, {}, [speed](double a) { return std::abs(a - speed); });
     return found == speeds.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -92,7 +91,7 @@ std::optional<tracking::ModeNames> names_of(const model::Case &scene, results::F
                                             const tracking::ModesToName &wanted) {
     const auto beyond = [&range = *scene.speeds](double speed) { return speed > range.to; };
     if (form == results::Form::general &&
-        !(wanted.beyond_range && std::any_of(wanted.speeds.begin(), wanted.speeds.end(), beyond)))
+        !(wanted.beyond_range && std::ranges::any_of(wanted.speeds, beyond)))
         if (auto found = names_on_few_shapes(scene, order, wanted, near_lines))
             return found;
     tracking::ModesToName of_whole = wanted;

@@ -16,14 +16,12 @@ namespace whirl::analyses {
 namespace {
 
 void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
-    const bool negative = std::any_of(
-        rotor.bearings.begin(), rotor.bearings.end(), [](const model::Bearing &bearing) {
-            return std::any_of(
-                bearing.rows.begin(), bearing.rows.end(),
-                [](const model::BearingCoefficients &at) { return model::pushes_away(at.c); });
+    const bool negative = std::ranges::any_of(rotor.bearings, [](const model::Bearing &bearing) {
+        return std::ranges::any_of(bearing.rows, [](const model::BearingCoefficients &at) {
+            return model::pushes_away(at.c);
         });
-    const bool grows = std::any_of(result.growth.begin(), result.growth.end(),
-                                   [](double value) { return value > 0; });
+    });
+    const bool grows = std::ranges::any_of(result.growth, [](double value) { return value > 0; });
     if (negative && grows && !rotor.shaft.rigid)
         result.model.notes.emplace_back(
             "a bearing or seal has negative damping, which drives motions of every frequency: "
@@ -43,7 +41,7 @@ double growth_at(const stability::StabilityModel &model, double speed) {
 }
 
 void note_torque(const stability::StabilityModel &model, results::StabilityResult &result) {
-    const auto fastest = std::max_element(result.growth.begin(), result.growth.end());
+    const auto fastest = std::ranges::max_element(result.growth);
     if (model.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
         !(*fastest > 0))
         return;

@@ -18,10 +18,10 @@ namespace {
 /// Something feeds free motions: without it all die out, or none does.
 bool may_grow(const model::Rotor &rotor) {
     const model::Shaft &shaft = rotor.shaft;
-    const bool asymmetric =
-        !rotor.anisotropies.empty() ||
-        std::any_of(shaft.segments.begin(), shaft.segments.end(),
-                    [](const model::Segment &segment) { return segment.asymmetry != 0; });
+    const bool asymmetric = !rotor.anisotropies.empty() ||
+                            std::ranges::any_of(shaft.segments, [](const model::Segment &segment) {
+                                return segment.asymmetry != 0;
+                            });
     if (asymmetric || shaft.internal_damping > 0 || shaft.axial_torque != 0)
         return true;
     for (const model::Bearing &bearing : rotor.bearings)

@@ -24,9 +24,8 @@ void add_errors(const ends::AllMotions &motions, const stability::StabilityModel
                 std::vector<results::StabilityEnd> &ends) {
     std::optional<ends::FinerEnds> finer;
     for (results::StabilityEnd &end : ends) {
-        const auto root = std::find_if(roots.begin(), roots.end(), [&end](const auto &known) {
-            return known.speed == end.speed;
-        });
+        const auto root = std::ranges::find_if(
+            roots, [&end](const auto &known) { return known.speed == end.speed; });
         if (root == roots.end())
             continue;
         if (!finer)
@@ -133,8 +132,7 @@ void join_bands(const FasterBands &faster, results::StabilityResult &result) {
 /// Where some motion grows, or begins to: else all is said by that none does.
 void note_resolved(results::StabilityResult &result) {
     if (result.unstable.empty() && result.ends.empty() && result.unresolved_ends.empty() &&
-        std::all_of(result.unresolved_growth.begin(), result.unresolved_growth.end(),
-                    [](double growth) { return growth <= 0; }))
+        std::ranges::all_of(result.unresolved_growth, [](double growth) { return growth <= 0; }))
         return;
     const std::size_t ends = result.unresolved_ends.size();
     result.model.notes.push_back(fmt::format(
@@ -157,10 +155,10 @@ bool drives_every_frequency(const model::Rotor &rotor) {
     if (rotor.shaft.rigid)
         return false;
     return !rotor.shaft.torque_has_potential() ||
-           std::any_of(rotor.bearings.begin(), rotor.bearings.end(), [](const auto &bearing) {
-               return std::any_of(
-                   bearing.rows.begin(), bearing.rows.end(),
-                   [](const model::BearingCoefficients &at) { return model::pushes_away(at.c); });
+           std::ranges::any_of(rotor.bearings, [](const auto &bearing) {
+               return std::ranges::any_of(bearing.rows, [](const model::BearingCoefficients &at) {
+                   return model::pushes_away(at.c);
+               });
            });
 }
 

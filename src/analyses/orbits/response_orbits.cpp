@@ -36,7 +36,7 @@ std::vector<double> speeds_of_peaks(const model::Case &scene,
     for (const ResponsePeak &peak : peaks)
         if (peak.of == "station" && std::isfinite(peak.value))
             largest.push_back(&peak);
-    std::stable_sort(largest.begin(), largest.end(), [](const auto *a, const auto *b) {
+    std::ranges::stable_sort(largest, [](const auto *a, const auto *b) {
         return a->value > b->value * (1 + 1e-9); // not for rounding to choose among equal ones
     });
     std::vector<const ResponsePeak *> taken;
@@ -45,7 +45,7 @@ std::vector<double> speeds_of_peaks(const model::Case &scene,
         const bool inside =
             scene.operation && speed >= scene.operation->from && speed <= scene.operation->to;
         if (inside && taken.size() < most &&
-            std::none_of(taken.begin(), taken.end(), [peak](const ResponsePeak *other) {
+            std::ranges::none_of(taken, [peak](const ResponsePeak *other) {
                 return same_resonance(*other, peak->speed);
             }))
             taken.push_back(peak);
@@ -55,7 +55,7 @@ std::vector<double> speeds_of_peaks(const model::Case &scene,
     std::vector<double> speeds;
     for (const ResponsePeak *peak : taken)
         speeds.push_back(peak->speed);
-    std::sort(speeds.begin(), speeds.end());
+    std::ranges::sort(speeds);
     return speeds;
 }
 
@@ -211,8 +211,8 @@ void watch_clearances(forced::Watched &all, const assembly::Discretization &d) {
 std::vector<ResponsePeak> clearance_peaks(results::ResponseResult &result,
                                           std::size_t other_quantities) {
     std::vector<ResponsePeak> taken;
-    std::copy_if(result.peaks.begin(), result.peaks.end(), std::back_inserter(taken),
-                 [](const ResponsePeak &peak) { return peak.of == in_clearance; });
+    std::ranges::copy_if(result.peaks, std::back_inserter(taken),
+                         [](const ResponsePeak &peak) { return peak.of == in_clearance; });
     std::erase_if(result.peaks, [](const ResponsePeak &peak) { return peak.of == in_clearance; });
     for (auto *lists : {&result.curves.values, &result.curves.phases})
         lists->resize(std::min(lists->size(), other_quantities));

@@ -88,7 +88,7 @@ void describe_values(const std::vector<double> &shares, results::SampledAnswer &
     answer.present = static_cast<int>(sorted.size());
     if (sorted.empty())
         return;
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     for (const double share : shares)
         answer.quantiles.push_back(quantile_of(sorted, share));
     add_moments(sorted, answer);

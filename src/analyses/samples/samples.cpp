@@ -139,8 +139,7 @@ class Table {
     }
     [[nodiscard]] std::vector<results::SampledAnswer> take() {
         // Together by what they are of, in the order of the first of each.
-        std::stable_sort(_rows.begin(), _rows.end(),
-                         [](const auto &a, const auto &b) { return rank(a) < rank(b); });
+        std::ranges::stable_sort(_rows, {}, rank);
         return std::move(_rows);
     }
 
@@ -179,7 +178,7 @@ std::string without_numbers(const std::string &message) {
 void note_failure(const std::string &message, int sample,
                   std::vector<results::SampleFailure> &failures) {
     const std::string kind = without_numbers(message);
-    const auto same = std::find_if(failures.begin(), failures.end(), [&kind](const auto &failure) {
+    const auto same = std::ranges::find_if(failures, [&kind](const auto &failure) {
         return without_numbers(failure.message) == kind;
     });
     if (same == failures.end())
@@ -217,8 +216,8 @@ void add_notes(results::SamplesResult &result) {
         notes.emplace_back("neither the case as it is nor any sample has an answer of the kinds "
                            "asked for in the range of speeds");
     const int sound = result.count - result.failed;
-    if (std::any_of(result.answers.begin(), result.answers.end(),
-                    [sound](const auto &answer) { return answer.present < sound; }))
+    if (std::ranges::any_of(result.answers,
+                            [sound](const auto &answer) { return answer.present < sound; }))
         notes.emplace_back("not every sample has every answer: the same number need not be the "
                            "same motion there, and quantiles are of the samples that have it");
 }

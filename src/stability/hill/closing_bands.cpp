@@ -34,13 +34,13 @@ std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
 } // namespace
 
 std::optional<double> closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
-                                         const balancers::Arrangement &arrangement, double given,
-                                         const BandFinder &as_it_is,
+                                         double given, const BandFinder &as_it_is,
                                          std::vector<SpeedInterval> bands,
                                          const std::vector<double> &speeds) {
+    const balancers::Arrangement &arrangement = as_it_is.arrangement();
     const PeriodicMotions *motions = as_it_is.solver().by_monodromy();
     if (motions == nullptr || motions->whole() == nullptr || bands.empty() || given <= 0 ||
-        !with(given).rotor.damped())
+        !as_it_is.model().rotor.damped())
         return std::nullopt;
     const periodic::Family family = [&](double dI) -> std::shared_ptr<const periodic::WholeRotor> {
         const auto kept = std::make_shared<const Kept>(with(dI), arrangement);

@@ -20,8 +20,7 @@ namespace whirl::stability {
 /// @param speeds    ascending, at which the search looks
 /// @returns nothing where there are no bands, or they cannot be followed
 [[nodiscard]] std::optional<double>
-closing_anisotropy(const std::function<StabilityModel(double dI)> &with,
-                   const balancers::Arrangement &arrangement, double given,
+closing_anisotropy(const std::function<StabilityModel(double dI)> &with, double given,
                    const BandFinder &as_it_is, std::vector<SpeedInterval> bands,
                    const std::vector<double> &speeds);
 

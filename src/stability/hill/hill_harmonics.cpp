@@ -16,7 +16,7 @@ HillSeries settled_series(const model::Rotor &rotor, int order,
     for (const double speed : speeds)
         if (speed != 0)
             moduli.push_back(std::abs(speed));
-    std::sort(moduli.begin(), moduli.end());
+    std::ranges::sort(moduli);
     if (moduli.empty())
         return {1, 0}; // at rest the terms of the series do not see each other
     const MotionSolver solver(rotor, results::Form::hill, order, arrangement, 1);

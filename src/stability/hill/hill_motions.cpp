@@ -55,11 +55,10 @@ double apart(Complex a, Complex b, double repeats) {
 }
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,
-                         std::vector<balancers::BalancerElement> balancers, bool driven, int least,
-                         const Eigen::MatrixXd *shapes)
-    : _discretization(discretization), _balancers(std::move(balancers)), _shapes(shapes),
-      _driven(driven), _tables(discretization.rotor().bearings_depend_on_speed()),
-      _most(std::max(1, least)), _last(_most) {
+                         std::vector<balancers::BalancerElement> balancers, bool driven, int least)
+    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
+      _tables(discretization.rotor().bearings_depend_on_speed()), _most(std::max(1, least)),
+      _last(_most) {
     const int unknowns = 2 * (discretization.planar_size() + balancers::unknowns_of(_balancers));
     constexpr int largest_problem = 1600;
     _limit = std::clamp(largest_problem / (2 * unknowns), 8, 32);
@@ -73,7 +72,7 @@ const modes::RotatingSpectrum &HillMotions::spectrum(double speed, int harmonics
     auto &entry = _spectra[harmonics];
     if (!entry)
         entry = std::make_unique<modes::RotatingSpectrum>(_discretization, _tables ? speed : 0,
-                                                          _balancers, harmonics, _shapes);
+                                                          _balancers, harmonics);
     return *entry;
 }
 
@@ -125,12 +124,10 @@ HillMotions::Found HillMotions::at(double signed_speed) const {
             constexpr double more_than_enough = 1e-3;
             _last = worst < more_than_enough * settled ? std::max(1, N - 1) : N;
             _most = std::max(_most, N);
-            after.erase(std::remove_if(after.begin(), after.end(),
-                                       [&](const linalg::ComplexPair &pair) {
-                                           return std::abs(pair.value.imag()) > strip * speed ||
-                                                  fine.largest_term(pair.vector) > wanted.terms;
-                                       }),
-                        after.end());
+            std::erase_if(after, [&](const linalg::ComplexPair &pair) {
+                return std::abs(pair.value.imag()) > strip * speed ||
+                       fine.largest_term(pair.vector) > wanted.terms;
+            });
             return {std::move(after), N + 1};
         }
         before = std::move(after);

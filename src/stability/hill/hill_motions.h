@@ -31,10 +31,8 @@ class HillMotions {
   public:
     /// @param driven  bearings can feed energy into any motion
     /// @param least   harmonics to begin with
-    /// @param shapes  planar shapes to reduce the rotor to, or none
     HillMotions(const assembly::Discretization &discretization,
-                std::vector<balancers::BalancerElement> balancers, bool driven, int least,
-                const Eigen::MatrixXd *shapes = nullptr);
+                std::vector<balancers::BalancerElement> balancers, bool driven, int least);
 
     struct Found {
         std::vector<linalg::ComplexPair> pairs; ///< Im >= 0, vectors over all terms of the series
@@ -50,7 +48,6 @@ class HillMotions {
   private:
     const assembly::Discretization &_discretization;
     std::vector<balancers::BalancerElement> _balancers;
-    const Eigen::MatrixXd *_shapes;
     bool _driven;
     bool _tables;
     int _limit; ///< harmonics that are tried at most

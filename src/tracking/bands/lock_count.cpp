@@ -18,8 +18,7 @@ Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spect
     const auto turn = [&](const modes::WhirlMode &mode) {
         return turn_in_rotor(mode, speed, solver.form());
     };
-    std::sort(out.others.begin(), out.others.end(),
-              [&](const auto &a, const auto &b) { return turn(a) < turn(b); });
+    std::ranges::sort(out.others, {}, turn);
     return out;
 }
 

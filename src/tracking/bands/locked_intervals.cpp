@@ -78,8 +78,8 @@ void name_by_lines(const SweepNodes &sweep, std::vector<Locked> &intervals) {
                 free.erase(other.mode);
         if (!free.empty())
             votes = free;
-        const auto most = std::max_element(votes.begin(), votes.end(),
-                                           [](auto &a, auto &b) { return a.second < b.second; });
+        const auto most =
+            std::ranges::max_element(votes, {}, [](const auto &a) { return a.second; });
         if (most != votes.end())
             interval.mode = most->first;
     }
@@ -115,8 +115,8 @@ std::ptrdiff_t standing_from(const modes::SpectrumSolver &solver, int wanted,
 std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<BandEnd> &ends,
                                  int wanted, double low, double high) {
     std::vector<BandEnd> inside;
-    std::copy_if(ends.begin(), ends.end(), std::back_inserter(inside),
-                 [&](const BandEnd &end) { return end.speed > low && end.speed < high; });
+    std::ranges::copy_if(ends, std::back_inserter(inside),
+                         [&](const BandEnd &end) { return end.speed > low && end.speed < high; });
     OpenIntervals intervals(low, standing_from(sweep.solver(), wanted, inside, low, high));
     for (const BandEnd &end : inside)
         intervals.pass(end);
@@ -196,8 +196,7 @@ class Ride {
 
 std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends,
                                        int wanted) {
-    std::sort(ends.begin(), ends.end(),
-              [](const BandEnd &a, const BandEnd &b) { return a.speed < b.speed; });
+    std::ranges::sort(ends, {}, &BandEnd::speed);
     double low = sweep.speed(0);
     double high = sweep.speed(sweep.count() - 1);
     if (low > high)

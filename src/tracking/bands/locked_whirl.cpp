@@ -44,15 +44,14 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
             const auto root = double_root(problem_at, from->speed, mode.rotating_value.real(),
                                           mode.rotating_vector.real(), high - low);
             if (root && root->speed > low && root->speed < high && whirls(*root) &&
-                std::none_of(out.begin(), out.end(), [&](const DoubleRoot &other) {
+                std::ranges::none_of(out, [&](const DoubleRoot &other) {
                     // Without damping motions that grow and die out alike meet at one speed.
                     return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed) &&
                            std::abs(other.value - root->value) < 1e-7 * std::abs(other.speed);
                 }))
                 out.push_back(*root);
         }
-    std::sort(out.begin(), out.end(),
-              [](const auto &x, const auto &y) { return x.speed < y.speed; });
+    std::ranges::sort(out, {}, &DoubleRoot::speed);
     return out;
 }
 
@@ -71,8 +70,8 @@ bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count 
     constexpr double together = 1e-8; // as where motions meet that grow and die out alike
     const Count &low = a.speed < b.speed ? a : b;
     const Count &high = a.speed < b.speed ? b : a;
-    const auto opened = std::count_if(roots.begin(), roots.end(),
-                                      [](const DoubleRoot &root) { return root.opens; });
+    const auto opened =
+        std::ranges::count_if(roots, [](const DoubleRoot &root) { return root.opens; });
     if (roots.empty() || low.motions + 2 * opened - std::ssize(roots) != high.motions)
         return false;
     std::ptrdiff_t expected = low.motions;
@@ -235,9 +234,8 @@ bool locked(const modes::WhirlMode &mode, double speed) {
 }
 
 std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
-    return std::count_if(
-        spectrum.modes.begin(), spectrum.modes.end(),
-        [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
+    return std::ranges::count_if(
+        spectrum.modes, [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
 }
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,

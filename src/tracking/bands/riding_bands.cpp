@@ -153,7 +153,7 @@ class BandSearch {
         const auto covers = [&inside](const RidingBand &band) {
             return band.interval.from <= inside.speed && inside.speed <= band.interval.to;
         };
-        if (std::any_of(_bands.begin(), _bands.end(), covers))
+        if (std::ranges::any_of(_bands, covers))
             return;
         End first = end_from(inside, k, -1);
         End last = end_from(inside, l, 1);

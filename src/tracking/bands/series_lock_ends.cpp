@@ -131,11 +131,10 @@ int modes_in_play(const Count &a, const Count &b) {
                 highest = std::max(highest, mode.eigenvalue.imag());
     std::ptrdiff_t out = 0;
     for (const Count *here : {&a, &b})
-        out = std::max(out, here->motions + std::count_if(here->others.begin(), here->others.end(),
-                                                          [&](const modes::WhirlMode &mode) {
-                                                              return mode.eigenvalue.imag() <
-                                                                     above * highest;
-                                                          }));
+        out = std::max(out, here->motions + std::ranges::count_if(
+                                                here->others, [&](const modes::WhirlMode &mode) {
+                                                    return mode.eigenvalue.imag() < above * highest;
+                                                }));
     return static_cast<int>(out) + more;
 }
 

@@ -74,10 +74,7 @@ OfWholeRotor::Found OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &g
         const auto distance = [&](const modes::WhirlMode &mode) {
             return std::abs(mode.eigenvalue - guess.eigenvalue);
         };
-        const auto nearest =
-            std::min_element(all.begin(), all.end(), [&](const auto &a, const auto &b) {
-                return distance(a) < distance(b);
-            });
+        const auto nearest = std::ranges::min_element(all, {}, distance);
         if (nearest == all.end())
             return out;
         out[i] = *nearest;
@@ -100,9 +97,7 @@ std::vector<OfWholeRotor::Next> OfWholeRotor::next_to(double multiple, double sp
                 out.push_back({speed, mode.eigenvalue.imag() - target, mode});
         break;
     }
-    std::sort(out.begin(), out.end(), [](const Next &a, const Next &b) {
-        return std::abs(a.distance) < std::abs(b.distance);
-    });
+    std::ranges::sort(out, {}, [](const Next &a) { return std::abs(a.distance); });
     out.resize(std::min(enough, out.size()));
     return out;
 }
@@ -152,9 +147,7 @@ std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, doubl
         return std::abs(other.mode.eigenvalue - here[0].mode.eigenvalue);
     };
     const std::vector<Next> all = next_to(multiple, at + step);
-    const auto there = std::min_element(all.begin(), all.end(), [&](const Next &a, const Next &b) {
-        return distance(a) < distance(b);
-    });
+    const auto there = std::ranges::min_element(all, {}, distance);
     const auto whole = of_whole(multiple, here[0]);
     if (there == all.end() || !whole)
         return std::nullopt;

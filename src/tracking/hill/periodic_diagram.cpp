@@ -28,8 +28,7 @@ Speeds with(const Speeds &some, const Speeds &others) {
 Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, int wanted,
                           const Speeds &multiples) {
     constexpr double slow_multiple = 4; // at slow speeds all motions are above that
-    const double largest =
-        multiples.empty() ? 0 : *std::max_element(multiples.begin(), multiples.end());
+    const double largest = multiples.empty() ? 0 : *std::ranges::max_element(multiples);
     const double slow = largest <= slow_multiple ? few.slow() : 0;
     constexpr int parts = 200;
     constexpr double same = 1e-6; // of a part
