@@ -133,7 +133,8 @@ bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosin
            cosine * cosine * linalg::dot(a, a).real() * linalg::dot(b, b).real();
 }
 
-/// Two pairs have become one.
+} // namespace
+
 bool coincide(const std::vector<SymmetricPair> &pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (std::size_t j = i + 1; j < pairs.size(); ++j)
@@ -142,6 +143,8 @@ bool coincide(const std::vector<SymmetricPair> &pairs) {
                 return true;
     return false;
 }
+
+namespace {
 
 /// An eigenvalue of a real problem: real, or the one of two conjugates with Im > 0.
 /// @param real  it is known to be real

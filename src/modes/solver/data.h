@@ -90,11 +90,13 @@ struct SpectrumSolver::Data {
                         : made(_matrices, d, form, balancers);
     }
 
-    /// None where the matrices are not symmetric.
+    /// None where the matrices are not symmetric, bearings change with the speed, or something
+    /// moves without mass.
     const SymmetricProblem *symmetric_matrices() {
         if (!_symmetric_problem)
-            _symmetric_problem = SymmetricProblem::of(d, form);
-        return _symmetric_problem->get();
+            _symmetric_problem = tables ? nullptr : SymmetricProblem::of(d, form);
+        const SymmetricProblem *found = _symmetric_problem->get();
+        return found == nullptr || found->massless() ? nullptr : found;
     }
 
   private:
