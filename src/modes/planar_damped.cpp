@@ -5,7 +5,6 @@
 #include "linalg/check.h"
 #include "modes/following/continuation.h"
 #include "modes/following/followed_modes.h"
-#include "modes/following/sorted_modes.h"
 #include "modes/zero_modes.h"
 #include "results/formulation.h"
 #include "results/whirl.h"
@@ -44,8 +43,7 @@ PlanarDamped::PlanarDamped(const assembly::Discretization &discretization, doubl
 /// From so many eigenvalues of the undamped rotor those within a circle; nothing where one does not
 /// settle, two become one, or some are missing. They are refined as far as rounding lets them be:
 /// of the second order in what vectors are off, values alone would not tell how good these are.
-std::optional<GeneralSpectrum::Modes> PlanarDamped::from_undamped(double speed, int wanted,
-                                                                  int ask) const {
+std::optional<Spectrum> PlanarDamped::from_undamped(double speed, int wanted, int ask) const {
     FollowedSpeed undamped{speed, {}, 0, true};
     for (const linalg::RealPair &pair : _undamped->smallest(speed, ask)) {
         SymmetricPair &start = undamped.pairs.emplace_back();
@@ -70,20 +68,20 @@ std::optional<GeneralSpectrum::Modes> PlanarDamped::from_undamped(double speed, 
             !none_missing(*_problem, undamped, undamped.radius, damped, damped.radius, false))
             return std::nullopt;
     }
-    GeneralSpectrum::Modes out = modes_of(*_problem, damped);
+    Spectrum out = modes_of(*_problem, damped);
     for (WhirlMode &mode : out.modes)
         mode.followed = -1;
     return out;
 }
 
-GeneralSpectrum::Modes PlanarDamped::modes(double speed, int wanted) const {
+Spectrum PlanarDamped::modes(double speed, int wanted) const {
     constexpr int beyond = 4; ///< more eigenvalues than wanted, to place the circle among
     constexpr int most_failures = 2;
     if (!_undamped || _failures >= most_failures)
         return of_real_form(speed, wanted);
     const int all = 2 * _problem->size();
     for (int ask = std::min(all, wanted + beyond);;) {
-        std::optional<GeneralSpectrum::Modes> out = from_undamped(speed, wanted, ask);
+        std::optional<Spectrum> out = from_undamped(speed, wanted, ask);
         if (!out) {
             ++_failures;
             return of_real_form(speed, wanted);
@@ -98,10 +96,10 @@ GeneralSpectrum::Modes PlanarDamped::modes(double speed, int wanted) const {
 /// Of a mode (x, y) of the real form, x + i y whirls with exp(l t) and the conjugate of x - i y
 /// with exp(conj(l) t). Both are there where two directions share an eigenvalue, as at rest; then
 /// each of the modes stands for one of them.
-GeneralSpectrum::Modes PlanarDamped::of_real_form(double speed, int wanted) const {
+Spectrum PlanarDamped::of_real_form(double speed, int wanted) const {
     if (!_general)
         _general = std::make_unique<GeneralSpectrum>(_discretization, _bearing_speed);
-    GeneralSpectrum::Modes found = _general->modes(speed, wanted);
+    Spectrum found = _general->modes(speed, wanted);
     std::vector<WhirlMode> planar;
     for (WhirlMode &mode : found.modes) {
         const assembly::Planes planes(mode.shape);

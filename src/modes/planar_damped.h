@@ -28,7 +28,7 @@ class PlanarDamped {
     /// At least `wanted` whirl modes of least modulus, or all. The shape w of a mode goes with
     /// `rotating_value`, its eigenvalue with the sign of the whirl.
     /// @throws linalg::SolverError
-    [[nodiscard]] GeneralSpectrum::Modes modes(double speed, int wanted) const;
+    [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
   private:
     const assembly::Discretization &_discretization;
@@ -38,9 +38,8 @@ class PlanarDamped {
     mutable std::unique_ptr<GeneralSpectrum> _general;
     mutable int _failures = 0; ///< speeds at which the undamped rotor was no good start
 
-    [[nodiscard]] std::optional<GeneralSpectrum::Modes> from_undamped(double speed, int wanted,
-                                                                      int ask) const;
-    [[nodiscard]] GeneralSpectrum::Modes of_real_form(double speed, int wanted) const;
+    [[nodiscard]] std::optional<Spectrum> from_undamped(double speed, int wanted, int ask) const;
+    [[nodiscard]] Spectrum of_real_form(double speed, int wanted) const;
 };
 
 } // namespace whirl::modes

@@ -70,6 +70,15 @@ struct SpectrumSolver::Data {
         return *known;
     }
 
+    /// A form of the fixed frame with the bearings of a speed.
+    /// @param planar  of SymmetricSpectrum alone
+    template <class Form, class... Planar>
+    Form &at_speed(std::unique_ptr<Form> &known, double speed, Planar... planar) {
+        if (tables)
+            known.reset();
+        return made(known, d, planar..., tables ? speed : 0.0);
+    }
+
     /// Form rotating: from now on by few shapes, where they do.
     void take_turning(FewTurning::Range range) {
         if (form != results::Form::rotating || tables ||
