@@ -134,11 +134,14 @@ class ShapeSource {
     std::vector<linalg::RealPair> _modes;
 };
 
-Eigen::MatrixXd rows_of(const Eigen::MatrixXd &shapes, std::span<const int> unknowns) {
-    Eigen::MatrixXd rows(static_cast<Eigen::Index>(unknowns.size()), shapes.cols());
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        rows.row(static_cast<Eigen::Index>(i)) = shapes.row(unknowns[i]);
-    return rows;
+/// Adds what a block on (x, y) between two planar unknowns is on the real form.
+void add_projected(const Eigen::MatrixXd &shapes, int i, int j, const Eigen::Matrix2d &block,
+                   Eigen::MatrixXd &target) {
+    const Eigen::Index r = shapes.cols();
+    const Eigen::MatrixXd product = shapes.row(i).transpose() * shapes.row(j);
+    for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+            target.block(a * r, b * r, r, r) += block(a, b) * product;
 }
 
 ReducedRotor::Supports project_supports(const assembly::Discretization &d,
@@ -148,14 +151,9 @@ ReducedRotor::Supports project_supports(const assembly::Discretization &d,
                                     Eigen::MatrixXd::Zero(2 * r, 2 * r)};
     assembly::assemble_supports(
         d, speed, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-            if (term != Term::stiffness && term != Term::damping)
-                return;
-            Eigen::MatrixXd &target =
-                term == Term::stiffness ? supports.stiffness : supports.damping;
-            const Eigen::MatrixXd product = shapes.row(i).transpose() * shapes.row(j);
-            for (int a = 0; a < 2; ++a)
-                for (int b = 0; b < 2; ++b)
-                    target.block(a * r, b * r, r, r) += block(a, b) * product;
+            if (term == Term::stiffness || term == Term::damping)
+                add_projected(shapes, i, j, block,
+                              term == Term::stiffness ? supports.stiffness : supports.damping);
         });
     return supports;
 }
@@ -175,7 +173,8 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
                 reduced.mass += v.dot(block * v);
                 return;
             }
-            const Eigen::MatrixXd rows = rows_of(reduced.shapes, unknowns);
+            const std::vector<int> at(unknowns.begin(), unknowns.end());
+            const Eigen::MatrixXd rows = reduced.shapes(at, Eigen::all);
             Eigen::MatrixXd &target = term == Term::stiffness    ? reduced.elastic
                                       : term == Term::gyroscopic ? reduced.gyroscopic
                                                                  : reduced.internal;
@@ -193,10 +192,7 @@ void project_masses_beside(const assembly::Discretization &d, ReducedRotor &redu
         if (term != Term::mass)
             return;
         const Eigen::Matrix2d beside = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
-        const Eigen::MatrixXd product = reduced.shapes.row(i).transpose() * reduced.shapes.row(j);
-        for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b)
-                reduced.mass_beside.block(a * r, b * r, r, r) += beside(a, b) * product;
+        add_projected(reduced.shapes, i, j, beside, reduced.mass_beside);
     });
     // Fluid moves with the foundation, or between shaft and pedestal: the load is the pedestals'.
     reduced.load_beside = Row::Zero(r);

@@ -2,7 +2,6 @@
 
 #include "linalg/lanes/vector_products.h"
 #include "modes/following/unmixed.h"
-#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <array>
@@ -237,15 +236,11 @@ void set_mixed(GuessedSpeed &at) {
     }
 }
 
-bool whirls(const SymmetricPair &pair) {
-    return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
-}
-
 } // namespace
 
 int FollowedSpeed::within(double size) const {
     return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [size](const auto &pair) {
-        return whirls(pair) && std::abs(pair.value) < size;
+        return pair.whirls() && std::abs(pair.value) < size;
     }));
 }
 
