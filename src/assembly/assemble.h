@@ -18,6 +18,16 @@ enum class Term { mass, damping, gyroscopic, stiffness, circulatory };
 using AddPlanar =
     std::function<void(Term, std::span<const int> unknowns, const Eigen::MatrixXd &block)>;
 
+/// Visits the entries of such a block, with the unknowns of row and column.
+template <class Visit>
+void for_each_entry(std::span<const int> unknowns, const Eigen::MatrixXd &block,
+                    const Visit &visit) {
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+        for (std::size_t j = 0; j < unknowns.size(); ++j)
+            visit(unknowns[i], unknowns[j],
+                  block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+}
+
 /// Receives a 2 x 2 block on (x, y) between the planar unknowns `row` and `column`.
 using AddCoupling = std::function<void(Term, int row, int column, const Eigen::Matrix2d &block)>;
 

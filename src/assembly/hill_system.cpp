@@ -1,5 +1,8 @@
 #include "assembly/hill_system.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace whirl::assembly {
 
 namespace {
@@ -105,6 +108,21 @@ Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size) {
         out.col(harmonics + k) = (a - i_unit * b) / 2;
         out.col(harmonics - k) = (a + i_unit * b) / 2;
     }
+    return out;
+}
+
+Eigen::MatrixXcd middle_terms(const Eigen::MatrixXcd &terms, Eigen::Index columns) {
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(terms.rows(), columns);
+    const Eigen::Index few = std::min(columns, terms.cols());
+    out.middleCols((columns - few) / 2, few) = terms.middleCols((terms.cols() - few) / 2, few);
+    return out;
+}
+
+Eigen::MatrixXcd moved_terms(const Eigen::MatrixXcd &terms, Eigen::Index places) {
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(terms.rows(), terms.cols());
+    const Eigen::Index kept = std::max<Eigen::Index>(0, terms.cols() - std::abs(places));
+    out.middleCols(kept > 0 ? std::max<Eigen::Index>(0, -places) : 0, kept) =
+        terms.middleCols(kept > 0 ? std::max<Eigen::Index>(0, places) : 0, kept);
     return out;
 }
 

@@ -26,4 +26,10 @@ struct SystemAtSpeed {
 /// k = -harmonics on.
 [[nodiscard]] Eigen::MatrixXcd hill_terms(const Eigen::VectorXcd &vector, Eigen::Index size);
 
+/// So many terms about the middle one; zeros where there are none.
+[[nodiscard]] Eigen::MatrixXcd middle_terms(const Eigen::MatrixXcd &terms, Eigen::Index columns);
+
+/// The same motion with its term k + places as term k.
+[[nodiscard]] Eigen::MatrixXcd moved_terms(const Eigen::MatrixXcd &terms, Eigen::Index places);
+
 } // namespace whirl::assembly

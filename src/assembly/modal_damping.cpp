@@ -29,10 +29,8 @@ PlaneAtRest plane_at_rest(const Discretization &d, int direction) {
     };
     assemble_rotating_parts(
         d, [&](Term term, std::span<const int> unknowns, const Eigen::MatrixXd &block) {
-            for (std::size_t i = 0; i < unknowns.size(); ++i)
-                for (std::size_t j = 0; j < unknowns.size(); ++j)
-                    add(term, unknowns[i], unknowns[j],
-                        block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+            for_each_entry(unknowns, block,
+                           [&](int i, int j, double value) { add(term, i, j, value); });
         });
     assemble_bearings(d, 0, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
         add(term, i, j, block(direction, direction));

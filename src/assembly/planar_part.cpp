@@ -15,11 +15,8 @@ PlanarEntries rotating_entries(const Discretization &discretization, Term wanted
                                                 const Eigen::MatrixXd &block) {
         if (term != wanted)
             return;
-        for (std::size_t i = 0; i < unknowns.size(); ++i)
-            for (std::size_t j = 0; j < unknowns.size(); ++j)
-                entries.emplace_back(
-                    unknowns[i], unknowns[j],
-                    block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        for_each_entry(unknowns, block,
+                       [&](int i, int j, double v) { entries.emplace_back(i, j, v); });
     });
     return entries;
 }
@@ -36,15 +33,17 @@ Eigen::SparseMatrix<double> planar_part(const Discretization &discretization, Te
     return sum_of(rotating_entries(discretization, term), discretization.planar_size());
 }
 
-Eigen::SparseMatrix<double> planar_matrix(const Discretization &discretization, Term wanted,
-                                          double speed) {
-    PlanarEntries entries = rotating_entries(discretization, wanted);
-    assemble_supports(discretization, speed,
-                      [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-                          if (term == wanted)
-                              entries.emplace_back(i, j, block.trace() / 2);
-                      });
-    return sum_of(entries, discretization.planar_size());
+PlanarPair planar_pair(const Discretization &discretization, double speed) {
+    const auto matrix = [&](Term wanted) {
+        PlanarEntries entries = rotating_entries(discretization, wanted);
+        assemble_supports(discretization, speed,
+                          [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
+                              if (term == wanted)
+                                  entries.emplace_back(i, j, block.trace() / 2);
+                          });
+        return sum_of(entries, discretization.planar_size());
+    };
+    return {matrix(Term::mass), matrix(Term::gyroscopic), matrix(Term::stiffness)};
 }
 
 double polar_inertia(const Discretization &discretization) {

@@ -11,10 +11,15 @@ namespace whirl::assembly {
 [[nodiscard]] Eigen::SparseMatrix<double> planar_part(const Discretization &discretization,
                                                       Term term);
 
-/// One term of the whole rotor over the unknowns of one plane, bearings as at `speed` (rad/s) by
-/// the mean of their coefficients over the directions.
-[[nodiscard]] Eigen::SparseMatrix<double> planar_matrix(const Discretization &discretization,
-                                                        Term term, double speed);
+/// The whole rotor in one plane, bearings by the mean of their coefficients over the directions.
+struct PlanarPair {
+    Eigen::SparseMatrix<double> M;
+    Eigen::SparseMatrix<double> G; ///< of the gyroscopic coupling of the planes
+    Eigen::SparseMatrix<double> K;
+};
+
+/// Bearings as at `speed` (rad/s).
+[[nodiscard]] PlanarPair planar_pair(const Discretization &discretization, double speed);
 
 /// Polar inertia of shaft, discs and what else turns with the shaft, kg m2: twice the energy of a
 /// unit slope times the gyroscopic matrix.

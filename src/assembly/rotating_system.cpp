@@ -65,18 +65,10 @@ struct RotatingEntries {
     }
 };
 
-template <class Visit>
-void for_each(std::span<const int> unknowns, const Eigen::MatrixXd &block, const Visit &visit) {
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        for (std::size_t j = 0; j < unknowns.size(); ++j)
-            visit(unknowns[i], unknowns[j],
-                  block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-}
-
 void add_rotating_parts(const Discretization &d, RotatingEntries &out) {
     assemble_rotating_parts(d, [&](Term term, std::span<const int> unknowns,
                                    const Eigen::MatrixXd &block) {
-        for_each(unknowns, block, [&](int i, int j, double v) {
+        for_each_entry(unknowns, block, [&](int i, int j, double v) {
             if (term == Term::mass)
                 out.inertia(i, j, v);
             else if (term == Term::gyroscopic)
@@ -89,7 +81,7 @@ void add_rotating_parts(const Discretization &d, RotatingEntries &out) {
     });
     assemble_asymmetry(d, [&](Term term, std::span<const int> unknowns,
                               const Eigen::MatrixXd &block, Complex factor) {
-        for_each(unknowns, block, [&](int i, int j, double v) {
+        for_each_entry(unknowns, block, [&](int i, int j, double v) {
             if (term == Term::mass)
                 out.anisotropy(i, j, v * factor);
             else if (term == Term::stiffness)

@@ -9,14 +9,6 @@ namespace {
 using Entries = std::vector<Eigen::Triplet<double>>;
 using TermEntries = std::map<Term, Entries>;
 
-void for_each_entry(std::span<const int> unknowns, const Eigen::MatrixXd &block,
-                    const std::function<void(int, int, double)> &visit) {
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        for (std::size_t j = 0; j < unknowns.size(); ++j)
-            visit(unknowns[i], unknowns[j],
-                  block(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-}
-
 /// Same block in both planes, or coupling them with the sign of `across` in the lower half.
 void add_real(Entries &entries, int i, int j, double value, bool couples, double across) {
     if (!couples) {

@@ -1,8 +1,8 @@
 #include "ends/resolved_reach.h"
 
+#include "assembly/planar_part.h"
 #include "linalg/dense/symmetric_pair.h"
 #include "mesh_error/safety.h"
-#include "reduction/planar_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 /// inverse problem, where it can be: unknowns without mass are its zeros.
 Eigen::VectorXd frequencies(const assembly::Discretization &d, const Eigen::MatrixXd *shapes,
                             double bearing_speed) {
-    const reduction::PlanarPair pair = reduction::planar_pair(d, bearing_speed);
+    const assembly::PlanarPair pair = assembly::planar_pair(d, bearing_speed);
     const auto dense = [shapes](const Eigen::SparseMatrix<double> &A) {
         const Eigen::MatrixXd all(A); // of one plane, as the shapes are
         return shapes != nullptr ? Eigen::MatrixXd(shapes->transpose() * all * *shapes) : all;

@@ -39,17 +39,24 @@ struct DefinitePair::Factors {
         return pair;
     }
 
+    /// The matrix with the eigenvalues 1/w^2.
+    [[nodiscard]] SymmetricOperator inverse() const {
+        const auto n = static_cast<int>(K.rows());
+        return {n,
+                [this, n](const double *z, double *y) {
+                    Eigen::Map<Eigen::VectorXd>(y, n) =
+                        apply(Eigen::Map<const Eigen::VectorXd>(z, n));
+                },
+                deterministic_vector(n)};
+    }
+
     /// Positive eigenvalues by the dense solver.
     [[nodiscard]] std::vector<RealPair> dense() const {
-        const Eigen::Index n = K.rows();
-        Eigen::MatrixXd B(n, n);
-        for (Eigen::Index j = 0; j < n; ++j)
-            B.col(j) = apply(Eigen::VectorXd::Unit(n, j));
-        const auto solver = symmetric_eigenpairs(B);
+        const auto solver = symmetric_eigenpairs(matrix_of(inverse()));
         // A singular A has eigenvalues zero (speeds at infinity) only up to rounding.
         const double zero = 1e-13 * solver.eigenvalues().cwiseAbs().maxCoeff();
         std::vector<RealPair> pairs;
-        for (Eigen::Index i = n - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i)
+        for (Eigen::Index i = K.rows() - 1; i >= 0 && solver.eigenvalues()(i) > zero; --i)
             pairs.push_back(pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
         return pairs;
     }
@@ -99,12 +106,7 @@ std::vector<RealPair> DefinitePair::smallest(int wanted) const {
     if (n <= 150 || 3 * wanted > n) {
         pairs = f.dense();
     } else {
-        const SymmetricOperator op{n,
-                                   [&](const double *z, double *y) {
-                                       Eigen::Map<Eigen::VectorXd>(y, n) =
-                                           f.apply(Eigen::Map<const Eigen::VectorXd>(z, n));
-                                   },
-                                   deterministic_vector(n)};
+        const SymmetricOperator op = f.inverse();
         std::vector<Eigen::VectorXd> found;
         for (int attempt = 0; attempt < 4; ++attempt) {
             for (const auto &[mu, z] : largest_positive(op, wanted + 2, found)) {

@@ -134,6 +134,12 @@ struct DefinitePencil::Factors {
         top = L.triangularView<Eigen::Lower>().solve(r);
     }
 
+    /// H(s).
+    [[nodiscard]] SymmetricOperator at(double s) const {
+        return {static_cast<int>(2 * K.rows()),
+                [this, s](const double *z, double *y) { apply(s, z, y); }, start()};
+    }
+
     /// x from the first half of z.
     [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd &a) const {
         if (modal)
@@ -207,23 +213,16 @@ RealPair DefinitePencil::pair_from(double s, double mu, const Eigen::VectorXd &z
 
 std::vector<RealPair> DefinitePencil::dense(double s) const {
     const Factors &f = *_factors;
-    const Eigen::Index n = f.K.rows();
-    Eigen::MatrixXd H(2 * n, 2 * n);
-    for (Eigen::Index j = 0; j < 2 * n; ++j) {
-        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(2 * n, j);
-        f.apply(s, unit.data(), H.col(j).data());
-    }
-    const auto solver = symmetric_eigenpairs(H);
+    const auto solver = symmetric_eigenpairs(matrix_of(f.at(s)));
     std::vector<RealPair> pairs;
-    for (Eigen::Index i = 0; i < 2 * n; ++i)
+    for (Eigen::Index i = 0; i < 2 * size(); ++i)
         pairs.push_back(pair_from(s, solver.eigenvalues()(i), solver.eigenvectors().col(i)));
     return pairs;
 }
 
 std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
     const Factors &f = *_factors;
-    const SymmetricOperator op{2 * size(), [&](const double *z, double *y) { f.apply(s, z, y); },
-                               f.start()};
+    const SymmetricOperator op = f.at(s);
     std::vector<RealPair> pairs;
     std::vector<Eigen::VectorXd> found;
     // Eigenvalues that coincide can hide behind each other: the found ones are deflated and the
@@ -243,21 +242,8 @@ std::vector<RealPair> DefinitePencil::iterate(double s, int wanted) const {
 }
 
 bool DefinitePencil::confirmed(double s, std::vector<RealPair> &pairs, int wanted) const {
-    std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
-        return std::abs(a.value) < std::abs(b.value);
-    });
-    const auto total = pairs.size();
-    for (std::size_t k = static_cast<std::size_t>(wanted); k < total; ++k) {
-        const double below = std::abs(pairs[k - 1].value);
-        const double above = std::abs(pairs[k].value);
-        if (above - below < 1e-7 * above)
-            continue; // no room for a shift between the two
-        if (count_below(s, below + (above - below) / 2) != static_cast<int>(k))
-            return false;
-        pairs.resize(k);
-        return true;
-    }
-    return false;
+    constexpr double room = 1e-7;
+    return keep_confirmed(pairs, wanted, room, [&](double bound) { return count_below(s, bound); });
 }
 
 std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
@@ -270,11 +256,8 @@ std::vector<RealPair> DefinitePencil::smallest(double s, int wanted) const {
     // finds everything.
     if (all <= 40 || 3 * (wanted + 2) > all) {
         std::vector<RealPair> pairs = dense(s);
-        if (wanted + 1 >= all || !confirmed(s, pairs, wanted)) {
-            std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
-                return std::abs(a.value) < std::abs(b.value);
-            });
-        }
+        if (wanted + 1 >= all || !confirmed(s, pairs, wanted))
+            sort_by_modulus(pairs);
         return pairs;
     }
     return iterate(s, wanted);

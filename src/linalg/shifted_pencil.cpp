@@ -112,6 +112,13 @@ class Shifted {
         Eigen::Map<Eigen::VectorXd>(y + n, n) = (_Lt * w - g) / _shift;
     }
 
+    /// The matrix with the eigenvalues 1/(w - shift).
+    [[nodiscard]] SymmetricOperator inverse() const {
+        const auto all = static_cast<int>(2 * size());
+        return {all, [this](const double *z, double *y) { apply(z, y); },
+                deterministic_vector(all)};
+    }
+
     /// Eigenvalues between -bound and bound, zeros with their multiplicity.
     [[nodiscard]] int count_below(double bound) const {
         int count = 0;
@@ -177,48 +184,23 @@ class Shifted {
 };
 
 std::vector<RealPair> dense(const Shifted &problem) {
-    const Eigen::Index all = 2 * problem.size();
-    Eigen::MatrixXd T(all, all);
-    for (Eigen::Index j = 0; j < all; ++j) {
-        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(all, j);
-        problem.apply(unit.data(), T.col(j).data());
-    }
-    const auto solver = symmetric_eigenpairs(T);
+    const SymmetricOperator op = problem.inverse();
+    const auto solver = symmetric_eigenpairs(matrix_of(op));
     // Infinite w, of unknowns without mass, come as zero up to rounding.
     const double zero = 1e-14 * solver.eigenvalues().cwiseAbs().maxCoeff();
     std::vector<RealPair> pairs;
-    for (Eigen::Index i = 0; i < all; ++i)
+    for (Eigen::Index i = 0; i < op.size; ++i)
         if (std::abs(solver.eigenvalues()(i)) > zero)
             pairs.push_back(
                 problem.pair_from(solver.eigenvalues()(i), solver.eigenvectors().col(i)));
     return pairs;
 }
 
-void sort_by_modulus(std::vector<RealPair> &pairs) {
-    std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
-        return std::abs(a.value) < std::abs(b.value);
-    });
-}
-
-/// Keeps the pairs up to the first gap after `wanted`, if the inertia count agrees there.
-bool confirmed(const Shifted &problem, std::vector<RealPair> &pairs, int wanted) {
-    for (auto k = static_cast<std::size_t>(wanted); k < pairs.size(); ++k) {
-        const double below = std::abs(pairs[k - 1].value);
-        const double above = std::abs(pairs[k].value);
-        if (above - below < 1e-6 * above)
-            continue;
-        if (problem.count_below(below + (above - below) / 2) != static_cast<int>(k))
-            return false;
-        pairs.resize(k);
-        return true;
-    }
-    return false;
-}
-
 } // namespace
 
 std::vector<RealPair> solve_shifted(const Matrix &K, const Matrix &M, const Matrix &S,
                                     const ShiftedOptions &options) {
+    constexpr double room = 1e-6;
     const Shifted problem(K, M, S, options);
     const auto all = static_cast<int>(2 * problem.size());
     if (all <= 60 || 3 * options.wanted > all) {
@@ -226,8 +208,7 @@ std::vector<RealPair> solve_shifted(const Matrix &K, const Matrix &M, const Matr
         sort_by_modulus(pairs);
         return pairs;
     }
-    const SymmetricOperator op{all, [&](const double *z, double *y) { problem.apply(z, y); },
-                               deterministic_vector(all)};
+    const SymmetricOperator op = problem.inverse();
     std::vector<RealPair> pairs;
     std::vector<Eigen::VectorXd> found;
     const int wanted = std::min(options.wanted, all - 1);
@@ -237,8 +218,8 @@ std::vector<RealPair> solve_shifted(const Matrix &K, const Matrix &M, const Matr
             found.push_back(z);
             pairs.push_back(problem.pair_from(theta, z));
         }
-        sort_by_modulus(pairs);
-        if (confirmed(problem, pairs, wanted))
+        if (keep_confirmed(pairs, wanted, room,
+                           [&](double bound) { return problem.count_below(bound); }))
             return pairs;
         pairs.clear();
         for (const Eigen::VectorXd &z : found) {

@@ -116,6 +116,35 @@ solve(const SymmetricOperator &op, EPSWhich which, int wanted,
 
 } // namespace
 
+Eigen::MatrixXd matrix_of(const SymmetricOperator &op) {
+    Eigen::MatrixXd out(op.size, op.size);
+    for (Eigen::Index j = 0; j < op.size; ++j)
+        op.apply(Eigen::VectorXd(Eigen::VectorXd::Unit(op.size, j)).data(), out.col(j).data());
+    return out;
+}
+
+void sort_by_modulus(std::vector<RealPair> &pairs) {
+    std::sort(pairs.begin(), pairs.end(), [](const RealPair &a, const RealPair &b) {
+        return std::abs(a.value) < std::abs(b.value);
+    });
+}
+
+bool keep_confirmed(std::vector<RealPair> &pairs, int wanted, double room,
+                    const std::function<int(double bound)> &count_below) {
+    sort_by_modulus(pairs);
+    for (auto k = static_cast<std::size_t>(wanted); k < pairs.size(); ++k) {
+        const double below = std::abs(pairs[k - 1].value);
+        const double above = std::abs(pairs[k].value);
+        if (above - below < room * above)
+            continue;
+        if (count_below(below + (above - below) / 2) != static_cast<int>(k))
+            return false;
+        pairs.resize(k);
+        return true;
+    }
+    return false;
+}
+
 Eigen::VectorXd deterministic_vector(int size) {
     Eigen::VectorXd vector(size);
     unsigned state = 12345;

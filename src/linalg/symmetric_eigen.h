@@ -1,5 +1,7 @@
 #pragma once
 
+#include "linalg/eigenpair.h"
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
@@ -16,6 +18,18 @@ struct SymmetricOperator {
     std::function<void(const double *z, double *y)> apply;
     Eigen::VectorXd start; ///< of the iteration; must not depend on other solves
 };
+
+/// All its entries.
+[[nodiscard]] Eigen::MatrixXd matrix_of(const SymmetricOperator &op);
+
+void sort_by_modulus(std::vector<RealPair> &pairs);
+
+/// Keeps the pairs, by modulus, up to the first gap behind so many of them in which there is room
+/// for a shift, where the count agrees there: none is missing.
+/// @param room         of the larger modulus
+/// @param count_below  eigenvalues of less modulus than a bound
+[[nodiscard]] bool keep_confirmed(std::vector<RealPair> &pairs, int wanted, double room,
+                                  const std::function<int(double bound)> &count_below);
 
 /// Components between 0.5 and 1.5, the same at every call.
 [[nodiscard]] Eigen::VectorXd deterministic_vector(int size);

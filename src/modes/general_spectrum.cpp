@@ -14,15 +14,6 @@
 
 namespace whirl::modes {
 
-namespace {
-
-/// Positive by more than residual and rounding of the entries explain.
-bool grows(const linalg::ComplexPair &pair) {
-    return pair.value.real() > 10 * (pair.residual + pair.rounding) * std::abs(pair.value);
-}
-
-} // namespace
-
 GeneralSpectrum::GeneralSpectrum(const assembly::Discretization &discretization,
                                  double bearing_speed)
     : _discretization(discretization), _bearing_speed(bearing_speed),
@@ -69,7 +60,7 @@ class GeneralSpectrum::AtSpeed {
     std::map<double, std::unique_ptr<linalg::QuadraticSolver>> _solvers; ///< by their shifts
 };
 
-GeneralSpectrum::Modes GeneralSpectrum::solve(AtSpeed &problem, int wanted, Errors errors) const {
+Spectrum GeneralSpectrum::solve(AtSpeed &problem, int wanted, Errors errors) const {
     linalg::QuadraticOptions options = problem.options(wanted);
     options.condition = errors == Errors::with_left_vectors;
     const ZeroModes &zeros = problem.zeros();
@@ -87,36 +78,31 @@ GeneralSpectrum::Modes GeneralSpectrum::solve(AtSpeed &problem, int wanted, Erro
     }
     std::sort(found.pairs.begin(), found.pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-    Modes out;
+    Spectrum out;
     out.complete_radius = std::max(0.0, found.complete_radius - options.shift);
     out.modes = zeros.modes;
     int skip = zeros.eigenvalues;
     for (const linalg::ComplexPair &pair : found.pairs) {
         if (skip > 0) { // the blurred zeros; a complex pair stands for two
             skip -= pair.value.imag() != 0 ? 2 : 1;
-        } else if (pair.value.imag() <=
-                   std::max(real_axis, 10 * pair.residual) * std::abs(pair.value)) {
-            out.overdamped.push_back(pair.value.real());
-            if (grows(pair))
-                out.growing.push_back(pair.value.real());
-        } else {
-            WhirlMode mode;
-            mode.eigenvalue = pair.value;
-            mode.shape = pair.vector;
-            mode.left = pair.left;
-            mode.residual = pair.residual;
-            mode.rounding = pair.rounding;
-            out.modes.push_back(std::move(mode));
+            continue;
         }
+        WhirlMode mode;
+        mode.eigenvalue = pair.value;
+        mode.shape = pair.vector;
+        mode.left = pair.left;
+        mode.residual = pair.residual;
+        mode.rounding = pair.rounding;
+        out.add(pair.value, std::move(mode));
     }
     return out;
 }
 
-GeneralSpectrum::Modes GeneralSpectrum::modes(double speed, int wanted, Errors errors) const {
+Spectrum GeneralSpectrum::modes(double speed, int wanted, Errors errors) const {
     const int all = _system.M.size();
     int ask = std::min(all, wanted);
     AtSpeed problem(*this, speed);
-    Modes out;
+    Spectrum out;
     // Where double precision does not resolve as many side by side, fewer: the caller sees it.
     for (bool solved = false; !solved;) {
         try {

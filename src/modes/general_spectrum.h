@@ -15,16 +15,9 @@ class GeneralSpectrum {
     /// Matrices made from those of a rotor that is held.
     GeneralSpectrum(const assembly::Discretization &discretization, assembly::FixedSystem system);
 
-    struct Modes {
-        std::vector<WhirlMode> modes;   ///< Im > 0 or zero modes; whirl not set, unsorted
-        std::vector<double> overdamped; ///< real eigenvalues, 1/s
-        std::vector<double> growing;    ///< those of them that are positive beyond their error
-        double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known
-    };
-
-    /// At least `wanted` whirl modes of least modulus, or all.
-    [[nodiscard]] Modes modes(double speed, int wanted,
-                              Errors errors = Errors::with_left_vectors) const;
+    /// At least `wanted` whirl modes of least modulus, or all: Im > 0 or zero modes, whirl not set.
+    [[nodiscard]] Spectrum modes(double speed, int wanted,
+                                 Errors errors = Errors::with_left_vectors) const;
 
     /// Whether as many are found, if at all, among all eigenvalues alone. By one attempt without
     /// them: a few hundredths of a second, where they would take seconds.
@@ -39,7 +32,7 @@ class GeneralSpectrum {
 
     /// The problem at one speed and one shift after the other.
     class AtSpeed;
-    [[nodiscard]] Modes solve(AtSpeed &problem, int wanted, Errors errors) const;
+    [[nodiscard]] Spectrum solve(AtSpeed &problem, int wanted, Errors errors) const;
 };
 
 } // namespace whirl::modes

@@ -290,8 +290,8 @@ WhirlMode RotatingSpectrum::in_fixed_frame(const linalg::ComplexPair &pair, doub
     return mode;
 }
 
-RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
-    Modes out;
+Spectrum RotatingSpectrum::modes_of(const Eigenvalues &found, double speed) const {
+    Spectrum out;
     out.complete_radius = std::max(0.0, found.complete_radius - std::abs(speed));
     std::vector<linalg::ComplexPair> real;
     const auto take = [&](const linalg::ComplexPair &pair, bool stands_for_motion) {
@@ -299,10 +299,8 @@ RotatingSpectrum::Modes RotatingSpectrum::modes_of(const Eigenvalues &found, dou
         // At rest balls roll freely: a double zero, which rounding moves off the real axis or not.
         const bool zero = mode.residual + mode.rounding >= 1;
         if (zero || mode.eigenvalue.imag() <= real_axis * std::abs(mode.eigenvalue)) {
-            const double rate = mode.eigenvalue.real();
-            out.overdamped.push_back(rate);
-            if (rate > 10 * (pair.residual + pair.rounding) * std::abs(pair.value))
-                out.growing.push_back(rate);
+            out.add_without_whirl(mode.eigenvalue.real(),
+                                  (pair.residual + pair.rounding) * std::abs(pair.value));
         } else if (stands_for_motion) {
             out.modes.push_back(std::move(mode));
         }
@@ -356,7 +354,7 @@ RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) cons
                 throw;
             break; // beside those found (a rotor of few masses) no more can be resolved
         }
-        const Modes modes = modes_of(out.found, speed);
+        const Spectrum modes = modes_of(out.found, speed);
         any = !modes.modes.empty();
         std::vector<double> moduli;
         for (const WhirlMode &mode : modes.modes)
@@ -374,11 +372,11 @@ RotatingSpectrum::Lowest RotatingSpectrum::lowest(double speed, int wanted) cons
     return out;
 }
 
-RotatingSpectrum::Modes RotatingSpectrum::modes(double speed, int wanted, Errors errors) const {
+Spectrum RotatingSpectrum::modes(double speed, int wanted, Errors errors) const {
     Lowest all = lowest(speed, wanted);
     if (errors == Errors::with_left_vectors)
         judge(all.found, speed, all.highest);
-    Modes out = modes_of(all.found, speed);
+    Spectrum out = modes_of(all.found, speed);
     if (_harmonics > 0 && speed != 0)
         for (WhirlMode &mode : out.modes)
             mode.confirmed = !cut_off(mode.rotating_vector);

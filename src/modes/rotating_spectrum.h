@@ -58,18 +58,12 @@ class RotatingSpectrum {
     /// Number k of the harmonic 2 k speed of Hill's series in which a motion is largest.
     [[nodiscard]] int largest_term(const Eigen::VectorXcd &vector) const;
 
-    struct Modes {
-        /// Eigenvalue and shape of the dominant harmonic as seen from the fixed frame, where the
-        /// motion is Re(shape exp(eigenvalue t)) over real unknowns (x, y).
-        std::vector<WhirlMode> modes;
-        std::vector<double> overdamped; ///< real parts of motions that do not whirl, 1/s
-        std::vector<double> growing;    ///< those of them that are positive beyond their error
-        double complete_radius = 0;     ///< all modes of smaller frequency are known
-    };
-    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all.
+    /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all:
+    /// eigenvalue and shape of the dominant harmonic as seen from there, where the motion is
+    /// Re(shape exp(eigenvalue t)) over real unknowns (x, y).
     /// @throws linalg::SolverError
-    [[nodiscard]] Modes modes(double speed, int wanted,
-                              Errors errors = Errors::with_left_vectors) const;
+    [[nodiscard]] Spectrum modes(double speed, int wanted,
+                                 Errors errors = Errors::with_left_vectors) const;
 
     /// The eigenvalues that these modes are among.
     struct Lowest {
@@ -80,7 +74,7 @@ class RotatingSpectrum {
     /// @throws linalg::SolverError
     [[nodiscard]] Lowest lowest(double speed, int wanted) const;
     /// Of eigenvalues over the unknowns of this rotor.
-    [[nodiscard]] Modes modes_of(const Eigenvalues &found, double speed) const;
+    [[nodiscard]] Spectrum modes_of(const Eigenvalues &found, double speed) const;
     /// Whether it is up to a modulus as seen from the fixed frame, 1/s, or grows.
     [[nodiscard]] bool asked_for(const linalg::ComplexPair &pair, double speed,
                                  double highest) const;

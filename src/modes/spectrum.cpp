@@ -42,12 +42,6 @@ bool all_followed(const Spectrum &spectrum) {
                        [](const WhirlMode &mode) { return mode.followed >= 0; });
 }
 
-/// @param found  Modes of a form
-template <class Modes> Spectrum spectrum_of(double speed, Modes found) {
-    return {speed, std::move(found.modes), std::move(found.overdamped), std::move(found.growing),
-            found.complete_radius};
-}
-
 } // namespace
 
 SpectrumSolver::SpectrumSolver(const model::Rotor &rotor, results::Form form, int order,
@@ -83,40 +77,30 @@ int SpectrumSolver::unknowns() const {
 Spectrum SpectrumSolver::symmetric(double speed, int wanted) const {
     Spectrum spectrum;
     const bool planar = _data->form == results::Form::planar;
-    spectrum.modes = _data->tables
-                         ? SymmetricSpectrum(_data->d, planar, speed).modes(speed, wanted)
-                         : Data::made(_data->symmetric, _data->d, planar, 0.0).modes(speed, wanted);
+    spectrum.modes = _data->at_speed(_data->symmetric, speed, planar).modes(speed, wanted);
     for (const WhirlMode &mode : spectrum.modes)
         spectrum.complete_radius = std::max(spectrum.complete_radius, mode.eigenvalue.imag());
     return spectrum;
 }
 
-GeneralSpectrum::Modes SpectrumSolver::planar_damped(double speed, int wanted) const {
-    return _data->tables ? PlanarDamped(_data->d, speed).modes(speed, wanted)
-                         : Data::made(_data->planar_damped, _data->d, 0.0).modes(speed, wanted);
-}
-
-GeneralSpectrum::Modes SpectrumSolver::general(double speed, int wanted, Errors errors) const {
-    return _data->tables ? GeneralSpectrum(_data->d, speed).modes(speed, wanted, errors)
-                         : Data::made(_data->general, _data->d, 0.0).modes(speed, wanted, errors);
+Spectrum SpectrumSolver::damped_alone(double speed, int wanted, Errors errors) const {
+    if (_data->form == results::Form::planar_damped)
+        return _data->at_speed(_data->planar_damped, speed).modes(speed, wanted);
+    return _data->at_speed(_data->general, speed).modes(speed, wanted, errors);
 }
 
 bool SpectrumSolver::needs_all_eigenvalues(double speed, int wanted) const {
-    if (_data->form != results::Form::general || _data->few)
-        return false;
-    return _data->tables ? GeneralSpectrum(_data->d, speed).needs_all(speed, wanted)
-                         : Data::made(_data->general, _data->d, 0.0).needs_all(speed, wanted);
+    return _data->form == results::Form::general && !_data->few &&
+           _data->at_speed(_data->general, speed).needs_all(speed, wanted);
 }
 
 Spectrum SpectrumSolver::damped(double speed, int wanted, Errors errors) const {
     if (_data->few)
-        return spectrum_of(speed, _data->few->modes(speed, wanted));
+        return _data->few->modes(speed, wanted);
     if (_data->following)
         if (const FollowedSpeed *followed = _data->following->at(speed, wanted))
-            return spectrum_of(speed, modes_of(_data->following->problem(), *followed));
-    return spectrum_of(speed, _data->form == results::Form::planar_damped
-                                  ? planar_damped(speed, wanted)
-                                  : general(speed, wanted, errors));
+            return modes_of(_data->following->problem(), *followed);
+    return damped_alone(speed, wanted, errors);
 }
 
 bool SpectrumSolver::take_few_shapes(int modes) {
@@ -145,16 +129,14 @@ void SpectrumSolver::follow(const std::vector<double> &speeds, int wanted) const
         if (problem == nullptr)
             return;
         const auto start = [this](double speed, int modes) {
-            return starting_pairs(_data->form == results::Form::planar_damped
-                                      ? planar_damped(speed, modes)
-                                      : general(speed, modes, Errors::of_right_vectors),
+            return starting_pairs(damped_alone(speed, modes, Errors::of_right_vectors),
                                   _data->form);
         };
         Continuation::Start undamped;
         if (_data->form == results::Form::general &&
             !problem->has(SymmetricProblem::stiffness_turned))
             undamped = [this](double speed, int modes) {
-                const SymmetricSpectrum &of = Data::made(_data->symmetric, _data->d, false, 0.0);
+                const SymmetricSpectrum &of = _data->at_speed(_data->symmetric, 0, false);
                 StartingPairs at_rest = starting_pairs(of.modes_at_rest(modes), 0);
                 const bool slow = std::all_of(
                     at_rest.whirls.begin(), at_rest.whirls.end(),
@@ -226,17 +208,15 @@ Spectrum SpectrumSolver::rotating(double speed, int wanted, Errors errors) const
     if (_data->turning && speed != 0) {
         _data->take_turning({speed, speed, wanted});
         if (_data->turning)
-            if (std::optional<RotatingSpectrum::Modes> found = _data->turning->modes(speed, wanted))
-                return spectrum_of(speed, *std::move(found));
+            if (std::optional<Spectrum> found = _data->turning->modes(speed, wanted))
+                return *std::move(found);
     }
     if (_data->floquet)
-        return spectrum_of(speed, _data->floquet->modes(speed, wanted));
-    RotatingSpectrum::Modes found =
-        _data->tables
-            ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
-                  .modes(speed, wanted, errors)
-            : _data->rotating->modes(speed, wanted, errors);
-    return spectrum_of(speed, std::move(found));
+        return _data->floquet->modes(speed, wanted);
+    return _data->tables
+               ? RotatingSpectrum(_data->d, speed, _data->balancers, _data->rotating->harmonics())
+                     .modes(speed, wanted, errors)
+               : _data->rotating->modes(speed, wanted, errors);
 }
 
 void SpectrumSolver::classify(Spectrum &spectrum) const {

@@ -2,7 +2,6 @@
 
 #include "model/rotor.h"
 #include "modes/biorthogonal.h"
-#include "modes/general_spectrum.h"
 #include "modes/whirl_mode.h"
 #include "results/formulation.h"
 
@@ -19,15 +18,6 @@ class Discretization;
 namespace whirl::modes {
 
 class Stations;
-
-/// The whirl modes at one spin speed with the lowest frequencies, ascending by frequency.
-struct Spectrum {
-    double speed = 0; ///< rad/s
-    std::vector<WhirlMode> modes;
-    std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
-    std::vector<double> growing;    ///< those of them above zero by more than their error
-    double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
-};
 
 /// Whirl modes of one discretised rotor at any spin speed. Everything that does not depend on
 /// the speed is assembled and factorised once.
@@ -139,8 +129,7 @@ class SpectrumSolver {
 
     explicit SpectrumSolver(std::unique_ptr<Data> data);
     [[nodiscard]] Spectrum symmetric(double speed, int wanted) const;
-    [[nodiscard]] GeneralSpectrum::Modes planar_damped(double speed, int wanted) const;
-    [[nodiscard]] GeneralSpectrum::Modes general(double speed, int wanted, Errors errors) const;
+    [[nodiscard]] Spectrum damped_alone(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum damped(double speed, int wanted, Errors errors) const;
     [[nodiscard]] Spectrum rotating(double speed, int wanted, Errors errors) const;
     [[nodiscard]] ModeBasis hill_basis(const Spectrum &spectrum) const;

@@ -91,14 +91,11 @@ std::vector<WhirlMode> SymmetricSpectrum::free_modes(double speed, int wanted) c
     options.s = speed;
     options.shift = 0.3 * assembly::elastic_scale(_discretization);
     options.wanted = std::min(2 * _M.size() - 1, (_planar ? wanted : 2 * wanted) + 2);
-    const auto pairs = linalg::solve_shifted(_K, _M, _S, options);
-    for (auto i = static_cast<std::size_t>(zeros.eigenvalues); i < pairs.size(); ++i) {
-        if (!_planar && pairs[i].value < 0)
-            continue;
-        out.push_back(mode_of(pairs[i].value, pairs[i].vector, speed));
-        out.back().residual = pairs[i].residual;
-        out.back().rounding = pairs[i].rounding;
-    }
+    std::vector<linalg::RealPair> pairs = linalg::solve_shifted(_K, _M, _S, options);
+    const auto known = std::min(pairs.size(), static_cast<std::size_t>(zeros.eigenvalues));
+    pairs.erase(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(known));
+    const std::vector<WhirlMode> moving = modes_of(pairs, speed);
+    out.insert(out.end(), moving.begin(), moving.end());
     return out;
 }
 

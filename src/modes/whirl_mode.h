@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <complex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace whirl::modes {
@@ -52,6 +54,46 @@ struct WhirlMode {
     bool confirmed = true;
     int followed = -1; ///< place among the pairs of a Continuation at its speed, where it is one
 };
+
+/// The whirl modes at one spin speed with the lowest frequencies, with what else was met.
+struct Spectrum {
+    double speed = 0; ///< rad/s
+    /// Ascending by frequency; as a form finds them in any order, at least as many as wanted.
+    std::vector<WhirlMode> modes;
+    std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
+    std::vector<double> growing;    ///< those of them above zero by more than their error
+    double complete_radius = 0;     ///< all eigenvalues of smaller modulus are known, 1/s
+
+    /// Takes the real part of motion without whirl.
+    /// @param error  of it that its residual and rounding explain, 1/s
+    void add_without_whirl(double rate, double error) {
+        overdamped.push_back(rate);
+        if (rate > 10 * error)
+            growing.push_back(rate);
+    }
+    /// Takes a mode of an eigenvalue, or motion without whirl.
+    /// @param value  of the mode, with the sign of its whirl where the form has one
+    void add(std::complex<double> value, WhirlMode mode) {
+        const double size = std::abs(value);
+        if (std::abs(value.imag()) > std::max(real_axis, 10 * mode.residual) * size)
+            modes.push_back(std::move(mode));
+        else
+            add_without_whirl(value.real(), (mode.residual + mode.rounding) * size);
+    }
+};
+
+/// Two eigenvalues that were apart have come to the same one.
+[[nodiscard]] inline bool met_twice(const std::vector<std::complex<double>> &before,
+                                    const std::vector<std::complex<double>> &after) {
+    const auto apart = [](std::complex<double> a, std::complex<double> b) {
+        return std::abs(a - b) > 1e-8 * std::abs(a);
+    };
+    for (std::size_t i = 0; i < after.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (!apart(after[i], after[j]) && apart(before[i], before[j]))
+                return true;
+    return false;
+}
 
 /// The eigenvalue of a mode. A real part that the eigensolver does not tell from zero is none:
 /// without damping the forms that allow for it would otherwise show damping of either sign.

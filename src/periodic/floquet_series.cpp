@@ -62,13 +62,18 @@ std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions,
     return out;
 }
 
-/// exp(-2 i k speed t) / steps at the beginnings of the steps, a column for each k = -K, ..., K.
-MatrixXcd fourier(int steps, int K, bool backwards) {
-    MatrixXcd out(steps, 2 * K + 1);
-    const double turn = (backwards ? 2 : -2) * std::numbers::pi / steps;
-    for (int k = -K; k <= K; ++k)
-        for (int step = 0; step < steps; ++step)
-            out(step, k + K) = std::polar(1.0 / steps, turn * ((k * step) % steps));
+/// exp(-2 i k speed t) / steps at the beginnings of the steps, a column for each k of a row of
+/// them.
+MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool backwards) {
+    Eigen::VectorXcd circle(steps);
+    for (Eigen::Index j = 0; j < steps; ++j)
+        circle(j) = std::polar(1.0 / static_cast<double>(steps),
+                               (backwards ? 2 : -2) * std::numbers::pi * static_cast<double>(j) /
+                                   static_cast<double>(steps));
+    MatrixXcd out(steps, to - from + 1);
+    for (Eigen::Index k = from; k <= to; ++k)
+        for (Eigen::Index j = 0; j < steps; ++j)
+            out(j, k - from) = circle(((k * j) % steps + steps) % steps);
     return out;
 }
 
@@ -80,7 +85,7 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
     const MatrixXd turn = half_turn(system, speed, steps, &along);
     const MatrixXd M = system.steady(speed).M;
     const int most = (steps - 1) / 2;
-    const MatrixXcd all = fourier(steps, most, speed < 0);
+    const MatrixXcd all = fourier(steps, -most, most, speed < 0);
     std::vector<FloquetMotion> motions = motions_of(system, speed, turn);
     std::erase_if(motions, [](const FloquetMotion &motion) { return motion.value.imag() < 0; });
     const std::vector<OverPeriod> all_over = over_period(motions, along, period(speed) / steps);
@@ -103,20 +108,6 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
 }
 
 namespace {
-
-/// The same, of terms from one number to another alone.
-MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool backwards) {
-    Eigen::VectorXcd circle(steps);
-    for (Eigen::Index j = 0; j < steps; ++j)
-        circle(j) = std::polar(1.0 / static_cast<double>(steps),
-                               (backwards ? 2 : -2) * std::numbers::pi * static_cast<double>(j) /
-                                   static_cast<double>(steps));
-    MatrixXcd out(steps, to - from + 1);
-    for (Eigen::Index k = from; k <= to; ++k)
-        for (Eigen::Index j = 0; j < steps; ++j)
-            out(j, k - from) = circle(((k * j) % steps + steps) % steps);
-    return out;
-}
 
 /// Number of the term that the motion turns with on average over the period.
 Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {

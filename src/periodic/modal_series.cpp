@@ -1,5 +1,6 @@
 #include "periodic/modal_series.h"
 
+#include "assembly/hill_system.h"
 #include "linalg/check.h"
 #include "linalg/dense/general_eigen.h"
 #include "linalg/dense/products.h"
@@ -27,25 +28,8 @@ using Eigen::VectorXcd;
 constexpr double defective = 1e-9;
 constexpr Index fewest = 2 * 3 + 1; // terms
 
-/// The middle column of as many more or fewer as make `columns`, zeros beyond.
-MatrixXcd of_terms(const MatrixXcd &terms, Index columns) {
-    MatrixXcd out = MatrixXcd::Zero(terms.rows(), columns);
-    const Index few = std::min(columns, terms.cols());
-    out.middleCols((columns - few) / 2, few) = terms.middleCols((terms.cols() - few) / 2, few);
-    return out;
-}
-
 Complex product(const MatrixXcd &a, const MatrixXcd &b) {
     return a.conjugate().cwiseProduct(b).sum();
-}
-
-/// The same motion with its term k + places as term k.
-MatrixXcd moved(const MatrixXcd &terms, Index places) {
-    MatrixXcd out = MatrixXcd::Zero(terms.rows(), terms.cols());
-    const Index kept = terms.cols() - std::abs(places);
-    out.middleCols(std::max<Index>(0, -places), kept) =
-        terms.middleCols(std::max<Index>(0, places), kept);
-    return out;
 }
 
 } // namespace
@@ -275,7 +259,7 @@ std::optional<SeriesMotion> ModalSeries::whole(const Settled &found) const {
     while (places == 0 && terms - 2 * fewer > fewest && ends(fewer + 1) < far_too_many)
         ++fewer;
     const auto shown = [&](const MatrixXcd &states) {
-        return of_terms(moved(states, places), terms - 2 * fewer);
+        return assembly::middle_terms(assembly::moved_terms(states, places), terms - 2 * fewer);
     };
     return SeriesMotion{found.value + Complex(0, 2 * _speed * static_cast<double>(places)),
                         shown(_weights.cwiseInverse().asDiagonal() * z),
@@ -292,8 +276,8 @@ std::optional<SeriesMotion> ModalSeries::next_to(const SeriesMotion &guess) cons
     const MatrixXcd first_left = both ? linalg::adjoint_times(_R, MatrixXcd(back * guess.left))
                                       : solve_adjoint(guess.value, first);
     for (Index terms = std::max(fewest, first.cols()); terms <= most; terms += 4) {
-        MatrixXcd a = of_terms(first, terms);
-        MatrixXcd b = of_terms(first_left, terms);
+        MatrixXcd a = assembly::middle_terms(first, terms);
+        MatrixXcd b = assembly::middle_terms(first_left, terms);
         b /= std::conj(product(b, a));
         const std::optional<Settled> found = settled(a, b);
         if (!found)

@@ -1,10 +1,10 @@
 #include "reduction/planar_shapes.h"
 
+#include "assembly/planar_part.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "reduction/orthonormal.h"
-#include "reduction/planar_pair.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -57,7 +57,7 @@ constexpr double above_top = 2;
 
 PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top,
                            const Eigen::MatrixXd &columns) {
-    const PlanarPair pair = planar_pair(discretization, 0);
+    const assembly::PlanarPair pair = assembly::planar_pair(discretization, 0);
     const Sparse H = pair.K + top * top * pair.M;
     _H = Sparse(Eigen::VectorXd(H.diagonal().cwiseAbs()).asDiagonal());
     _shapes.resize(_H.rows(), 0);
@@ -65,7 +65,7 @@ PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, doubl
 }
 
 PlanarShapes::PlanarShapes(const assembly::Discretization &discretization, double top, int modes) {
-    const PlanarPair pair = planar_pair(discretization, 0);
+    const assembly::PlanarPair pair = assembly::planar_pair(discretization, 0);
     _H = pair.K + top * top * pair.M;
     _shapes.resize(_H.rows(), 0);
     const Eigen::MatrixXd bent =

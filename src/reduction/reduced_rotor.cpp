@@ -1,6 +1,7 @@
 #include "reduction/reduced_rotor.h"
 
 #include "assembly/assemble.h"
+#include "assembly/planar_part.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/dense/products.h"
@@ -8,7 +9,6 @@
 #include "linalg/symmetric_eigen.h"
 #include "model/errors.h"
 #include "reduction/orthonormal.h"
-#include "reduction/planar_pair.h"
 #include "reduction/reduction_error.h"
 
 #include <Eigen/SparseCholesky>
@@ -34,12 +34,12 @@ constexpr int most_modes = 60;
 
 /// Planar matrices of the whole rotor, shifted so that a free rotor is held: K + shift M is
 /// positive definite.
-struct PlanarPair : reduction::PlanarPair {
+struct HeldPair : assembly::PlanarPair {
     double shift = 0; ///< 1/s2
 };
 
-PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
-    PlanarPair pair{reduction::planar_pair(d, speed), 0};
+HeldPair held_pair(const assembly::Discretization &d, double speed) {
+    HeldPair pair{assembly::planar_pair(d, speed), 0};
     // At the least as much as holds a free rotor against the rounding of its stiffness.
     constexpr double rounding = 1e-13;
     pair.shift = 0.01 * speed * speed;
@@ -50,7 +50,7 @@ PlanarPair planar_pair(const assembly::Discretization &d, double speed) {
 }
 
 /// Mass-orthonormal combinations of the columns that make the stiffness diagonal, ascending.
-Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &columns) {
+Eigen::MatrixXd ritz_shapes(const HeldPair &pair, const Eigen::MatrixXd &columns) {
     Eigen::MatrixXd V(columns.rows(), 0);
     take_in(V, pair.M, columns, 1e-7);
     const Eigen::MatrixXd K = linalg::transposed_times(V, pair.K * V);
@@ -59,7 +59,7 @@ Eigen::MatrixXd ritz_shapes(const PlanarPair &pair, const Eigen::MatrixXd &colum
 
 /// Deflections K - speed^2 (M - sense G) gives under unit loads on these combinations: synchronous
 /// whirl, forward (sense 1) or backward (-1); static where that matrix is singular.
-Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double sense,
+Eigen::MatrixXd synchronous_shapes(const HeldPair &pair, double speed, double sense,
                                    const std::vector<assembly::Combination> &loaded) {
     const Eigen::MatrixXd forces = assembly::unit_loads(loaded, pair.M.rows());
     Sparse A = pair.K - speed * speed * (pair.M - sense * pair.G);
@@ -80,7 +80,7 @@ Eigen::MatrixXd synchronous_shapes(const PlanarPair &pair, double speed, double 
 class ShapeSource {
   public:
     ShapeSource(const assembly::Discretization &d, const ReductionGoal &goal)
-        : _pair(planar_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
+        : _pair(held_pair(d, goal.speed)), _small(d.rigid() || d.planar_size() <= small_enough) {
         if (_small)
             return;
         std::vector<assembly::Combination> loaded;
@@ -124,21 +124,24 @@ class ShapeSource {
     }
 
     [[nodiscard]] bool complete() const { return _small; }
-    [[nodiscard]] const PlanarPair &pair() const { return _pair; }
+    [[nodiscard]] const HeldPair &pair() const { return _pair; }
 
   private:
-    PlanarPair _pair;
+    HeldPair _pair;
     bool _small;
     Eigen::MatrixXd _at_places;
     Eigen::MatrixXd _at_bearings;
     std::vector<linalg::RealPair> _modes;
 };
 
-Eigen::MatrixXd rows_of(const Eigen::MatrixXd &shapes, std::span<const int> unknowns) {
-    Eigen::MatrixXd rows(static_cast<Eigen::Index>(unknowns.size()), shapes.cols());
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        rows.row(static_cast<Eigen::Index>(i)) = shapes.row(unknowns[i]);
-    return rows;
+/// Adds what a block on (x, y) between two planar unknowns is on the real form.
+void add_projected(const Eigen::MatrixXd &shapes, int i, int j, const Eigen::Matrix2d &block,
+                   Eigen::MatrixXd &target) {
+    const Eigen::Index r = shapes.cols();
+    const Eigen::MatrixXd product = shapes.row(i).transpose() * shapes.row(j);
+    for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b)
+            target.block(a * r, b * r, r, r) += block(a, b) * product;
 }
 
 ReducedRotor::Supports project_supports(const assembly::Discretization &d,
@@ -148,14 +151,9 @@ ReducedRotor::Supports project_supports(const assembly::Discretization &d,
                                     Eigen::MatrixXd::Zero(2 * r, 2 * r)};
     assembly::assemble_supports(
         d, speed, [&](Term term, int i, int j, const Eigen::Matrix2d &block) {
-            if (term != Term::stiffness && term != Term::damping)
-                return;
-            Eigen::MatrixXd &target =
-                term == Term::stiffness ? supports.stiffness : supports.damping;
-            const Eigen::MatrixXd product = shapes.row(i).transpose() * shapes.row(j);
-            for (int a = 0; a < 2; ++a)
-                for (int b = 0; b < 2; ++b)
-                    target.block(a * r, b * r, r, r) += block(a, b) * product;
+            if (term == Term::stiffness || term == Term::damping)
+                add_projected(shapes, i, j, block,
+                              term == Term::stiffness ? supports.stiffness : supports.damping);
         });
     return supports;
 }
@@ -175,7 +173,8 @@ void project_rotor(const assembly::Discretization &d, ReducedRotor &reduced) {
                 reduced.mass += v.dot(block * v);
                 return;
             }
-            const Eigen::MatrixXd rows = rows_of(reduced.shapes, unknowns);
+            const std::vector<int> at(unknowns.begin(), unknowns.end());
+            const Eigen::MatrixXd rows = reduced.shapes(at, Eigen::all);
             Eigen::MatrixXd &target = term == Term::stiffness    ? reduced.elastic
                                       : term == Term::gyroscopic ? reduced.gyroscopic
                                                                  : reduced.internal;
@@ -193,10 +192,7 @@ void project_masses_beside(const assembly::Discretization &d, ReducedRotor &redu
         if (term != Term::mass)
             return;
         const Eigen::Matrix2d beside = block - block.trace() / 2 * Eigen::Matrix2d::Identity();
-        const Eigen::MatrixXd product = reduced.shapes.row(i).transpose() * reduced.shapes.row(j);
-        for (int a = 0; a < 2; ++a)
-            for (int b = 0; b < 2; ++b)
-                reduced.mass_beside.block(a * r, b * r, r, r) += beside(a, b) * product;
+        add_projected(reduced.shapes, i, j, beside, reduced.mass_beside);
     });
     // Fluid moves with the foundation, or between shaft and pedestal: the load is the pedestals'.
     reduced.load_beside = Row::Zero(r);
@@ -208,7 +204,7 @@ void project_masses_beside(const assembly::Discretization &d, ReducedRotor &redu
         }
 }
 
-ReducedRotor project(const assembly::Discretization &d, const PlanarPair &pair,
+ReducedRotor project(const assembly::Discretization &d, const HeldPair &pair,
                      const Eigen::MatrixXd &shapes) {
     ReducedRotor reduced;
     reduced.shapes = shapes;

@@ -94,16 +94,7 @@ std::vector<double> whirl_speeds(const ReducedRotor &reduced, double speed, doub
 /// The full pencil with mean bearings and K shifted by shift M, so that it is definite.
 std::unique_ptr<linalg::DefinitePencil> full_pencil(const assembly::Discretization &d, double speed,
                                                     double shift) {
-    model::Rotor mean = d.rotor();
-    for (model::Bearing &bearing : mean.bearings) {
-        model::BearingCoefficients at = bearing.at(speed);
-        at.k = at.k.trace() / 2 * Eigen::Matrix2d::Identity();
-        at.kt = at.kt.trace() / 2 * Eigen::Matrix2d::Identity();
-        bearing.rows = {at};
-        bearing.speeds.clear();
-    }
-    const assembly::PlanarSystem system =
-        assembly::assemble_planar(assembly::Discretization(mean, d.order()), speed);
+    const assembly::PlanarSystem system = assembly::assemble_planar(d, speed);
     return std::make_unique<linalg::DefinitePencil>(
         linalg::Matrix::sum(1, system.K, shift, system.M), system.M, system.G);
 }

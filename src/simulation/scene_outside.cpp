@@ -1,8 +1,8 @@
 #include "simulation/scene_outside.h"
 
 #include "assembly/assemble.h"
+#include "assembly/planar_part.h"
 #include "forced/response_places.h"
-#include "reduction/planar_pair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ double scale_at_rest(const model::Case &scene, const assembly::Discretization &d
         fastest = std::max(fastest, std::abs(force.frequency));
     if (const auto &base = scene.simulate.base; base && base->harmonic)
         fastest = std::max(fastest, std::abs(base->harmonic->frequency));
-    const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
+    const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
     const std::vector<double> translation = d.rigid_motion(false);
     const Eigen::Map<const Eigen::VectorXd> v(translation.data(), std::ssize(translation));
     const double bounce = std::max(0.0, v.dot(pair.K * v)) / v.dot(pair.M * v);

@@ -2,9 +2,9 @@
 // elements resolve, on meshes of several orders.
 
 #include "analyses/stability.h"
+#include "assembly/planar_part.h"
 #include "ends/resolved_reach.h"
 #include "modes/form_matrices.h"
-#include "reduction/planar_pair.h"
 #include "support/scenes.h"
 
 #include <Eigen/Eigenvalues>
@@ -234,7 +234,7 @@ TEST(ResolvedEnds, TheModesBelowTheReachAreKnownToAPercent) {
         rotor.shaft.order = order;
         const assembly::Discretization d(rotor, order);
         const double reach = ends::resolved_up_to(d, nullptr, 0);
-        const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
+        const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
         const Eigen::VectorXd own = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
                                         Eigen::MatrixXd(pair.K), Eigen::MatrixXd(pair.M))
                                         .eigenvalues()

@@ -1,4 +1,4 @@
-#include "linalg/complex_factors.h"
+#include "linalg/band_matrix.h"
 
 #include "linalg/check.h"
 #include "linalg/lanes/symmetric_factors.h"
@@ -63,10 +63,9 @@ TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
                         A[static_cast<std::size_t>(lane)](j, i) =
                             i == j ? 3.0 + 2.0 * number(i + lane, j + 1) : number(i, j + lane);
         }
-    SymmetricFactor::Sparse pattern = A[0].sparseView();
+    SymmetricFactors::Sparse pattern = A[0].sparseView();
     pattern.makeCompressed();
-    SymmetricFactor one(pattern);
-    SymmetricFactors factors(one);
+    SymmetricFactors factors(pattern);
     Vector4 values(factors.entries());
     const std::vector<int> places = factors.places(static_cast<std::size_t>(pattern.nonZeros()));
     for (Eigen::Index j = 0; j < size; ++j)
@@ -91,10 +90,10 @@ TEST(SymmetricFactors, FourAtOnceAgreeWithDenseSolutions) {
 }
 
 TEST(SymmetricFactors, AZeroPivotIsToldInItsLane) {
-    SymmetricFactor::Sparse pattern(1, 1);
+    SymmetricFactors::Sparse pattern(1, 1);
     pattern.insert(0, 0) = 1;
     pattern.makeCompressed();
-    SymmetricFactors factors{SymmetricFactor(pattern)};
+    SymmetricFactors factors(pattern);
     Vector4 values(1);
     for (int lane = 0; lane < lanes; ++lane)
         values[0].set(lane, lane == 2 ? 0 : 1);

@@ -1,5 +1,6 @@
 #include "analyses/names/mode_naming.h"
 
+#include "assembly/discretization.h"
 #include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"

@@ -7,7 +7,7 @@ namespace whirl::linalg {
 namespace {
 
 /// Place of an entry of the pattern.
-int place_of(const GeneralFactors::Sparse &pattern, int row, int column) {
+int place_of(const EliminationPattern::Sparse &pattern, int row, int column) {
     const int *first = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column];
     const int *last = pattern.innerIndexPtr() + pattern.outerIndexPtr()[column + 1];
     return static_cast<int>(std::lower_bound(first, last, row) - pattern.innerIndexPtr());
@@ -16,17 +16,12 @@ int place_of(const GeneralFactors::Sparse &pattern, int row, int column) {
 } // namespace
 
 GeneralFactors::GeneralFactors(const Sparse &pattern)
-    : GeneralFactors(pattern, SymmetricFactor(pattern)) {}
-
-GeneralFactors::GeneralFactors(const Sparse &pattern, const SymmetricFactor &one)
-    : EliminationPattern(one), _L(_rows.size()), _U(_rows.size()), _inverse(_order.size()),
+    : EliminationPattern(pattern), _L(_rows.size()), _U(_rows.size()), _inverse(_order.size()),
       _left(_order.size(), Complex4{}), _above(_order.size(), Complex4{}), _x(_order.size()) {
     for (std::size_t column = 0; column < _order.size(); ++column)
         for (int p = _first[column]; p < _first[column + 1]; ++p) {
-            const auto [row, value] = one._entries[static_cast<std::size_t>(p)];
-            _entries.push_back(
-                {row, value,
-                 place_of(pattern, _order[column], _order[static_cast<std::size_t>(row)])});
+            const auto row = static_cast<std::size_t>(_entries[static_cast<std::size_t>(p)].row);
+            _mirrored.push_back(place_of(pattern, _order[column], _order[row]));
         }
 }
 
@@ -40,9 +35,10 @@ std::array<bool, lanes> GeneralFactors::factorize(const Vector4 &values) {
         const int *rows = _rows.data();
         for (std::size_t k = 0; k < _order.size(); ++k) {
             for (int p = _first[k]; p < _first[k + 1]; ++p) { // each once
-                const Entry &entry = _entries[static_cast<std::size_t>(p)];
-                above[entry.row] = values[static_cast<std::size_t>(entry.upper)];
-                left[entry.row] = values[static_cast<std::size_t>(entry.lower)];
+                const auto [row, place] = _entries[static_cast<std::size_t>(p)];
+                above[row] = values[static_cast<std::size_t>(place)];
+                left[row] =
+                    values[static_cast<std::size_t>(_mirrored[static_cast<std::size_t>(p)])];
             }
             Complex4 pivot = above[k];
             above[k] = left[k] = Complex4{};

@@ -13,7 +13,7 @@ namespace whirl::linalg {
 /// whoever solves with it looks at the residual.
 class GeneralFactors : private EliminationPattern {
   public:
-    using Sparse = Eigen::SparseMatrix<std::complex<double>>;
+    using EliminationPattern::Sparse;
 
     /// @param pattern  compressed, every entry with its mirror image, the whole diagonal
     explicit GeneralFactors(const Sparse &pattern);
@@ -26,13 +26,7 @@ class GeneralFactors : private EliminationPattern {
     void solve_transposed(Vector4 &b) const;
 
   private:
-    GeneralFactors(const Sparse &pattern, const SymmetricFactor &one);
-
-    /// An entry above the diagonal, or on it, and its mirror image: places in the pattern.
-    struct Entry {
-        int row, upper, lower;
-    };
-    std::vector<Entry> _entries; ///< by column, in the order of elimination
+    std::vector<int> _mirrored; ///< of each entry the place of its mirror image in the pattern
     Vector4 _L, _U, _inverse;
     Vector4 _left, _above; ///< a row and a column at work, zero between calls
     mutable Vector4 _x;

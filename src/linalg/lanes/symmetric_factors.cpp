@@ -6,14 +6,14 @@
 
 namespace whirl::linalg {
 
-SymmetricFactors::SymmetricFactors(const SymmetricFactor &one)
-    : EliminationPattern(one), _entries(one._entries), _L(_rows.size()), _D(_order.size()),
-      _inverse(_order.size()), _work(_order.size(), Complex4{}), _x(_order.size()) {}
+SymmetricFactors::SymmetricFactors(const Sparse &pattern)
+    : EliminationPattern(pattern), _L(_rows.size()), _D(_order.size()), _inverse(_order.size()),
+      _work(_order.size(), Complex4{}), _x(_order.size()) {}
 
 std::vector<int> SymmetricFactors::places(std::size_t nonzeros) const {
     std::vector<int> out(nonzeros, -1);
     for (std::size_t entry = 0; entry < _entries.size(); ++entry)
-        out[static_cast<std::size_t>(_entries[entry].value)] = static_cast<int>(entry);
+        out[static_cast<std::size_t>(_entries[entry].place)] = static_cast<int>(entry);
     return out;
 }
 
@@ -88,11 +88,11 @@ std::array<double, lanes> SymmetricFactors::determinant_phases() const {
     return phases;
 }
 
-RealEnergies::RealEnergies(const std::array<const RealEnergy *, lanes> &factors)
-    : _order(factors[0]->_order), _start(_order.size() + 1, 0), _columns(factors[0]->_rows.size()),
+RealEnergies::RealEnergies(const SymmetricFactors &factors)
+    : _order(factors._order), _start(_order.size() + 1, 0), _columns(factors._rows.size()),
       _L(_columns.size()), _inverse(_order.size()), _work(_order.size()) {
-    const std::vector<int> &by_columns = factors[0]->_start;
-    const std::vector<int> &rows = factors[0]->_rows;
+    const std::vector<int> &by_columns = factors._start;
+    const std::vector<int> &rows = factors._rows;
     for (const int row : rows)
         ++_start[static_cast<std::size_t>(row) + 1];
     std::partial_sum(_start.begin(), _start.end(), _start.begin());
@@ -102,12 +102,10 @@ RealEnergies::RealEnergies(const std::array<const RealEnergy *, lanes> &factors)
              p < static_cast<std::size_t>(by_columns[column + 1]); ++p) {
             const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(rows[p])]++);
             _columns[place] = static_cast<int>(column);
-            _L[place] = {factors[0]->_L[p], factors[1]->_L[p], factors[2]->_L[p],
-                         factors[3]->_L[p]};
+            _L[place] = factors._L[p].re;
         }
     for (std::size_t k = 0; k < _inverse.size(); ++k)
-        _inverse[k] = {factors[0]->_inverse[k], factors[1]->_inverse[k], factors[2]->_inverse[k],
-                       factors[3]->_inverse[k]};
+        _inverse[k] = factors._inverse[k].re;
 }
 
 /// With A = L D L^T it is the sum of |L^-1 b|^2 / D.

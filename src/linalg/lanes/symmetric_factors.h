@@ -1,6 +1,5 @@
 #pragma once
 
-#include "linalg/complex_factors.h"
 #include "linalg/lanes/complex4.h"
 #include "linalg/lanes/elimination_pattern.h"
 
@@ -12,8 +11,10 @@ namespace whirl::linalg {
 /// exchanged: whoever solves with it looks at the residual.
 class SymmetricFactors : private EliminationPattern {
   public:
-    /// @param one  its pattern and order of elimination
-    explicit SymmetricFactors(const SymmetricFactor &one);
+    using EliminationPattern::Sparse;
+
+    /// @param pattern  compressed, every entry with its mirror image, the whole diagonal
+    explicit SymmetricFactors(const Sparse &pattern);
 
     /// Of each nonzero of the pattern the place of its entry; none (-1) of those in the triangle
     /// that is the mirror image of the other.
@@ -31,17 +32,17 @@ class SymmetricFactors : private EliminationPattern {
     [[nodiscard]] std::array<double, lanes> determinant_phases() const;
 
   private:
-    std::vector<SymmetricFactor::Entry> _entries; ///< by column, in the order of elimination
+    friend class RealEnergies;
     Vector4 _L, _D, _inverse;
     Vector4 _work; ///< zero between calls
     mutable Vector4 _x;
 };
 
-/// b^H A^-1 b in four lanes, each with a real symmetric positive definite A of its own; all have
-/// one pattern.
+/// b^H A^-1 b in four lanes, each with a real symmetric positive definite A of its own.
 class RealEnergies {
   public:
-    explicit RealEnergies(const std::array<const RealEnergy *, lanes> &factors);
+    /// @param factors  of these A
+    explicit RealEnergies(const SymmetricFactors &factors);
 
     [[nodiscard]] std::array<double, lanes> operator()(const Vector4 &b) const;
 

@@ -109,6 +109,7 @@ class Continuation {
 
 /// A circle with at least `wanted` whirl modes in it, in the widest gap between moduli of pairs; 0
 /// where there is none.
-[[nodiscard]] double widest_gap(const FollowedSpeed &at, int wanted);
+/// @param whirling  false: any pairs count
+[[nodiscard]] double widest_gap(const FollowedSpeed &at, int wanted, bool whirling = true);
 
 } // namespace whirl::modes

@@ -1,6 +1,5 @@
 #include "linalg/check.h"
 #include "modes/following/continuation.h"
-#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ constexpr int beyond = 4;
 void drop_beyond(FollowedSpeed &at, int whirling) {
     std::vector<double> sizes;
     for (const SymmetricPair &pair : at.pairs)
-        if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
+        if (pair.whirls())
             sizes.push_back(std::abs(pair.value));
     if (std::ssize(sizes) <= whirling)
         return;

@@ -2,7 +2,6 @@
 
 #include "linalg/check.h"
 #include "linalg/lanes/vector_products.h"
-#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <cmath>
@@ -355,7 +354,7 @@ std::vector<double> enough_errors(const std::vector<SymmetricPair> &pairs, int s
         return out;
     std::vector<double> frequencies;
     for (const SymmetricPair &pair : pairs)
-        if (std::abs(pair.value.imag()) > real_axis * std::abs(pair.value))
+        if (pair.whirls())
             frequencies.push_back(std::abs(pair.value.imag()));
     if (slowest >= std::ssize(frequencies))
         return out;

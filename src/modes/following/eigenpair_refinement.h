@@ -1,6 +1,7 @@
 #pragma once
 
 #include "modes/following/symmetric_problem.h"
+#include "modes/whirl_mode.h"
 
 #include <Eigen/Core>
 
@@ -32,6 +33,10 @@ struct SymmetricPair {
     /// dx/dspeed, but for a multiple of x; empty: not known (only the next factors give it
     /// cheaply).
     Eigen::VectorXcd turn;
+
+    [[nodiscard]] bool whirls() const {
+        return std::abs(value.imag()) > real_axis * std::abs(value);
+    }
 };
 
 /// x^T Q(l) x = 0 at the l nearest the one given.

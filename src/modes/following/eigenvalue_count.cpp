@@ -1,7 +1,6 @@
 #include "linalg/check.h"
 #include "modes/following/continuation.h"
 #include "modes/following/winding.h"
-#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <array>
@@ -61,11 +60,10 @@ bool none_missing(const SymmetricProblem &problem, const FollowedSpeed &a, doubl
     return false; // a pivot that happens to be zero
 }
 
-double widest_gap(const FollowedSpeed &at, int wanted) {
-    std::vector<std::pair<double, bool>> sizes; // with whirl or without
+double widest_gap(const FollowedSpeed &at, int wanted, bool whirling) {
+    std::vector<std::pair<double, bool>> sizes; // and whether it counts
     for (const SymmetricPair &pair : at.pairs)
-        sizes.emplace_back(std::abs(pair.value),
-                           std::abs(pair.value.imag()) > real_axis * std::abs(pair.value));
+        sizes.emplace_back(std::abs(pair.value), !whirling || pair.whirls());
     std::sort(sizes.begin(), sizes.end());
     double radius = 0;
     double widest = 1;

@@ -2,7 +2,7 @@
 
 #include "linalg/lanes/vector_products.h"
 #include "modes/following/each_product.h"
-#include "modes/following/sorted_modes.h"
+#include "results/whirl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,13 +55,20 @@ void set_states(const SymmetricProblem &problem, double speed, const Eigen::Vect
 
 } // namespace
 
-GeneralSpectrum::Modes modes_of(const SymmetricProblem &problem, const FollowedSpeed &followed) {
-    GeneralSpectrum::Modes out;
+void set_planar_whirl(WhirlMode &mode, std::complex<double> value, bool positive, double speed) {
+    const bool forward = positive == (speed >= 0);
+    mode.rotating_value = value;
+    mode.whirl = forward ? results::Whirl::forward : results::Whirl::backward;
+    mode.forward_fraction = forward ? 1 : 0;
+}
+
+Spectrum modes_of(const SymmetricProblem &problem, const FollowedSpeed &followed) {
+    Spectrum out;
     out.complete_radius = followed.radius;
     out.modes.reserve(followed.pairs.size());
     for (std::size_t i = 0; i < followed.pairs.size(); ++i)
         if (!followed.pairs[i].counted_only && std::abs(followed.pairs[i].value) < followed.radius)
-            sort_in(followed.pairs[i].value, mode_of(problem, followed, i), out);
+            out.add(followed.pairs[i].value, mode_of(problem, followed, i));
     return out;
 }
 
@@ -112,7 +119,7 @@ ModeBasis basis_of(const SymmetricProblem &problem, const FollowedSpeed &followe
     return out;
 }
 
-StartingPairs starting_pairs(const GeneralSpectrum::Modes &found, results::Form form) {
+StartingPairs starting_pairs(const Spectrum &found, results::Form form) {
     StartingPairs out;
     for (const WhirlMode &mode : found.modes)
         out.whirls.emplace_back(form == results::Form::planar_damped ? mode.rotating_value

@@ -2,7 +2,6 @@
 
 #include "linalg/lanes/vector_products.h"
 #include "modes/following/unmixed.h"
-#include "modes/whirl_mode.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +132,8 @@ bool parallel(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b, double cosin
            cosine * cosine * linalg::dot(a, a).real() * linalg::dot(b, b).real();
 }
 
-/// Two pairs have become one.
+} // namespace
+
 bool coincide(const std::vector<SymmetricPair> &pairs) {
     for (std::size_t i = 0; i < pairs.size(); ++i)
         for (std::size_t j = i + 1; j < pairs.size(); ++j)
@@ -142,6 +142,8 @@ bool coincide(const std::vector<SymmetricPair> &pairs) {
                 return true;
     return false;
 }
+
+namespace {
 
 /// An eigenvalue of a real problem: real, or the one of two conjugates with Im > 0.
 /// @param real  it is known to be real
@@ -234,15 +236,11 @@ void set_mixed(GuessedSpeed &at) {
     }
 }
 
-bool whirls(const SymmetricPair &pair) {
-    return std::abs(pair.value.imag()) > real_axis * std::abs(pair.value);
-}
-
 } // namespace
 
 int FollowedSpeed::within(double size) const {
     return static_cast<int>(std::count_if(pairs.begin(), pairs.end(), [size](const auto &pair) {
-        return whirls(pair) && std::abs(pair.value) < size;
+        return pair.whirls() && std::abs(pair.value) < size;
     }));
 }
 

@@ -58,6 +58,9 @@ pairs_near(const SymmetricProblem &problem, double speed, std::vector<SymmetricP
 void settle_guesses(const SymmetricProblem &problem, std::vector<GuessedSpeed> &speeds,
                     int slowest);
 
+/// Two pairs have become one.
+[[nodiscard]] bool coincide(const std::vector<SymmetricPair> &pairs);
+
 /// A single pair at a speed, told from others by that it is the same motion as its guess.
 struct SinglePair {
     double speed;

@@ -70,14 +70,14 @@ std::optional<Planes> planes_of(const linalg::Matrix &matrix) {
 
 } // namespace
 
-std::vector<RealSparse> planar_parts(const assembly::Discretization &d) {
-    const assembly::DampedPlanarSystem s = assembly::assemble_damped_planar(d, 0);
+std::vector<RealSparse> planar_parts(const assembly::Discretization &d, double bearing_speed) {
+    const assembly::DampedPlanarSystem s = assembly::assemble_damped_planar(d, bearing_speed);
     return {s.M.view(), s.C.view(),  s.Cx.view(), -s.G.view(),
             s.K.view(), s.Kx.view(), -s.Kc.view()};
 }
 
-std::vector<RealSparse> general_parts(const assembly::Discretization &d) {
-    const assembly::FixedSystem s = assembly::assemble_fixed(d, 0);
+std::vector<RealSparse> general_parts(const assembly::Discretization &d, double bearing_speed) {
+    const assembly::FixedSystem s = assembly::assemble_fixed(d, bearing_speed);
     std::vector<Planes> planes;
     for (const linalg::Matrix *A : {&s.M, &s.C, &s.G, &s.K, &s.Kc}) {
         std::optional<Planes> part = planes_of(*A);

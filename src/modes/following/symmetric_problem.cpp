@@ -27,19 +27,20 @@ bool positive_definite(const RealSparse &A) {
 } // namespace
 
 std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretization &d,
-                                                       results::Form form) {
+                                                       results::Form form, double bearing_speed) {
     const bool planar = form == results::Form::planar_damped;
-    if ((!planar && form != results::Form::general) || d.rotor().bearings_depend_on_speed())
+    if (!planar && form != results::Form::general)
         return nullptr;
-    std::vector<RealSparse> matrices = planar ? planar_parts(d) : general_parts(d);
-    if (matrices.empty() || !positive_definite(matrices[stiffness]) ||
-        !positive_definite(matrices[mass]))
+    std::vector<RealSparse> matrices =
+        planar ? planar_parts(d, bearing_speed) : general_parts(d, bearing_speed);
+    if (matrices.empty() || !positive_definite(matrices[stiffness]))
         return nullptr;
     return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
 }
 
 SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
-    : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
+    : _size(static_cast<int>(matrices[mass].rows())), _form(form),
+      _massless(!positive_definite(matrices[mass])), _parts(parts),
       _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()),
       _inverse_scales(_scales.cwiseInverse()) {
     Sparse all(_size, _size);
@@ -49,15 +50,16 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
         if (A.nonZeros() > 0)
             all += A.cwiseAbs();
     }
-    _Q = all.cast<Complex>();
-    _Q.makeCompressed();
+    _pattern = all.cast<Complex>();
+    _pattern.makeCompressed();
     _absolute_sums.resize(static_cast<std::size_t>(_size));
     for (int part = 0; part < parts; ++part)
         add_part(static_cast<Part>(part), matrices[static_cast<std::size_t>(part)]);
-    _factor = std::make_unique<linalg::SymmetricFactor>(_Q);
-    _factors = std::make_unique<linalg::SymmetricFactors>(*_factor);
+    _factors = std::make_unique<linalg::SymmetricFactors>(_pattern);
+    _of_energies = std::make_unique<linalg::SymmetricFactors>(*_factors);
     _entries.resize(_factors->entries());
-    const std::vector<int> entries = _factors->places(static_cast<std::size_t>(_Q.nonZeros()));
+    const std::vector<int> entries =
+        _factors->places(static_cast<std::size_t>(_pattern.nonZeros()));
     for (Rows &rows : _parts)
         for (std::size_t p = 0; p < rows.place.size(); ++p)
             if (const int entry = entries[static_cast<std::size_t>(rows.place[p])]; entry >= 0)
@@ -67,7 +69,7 @@ SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results:
 
 void SymmetricProblem::set_everywhere() {
     _everywhere.resize(_entries.size());
-    std::vector<Everywhere> common(static_cast<std::size_t>(_Q.nonZeros()));
+    std::vector<Everywhere> common(static_cast<std::size_t>(_pattern.nonZeros()));
     for (const auto &[part, of] :
          {std::pair(mass, &Everywhere::M), std::pair(gyroscopic, &Everywhere::G),
           std::pair(stiffness, &Everywhere::K)}) {
@@ -80,14 +82,14 @@ void SymmetricProblem::set_everywhere() {
     set_rows(common);
 }
 
-/// @param common  by entries of _Q
+/// @param common  by entries of the pattern
 /// @param work    of each column of the row and what stands there
 template <class Work>
 void SymmetricProblem::for_row(const std::vector<Everywhere> &common, int row,
                                const Work &work) const {
     // The column of a symmetric matrix is its row.
-    for (int p = _Q.outerIndexPtr()[row]; p < _Q.outerIndexPtr()[row + 1]; ++p)
-        work(_Q.innerIndexPtr()[p], common[static_cast<std::size_t>(p)]);
+    for (int p = _pattern.outerIndexPtr()[row]; p < _pattern.outerIndexPtr()[row + 1]; ++p)
+        work(_pattern.innerIndexPtr()[p], common[static_cast<std::size_t>(p)]);
 }
 
 /// Whether both rows of a pair are alike, but for what is across.
@@ -162,13 +164,13 @@ void SymmetricProblem::add_part(Part part, const Sparse &matrix) {
         _absolute_sums[static_cast<std::size_t>(k)][part] = sums(k);
     Rows &rows = _parts[static_cast<std::size_t>(part)];
     for (int j = 0; j < _size; ++j) { // a row of a symmetric matrix is its column
-        const int *first = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j];
-        const int *last = _Q.innerIndexPtr() + _Q.outerIndexPtr()[j + 1];
+        const int *first = _pattern.innerIndexPtr() + _pattern.outerIndexPtr()[j];
+        const int *last = _pattern.innerIndexPtr() + _pattern.outerIndexPtr()[j + 1];
         for (Sparse::InnerIterator entry(A, j); entry; ++entry) {
             rows.column.push_back(static_cast<int>(entry.row()));
             rows.value.push_back(entry.value());
             rows.place.push_back(static_cast<int>(
-                std::lower_bound(first, last, rows.column.back()) - _Q.innerIndexPtr()));
+                std::lower_bound(first, last, rows.column.back()) - _pattern.innerIndexPtr()));
         }
         if (static_cast<int>(rows.column.size()) > rows.start.back()) {
             rows.row.push_back(j);

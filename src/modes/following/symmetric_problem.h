@@ -1,7 +1,6 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "linalg/complex_factors.h"
 #include "linalg/lanes/symmetric_factors.h"
 #include "results/formulation.h"
 
@@ -37,12 +36,16 @@ class SymmetricProblem {
     };
     static constexpr int parts = 7;
 
-    /// None where the form is another one or not symmetric so, where bearings change with the
-    /// speed, where the stiffness is not positive definite, or where something moves without mass.
+    /// None where the form is another one or not symmetric so, or where the stiffness is not
+    /// positive definite.
+    /// @param bearing_speed  rad/s, of the bearings' coefficients
     [[nodiscard]] static std::unique_ptr<SymmetricProblem>
-    of(const assembly::Discretization &discretization, results::Form form);
+    of(const assembly::Discretization &discretization, results::Form form,
+       double bearing_speed = 0);
 
     [[nodiscard]] int size() const { return _size; }
+    /// Something moves without mass.
+    [[nodiscard]] bool massless() const { return _massless; }
     [[nodiscard]] bool has(Part part) const {
         return !_parts[static_cast<std::size_t>(part)].value.empty();
     }
@@ -108,20 +111,19 @@ class SymmetricProblem {
     };
     int _size = 0;
     results::Form _form = results::Form::general;
+    bool _massless = false;
     std::vector<Rows> _parts;
     std::vector<std::array<double, parts>> _absolute_sums; ///< over the rows of |A|
     Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem
     Eigen::VectorXd _inverse_scales;
-    mutable linalg::SymmetricFactor::Sparse _Q;
-    mutable std::unique_ptr<linalg::SymmetricFactor> _factor; ///< of real matrices
-    mutable std::unique_ptr<linalg::SymmetricFactors> _factors;
+    linalg::SymmetricFactors::Sparse _pattern;
+    mutable std::unique_ptr<linalg::SymmetricFactors> _factors, _of_energies;
     std::vector<Everywhere> _everywhere;
     EverywhereRows _rows;
     Rows _M_across, _K_across;        ///< what of pairs is left
     mutable linalg::Vector4 _entries; ///< of four Q
     using Exponents = std::array<int, linalg::lanes>;
-    mutable std::map<int, linalg::RealEnergy> _energy; ///< by the exponent of two
-    mutable std::map<Exponents, linalg::RealEnergies> _energies;
+    mutable std::map<Exponents, linalg::RealEnergies> _energies; ///< by the exponents of two
 
     SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form);
     [[nodiscard]] Eigen::VectorXcd scaled_to_form(const Eigen::VectorXcd &vector,
@@ -134,10 +136,9 @@ class SymmetricProblem {
     void set_across(const std::vector<Everywhere> &common, double Everywhere::*of, Rows &across);
     template <int each> void multiply_everywhere(const linalg::Vector4 &x, Products &out) const;
     void add_part(Part part, const Sparse &A);
-    void add(Part part, double factor) const;
     [[nodiscard]] bool factorized(const linalg::Complex4 &l, const linalg::Real4 &speed,
                                   const linalg::Real4 &damped) const;
-    [[nodiscard]] const linalg::RealEnergy &energy_of(int exponent) const;
+    [[nodiscard]] linalg::RealEnergies energies_of(const Exponents &exponents) const;
 };
 
 } // namespace whirl::modes

@@ -44,17 +44,16 @@ struct Factor {
 
 } // namespace
 
-const linalg::RealEnergy &SymmetricProblem::energy_of(int exponent) const {
-    auto known = _energy.find(exponent);
-    if (known == _energy.end()) {
-        const double s = std::ldexp(1.0, exponent);
-        _Q.coeffs().setZero();
-        add(stiffness, 1);
-        add(mass, s * s);
-        _factor->factorize(_Q);
-        known = _energy.emplace(exponent, linalg::RealEnergy(*_factor)).first;
+linalg::RealEnergies SymmetricProblem::energies_of(const Exponents &exponents) const {
+    linalg::Real4 square{};
+    for (int lane = 0; lane < linalg::lanes; ++lane)
+        square[lane] = std::ldexp(1.0, 2 * exponents[static_cast<std::size_t>(lane)]);
+    for (std::size_t entry = 0; entry < _entries.size(); ++entry) {
+        const Everywhere &of = _everywhere[entry];
+        _entries[entry] = {of.M * square + of.K, {}};
     }
-    return known->second;
+    (void)_of_energies->factorize(_entries); // positive definite: no pivot is zero
+    return linalg::RealEnergies(*_of_energies);
 }
 
 std::array<double, linalg::lanes>
@@ -64,12 +63,8 @@ SymmetricProblem::energies(const linalg::Vector4 &b,
     for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
         exponents[lane] = std::ilogb(sizes[lane]);
     auto known = _energies.find(exponents);
-    if (known == _energies.end()) {
-        std::array<const linalg::RealEnergy *, linalg::lanes> each{};
-        for (std::size_t lane = 0; lane < linalg::lanes; ++lane)
-            each[lane] = &energy_of(exponents[lane]);
-        known = _energies.emplace(exponents, linalg::RealEnergies(each)).first;
-    }
+    if (known == _energies.end())
+        known = _energies.emplace(exponents, energies_of(exponents)).first;
     return known->second(b);
 }
 
@@ -172,13 +167,6 @@ std::array<double, linalg::lanes> SymmetricProblem::absolute_forms(const linalg:
         form[stiffness] + form[stiffness_turned] + turn * form[circulatory] +
         l * (form[damping] + form[damping_turned] + turn * form[gyroscopic] + l * form[mass]);
     return {sum[0], sum[1], sum[2], sum[3]};
-}
-
-void SymmetricProblem::add(Part part, double factor) const {
-    const Rows &A = _parts[static_cast<std::size_t>(part)];
-    Complex *Q = _Q.valuePtr();
-    for (std::size_t p = 0; p < A.value.size(); ++p)
-        Q[A.place[p]] += factor * A.value[p];
 }
 
 bool SymmetricProblem::factorized(const linalg::Complex4 &l, const linalg::Real4 &speed,

@@ -27,7 +27,7 @@ constexpr double of_average = 1.5;
 constexpr double turning = 4;
 
 /// Modes of a system over amplitudes of shapes: shapes in the fixed frame over all unknowns.
-RotatingSpectrum::Modes lifted(RotatingSpectrum::Modes found, const Eigen::MatrixXd *shapes) {
+Spectrum lifted(Spectrum found, const Eigen::MatrixXd *shapes) {
     if (shapes != nullptr)
         for (WhirlMode &mode : found.modes)
             mode.shape = reduction::Projection(*shapes).lifted(mode.shape);
@@ -78,9 +78,8 @@ std::optional<int> FloquetSpectrum::steps_for(double speed, double reach) const 
     return static_cast<int>(steps);
 }
 
-RotatingSpectrum::Modes FloquetSpectrum::shown(double speed,
-                                               const std::vector<periodic::FloquetSeries> &motions,
-                                               double complete_radius) const {
+Spectrum FloquetSpectrum::shown(double speed, const std::vector<periodic::FloquetSeries> &motions,
+                                double complete_radius) const {
     RotatingSpectrum::Eigenvalues found;
     found.complete_radius = complete_radius;
     for (const periodic::FloquetSeries &motion : motions)
@@ -95,8 +94,7 @@ RotatingSpectrum::Modes FloquetSpectrum::shown(double speed,
 }
 
 /// @param all  there are none beyond
-std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, double reach,
-                                                              bool all) const {
+std::optional<Spectrum> FloquetSpectrum::up_to(double speed, double reach, bool all) const {
     const std::optional<int> steps = steps_for(speed, reach);
     if (!steps)
         return std::nullopt;
@@ -104,8 +102,7 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::up_to(double speed, doub
                  all ? std::numeric_limits<double>::infinity() : reach);
 }
 
-std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_monodromy(double speed,
-                                                                     int wanted) const {
+std::optional<Spectrum> FloquetSpectrum::by_monodromy(double speed, int wanted) const {
     constexpr double more = 1.5;
     constexpr double margin = 1.15;
     const double size = std::abs(speed);
@@ -113,7 +110,7 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_monodromy(double spee
     double &usual = _usual[wanted];
     double reach = std::min(all, std::max(usual, 2 * size));
     while (true) {
-        std::optional<RotatingSpectrum::Modes> found = up_to(speed, reach, reach >= all);
+        std::optional<Spectrum> found = up_to(speed, reach, reach >= all);
         if (!found)
             return std::nullopt;
         std::vector<double> moduli;
@@ -171,8 +168,7 @@ FloquetSpectrum::Followed &FloquetSpectrum::followed(double speed, int wanted) c
     return out;
 }
 
-std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_following(double speed,
-                                                                     int wanted) const {
+std::optional<Spectrum> FloquetSpectrum::by_following(double speed, int wanted) const {
     if (std::abs(speed) > slow())
         return std::nullopt;
     Followed &all = followed(speed, wanted);
@@ -181,7 +177,7 @@ std::optional<RotatingSpectrum::Modes> FloquetSpectrum::by_following(double spee
     const auto motions = all.motions->at(speed);
     if (!motions)
         return std::nullopt;
-    RotatingSpectrum::Modes out = shown(speed, *motions, all.reach);
+    Spectrum out = shown(speed, *motions, all.reach);
     return static_cast<int>(out.modes.size()) >= wanted ? std::optional(std::move(out))
                                                         : std::nullopt;
 }
@@ -200,13 +196,12 @@ const RotatingSpectrum &FloquetSpectrum::series(double speed, int harmonics) con
 }
 
 /// With as few harmonics as leave hardly anything at the ends.
-RotatingSpectrum::Modes FloquetSpectrum::by_series(double speed, int wanted) const {
+Spectrum FloquetSpectrum::by_series(double speed, int wanted) const {
     constexpr int fewest = 2;
     constexpr double hardly = 1e-4; // its square is what eigenvalues are off by
     const Eigen::Index n = _rotor.system().M.size();
     for (int harmonics = std::min(fewest, _rotor.harmonics());; ++harmonics) {
-        RotatingSpectrum::Modes out =
-            series(speed, harmonics).modes(speed, wanted, Errors::of_right_vectors);
+        Spectrum out = series(speed, harmonics).modes(speed, wanted, Errors::of_right_vectors);
         const bool last = harmonics == _rotor.harmonics();
         const bool enough = std::all_of(out.modes.begin(), out.modes.end(), [&](const auto &mode) {
             const Eigen::VectorXcd &x = mode.rotating_vector;
@@ -233,8 +228,8 @@ bool FloquetSpectrum::tells(double speed, int wanted) const {
     return last == 0 || steps_for(speed, moduli[last - 1] + std::abs(speed)).has_value();
 }
 
-RotatingSpectrum::Modes FloquetSpectrum::modes(double speed, int wanted) const {
-    std::optional<RotatingSpectrum::Modes> found;
+Spectrum FloquetSpectrum::modes(double speed, int wanted) const {
+    std::optional<Spectrum> found;
     if (speed != 0)
         found = by_following(speed, wanted);
     if (!found && speed != 0)

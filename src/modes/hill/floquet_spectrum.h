@@ -34,7 +34,7 @@ class FloquetSpectrum {
     /// At least the `wanted` modes with the lowest frequencies in the fixed frame, or all; shapes
     /// over the planar unknowns of the discretization, vectors over those of the rotor.
     /// @throws linalg::SolverError
-    [[nodiscard]] RotatingSpectrum::Modes modes(double speed, int wanted) const;
+    [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
     /// Whether the matrix can tell that many modes at a speed: not next to rest, where half a turn
     /// takes so long that damped motions die out in it. Hill's series has so many copies of each
@@ -76,18 +76,14 @@ class FloquetSpectrum {
     /// Steps in time for motions up to a modulus as seen from the rotor; nothing where the matrix
     /// cannot tell.
     [[nodiscard]] std::optional<int> steps_for(double speed, double reach) const;
-    [[nodiscard]] RotatingSpectrum::Modes shown(double speed,
-                                                const std::vector<periodic::FloquetSeries> &motions,
-                                                double complete_radius) const;
-    [[nodiscard]] std::optional<RotatingSpectrum::Modes> up_to(double speed, double reach,
-                                                               bool all) const;
-    [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_monodromy(double speed,
-                                                                      int wanted) const;
+    [[nodiscard]] Spectrum shown(double speed, const std::vector<periodic::FloquetSeries> &motions,
+                                 double complete_radius) const;
+    [[nodiscard]] std::optional<Spectrum> up_to(double speed, double reach, bool all) const;
+    [[nodiscard]] std::optional<Spectrum> by_monodromy(double speed, int wanted) const;
     [[nodiscard]] Followed &followed(double speed, int wanted) const;
-    [[nodiscard]] std::optional<RotatingSpectrum::Modes> by_following(double speed,
-                                                                      int wanted) const;
+    [[nodiscard]] std::optional<Spectrum> by_following(double speed, int wanted) const;
     [[nodiscard]] const RotatingSpectrum &series(double speed, int harmonics) const;
-    [[nodiscard]] RotatingSpectrum::Modes by_series(double speed, int wanted) const;
+    [[nodiscard]] Spectrum by_series(double speed, int wanted) const;
 };
 
 } // namespace whirl::modes

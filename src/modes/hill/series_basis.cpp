@@ -34,23 +34,6 @@ Series at_rest(Series terms, Eigen::Index parts) {
     return terms;
 }
 
-Series with_harmonics(int harmonics, const Series &terms) {
-    const Eigen::Index columns = 2 * harmonics + 1;
-    Series out = Series::Zero(terms.rows(), columns);
-    const Eigen::Index few = std::min(columns, terms.cols());
-    out.middleCols((columns - few) / 2, few) = terms.middleCols((terms.cols() - few) / 2, few);
-    return out;
-}
-
-/// The same motion with its term k + places as term k.
-Series moved(const Series &terms, Eigen::Index places) {
-    Series out = Series::Zero(terms.rows(), terms.cols());
-    for (Eigen::Index k = 0; k < terms.cols(); ++k)
-        if (k + places >= 0 && k + places < terms.cols())
-            out.col(k) = terms.col(k + places);
-    return out;
-}
-
 /// Displacements and rates of all terms below each other; of unit energy with `scale` as the
 /// frequency of displacements.
 class State {
@@ -125,13 +108,14 @@ ModeBasis series_basis(const Eigen::SparseMatrix<double> &mass, Eigen::Index par
                            assembly::hill_terms(mode.rotating_vector, mass.rows())};
         if (slow && spectrum.speed != 0)
             motion = without_modulation(M, spectrum.speed, motion);
-        Series terms = with_harmonics(harmonics, motion.terms);
+        Series terms = assembly::middle_terms(motion.terms, 2 * harmonics + 1);
         if (spectrum.speed == 0)
             terms = at_rest(std::move(terms), parts);
         Eigen::Index column = i;
         const auto put = [&](const Series &copy, Complex value, int places) {
             const Complex moved_value = value + i_unit * (2 * places * spectrum.speed);
-            state.put(moved(copy, places), moved_value, right.col(column), weighted.col(column));
+            state.put(assembly::moved_terms(copy, places), moved_value, right.col(column),
+                      weighted.col(column));
             column += count;
         };
         const Series turned = terms.rowwise().reverse().conjugate();

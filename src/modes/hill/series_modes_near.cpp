@@ -53,17 +53,6 @@ bool opposite(results::Whirl a, results::Whirl b) {
 
 } // namespace
 
-bool met_twice(const std::vector<WhirlMode> &before, const std::vector<WhirlMode> &after) {
-    const auto apart = [](Complex a, Complex b) { return std::abs(a - b) > 1e-8 * std::abs(a); };
-    for (std::size_t i = 0; i < after.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (!apart(after[i].rotating_value, after[j].rotating_value) &&
-                apart(before[i].rotating_value, before[j].rotating_value)) {
-                return true;
-            }
-    return false;
-}
-
 WhirlMode over_all_unknowns(WhirlMode mode, const Eigen::MatrixXd *shapes, int unknowns) {
     if (shapes == nullptr)
         return mode;
@@ -85,6 +74,8 @@ std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
     if (speed == 0)
         return {};
     std::vector<WhirlMode> out;
+    std::vector<Complex> before;
+    std::vector<Complex> after;
     for (const WhirlMode &guess : guesses) {
         const auto pair = pair_near(rotor, whole, speed, guess);
         if (!pair)
@@ -93,8 +84,10 @@ std::vector<WhirlMode> series_modes_near(const RotatingSpectrum &rotor,
         out.back().eigenvalue = determined_value(out.back());
         if (opposite(out.back().whirl, guess.whirl))
             return {};
+        before.push_back(guess.rotating_value);
+        after.push_back(pair->value);
     }
-    return met_twice(guesses, out) ? std::vector<WhirlMode>() : out;
+    return met_twice(before, after) ? std::vector<WhirlMode>() : out;
 }
 
 } // namespace whirl::modes

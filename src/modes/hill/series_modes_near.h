@@ -22,10 +22,6 @@ namespace whirl::modes {
                                                        double speed,
                                                        const std::vector<WhirlMode> &guesses);
 
-/// Two modes that were apart have come to the same eigenvalue in rotating axes.
-[[nodiscard]] bool met_twice(const std::vector<WhirlMode> &before,
-                             const std::vector<WhirlMode> &after);
-
 /// A mode of a rotor of form hill on few shapes: its vector in rotating axes over all unknowns.
 /// @param shapes    N x r planar shapes; none: it is
 /// @param unknowns  of the rotor on few shapes

@@ -32,8 +32,8 @@ FewShapes::FewShapes(const assembly::Discretization &d, reduction::PlanarShapes 
       _spectrum(d, reduction::Projection(_shapes.matrix()).of(_whole)),
       _matrices(d, _spectrum.system()), _stiffness(_shapes.metric()) {}
 
-GeneralSpectrum::Modes FewShapes::modes(double speed, int wanted) const {
-    GeneralSpectrum::Modes out = _spectrum.modes(speed, wanted, Errors::of_right_vectors);
+Spectrum FewShapes::modes(double speed, int wanted) const {
+    Spectrum out = _spectrum.modes(speed, wanted, Errors::of_right_vectors);
     std::stable_sort(out.modes.begin(), out.modes.end(), [](const auto &a, const auto &b) {
         return a.eigenvalue.imag() < b.eigenvalue.imag();
     });

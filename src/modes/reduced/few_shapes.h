@@ -25,7 +25,7 @@ class FewShapes {
 
     /// As those of GeneralSpectrum, over all unknowns of the rotor; no more than the `wanted`
     /// lowest.
-    [[nodiscard]] GeneralSpectrum::Modes modes(double speed, int wanted) const;
+    [[nodiscard]] Spectrum modes(double speed, int wanted) const;
 
     /// Over the amplitudes of the shapes in pairs (x, y).
     [[nodiscard]] const FormMatrices &matrices() const { return _matrices; }

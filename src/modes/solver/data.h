@@ -70,6 +70,15 @@ struct SpectrumSolver::Data {
         return *known;
     }
 
+    /// A form of the fixed frame with the bearings of a speed.
+    /// @param planar  of SymmetricSpectrum alone
+    template <class Form, class... Planar>
+    Form &at_speed(std::unique_ptr<Form> &known, double speed, Planar... planar) {
+        if (tables)
+            known.reset();
+        return made(known, d, planar..., tables ? speed : 0.0);
+    }
+
     /// Form rotating: from now on by few shapes, where they do.
     void take_turning(FewTurning::Range range) {
         if (form != results::Form::rotating || tables ||
@@ -90,11 +99,13 @@ struct SpectrumSolver::Data {
                         : made(_matrices, d, form, balancers);
     }
 
-    /// None where the matrices are not symmetric.
+    /// None where the matrices are not symmetric, bearings change with the speed, or something
+    /// moves without mass.
     const SymmetricProblem *symmetric_matrices() {
         if (!_symmetric_problem)
-            _symmetric_problem = SymmetricProblem::of(d, form);
-        return _symmetric_problem->get();
+            _symmetric_problem = tables ? nullptr : SymmetricProblem::of(d, form);
+        const SymmetricProblem *found = _symmetric_problem->get();
+        return found == nullptr || found->massless() ? nullptr : found;
     }
 
   private:

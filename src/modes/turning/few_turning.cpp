@@ -1,12 +1,12 @@
 #include "modes/turning/few_turning.h"
 
 #include "assembly/frequency_scales.h"
+#include "assembly/planar_part.h"
 #include "assembly/planes.h"
 #include "linalg/check.h"
 #include "linalg/dense/cholesky.h"
 #include "linalg/dense/products.h"
 #include "linalg/symmetric_eigen.h"
-#include "reduction/planar_pair.h"
 #include "reduction/planar_shapes.h"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ constexpr double large_share = 0.6;
 /// What bends the shaft, K + top^2 M in a plane, as L L^T; by its diagonal where it is not
 /// positive.
 Eigen::MatrixXd metric_factor(const assembly::Discretization &d, double top) {
-    const reduction::PlanarPair pair = reduction::planar_pair(d, 0);
+    const assembly::PlanarPair pair = assembly::planar_pair(d, 0);
     const Eigen::MatrixXd H = pair.K + top * top * pair.M;
     if (std::optional<Eigen::MatrixXd> factor = linalg::cholesky(H))
         return *std::move(factor);
@@ -108,18 +108,6 @@ void keep_near(RotatingSpectrum::Eigenvalues &found, int wanted, double radius) 
     }
     std::sort(pairs.begin(), pairs.end(),
               [](const auto &a, const auto &b) { return std::abs(a.value) < std::abs(b.value); });
-}
-
-/// Two that were apart have come to the same eigenvalue.
-bool one_met_twice(const std::vector<std::complex<double>> &before, const Pairs &after) {
-    const auto apart = [](std::complex<double> a, std::complex<double> b) {
-        return std::abs(a - b) > 1e-8 * std::abs(a);
-    };
-    for (std::size_t i = 0; i < after.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (!apart(after[i].value, after[j].value) && apart(before[i], before[j]))
-                return true;
-    return false;
 }
 
 } // namespace
@@ -208,12 +196,13 @@ Eigen::VectorXcd FewTurning::lifted(const Eigen::VectorXcd &reduced) const {
     return out;
 }
 
-std::optional<RotatingSpectrum::Modes> FewTurning::modes(double speed, int wanted) try {
+std::optional<Spectrum> FewTurning::modes(double speed, int wanted) try {
     RotatingSpectrum::Lowest lowest = _few.lowest(speed, wanted);
     if (!lowest.enough || !_pencil.set_speed(speed))
         return std::nullopt;
     keep_near(lowest.found, wanted, lowest.highest + std::abs(speed));
     std::vector<std::complex<double>> before;
+    std::vector<std::complex<double>> after;
     Pairs refined;
     Pairs others;
     for (linalg::ComplexPair &pair : lowest.found.pairs) {
@@ -227,9 +216,10 @@ std::optional<RotatingSpectrum::Modes> FewTurning::modes(double speed, int wante
         std::optional<linalg::ComplexPair> whole = _pencil.refined(pair);
         if (!whole)
             return std::nullopt;
+        after.push_back(whole->value);
         refined.push_back(*std::move(whole));
     }
-    if (one_met_twice(before, refined))
+    if (met_twice(before, after))
         return std::nullopt;
     std::move(refined.begin(), refined.end(), std::back_inserter(others));
     lowest.found.pairs = std::move(others);
@@ -243,7 +233,7 @@ std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor, Turning
     if (!pencil.set_speed(speed))
         return {};
     std::vector<std::complex<double>> before;
-    Pairs pairs;
+    std::vector<std::complex<double>> after;
     std::vector<WhirlMode> out;
     constexpr double farthest = 0.03; // of a mode that the guesses' mesh hardly resolves
     for (const WhirlMode &guess : guesses) {
@@ -255,9 +245,9 @@ std::vector<WhirlMode> turning_modes_near(const RotatingSpectrum &rotor, Turning
         out.push_back(rotor.in_fixed_frame(*pair, speed));
         if (speed != 0 && out.back().whirl != guess.whirl)
             return {};
-        pairs.push_back(*std::move(pair));
+        after.push_back(pair->value);
     }
-    return one_met_twice(before, pairs) ? std::vector<WhirlMode>() : out;
+    return met_twice(before, after) ? std::vector<WhirlMode>() : out;
 }
 
 } // namespace whirl::modes

@@ -43,7 +43,7 @@ class FewTurning {
 
     /// As of the whole rotor, with left vectors, at a speed of the range other than 0; nothing
     /// where one of them cannot be had from those of the few shapes.
-    [[nodiscard]] std::optional<RotatingSpectrum::Modes> modes(double speed, int wanted);
+    [[nodiscard]] std::optional<Spectrum> modes(double speed, int wanted);
 
     /// Amplitudes of the shapes as unknowns of the whole rotor.
     [[nodiscard]] Eigen::VectorXcd lifted(const Eigen::VectorXcd &reduced) const;

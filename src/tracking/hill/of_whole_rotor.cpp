@@ -59,7 +59,8 @@ OfWholeRotor::at_speed(double speed, const std::vector<modes::WhirlMode> &guesse
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (found[i] && found[j] &&
-                modes::met_twice({guesses[i], guesses[j]}, {*found[i], *found[j]}))
+                modes::met_twice({guesses[i].rotating_value, guesses[j].rotating_value},
+                                 {found[i]->rotating_value, found[j]->rotating_value}))
                 out[i] = out[j] = std::nullopt;
     return out;
 }
