@@ -225,10 +225,7 @@ Json position_json(const BalancedPosition &of) {
 struct Best : results::BestPlace {
     std::string balancers;
     [[nodiscard]] std::string places(const char *format, const char *between) const {
-        std::vector<std::string> texts;
-        for (const double at : z)
-            texts.push_back(fmt::format(fmt::runtime(format), at));
-        return joined(texts, between);
+        return joined(z, between, [&](double at) { return fmt::format(fmt::runtime(format), at); });
     }
 };
 

@@ -127,15 +127,12 @@ std::string range_of_map(const CriticalMap &map) {
 } // namespace
 
 std::string bearings_text(const model::Case &scene, const std::vector<std::size_t> &bearings) {
-    std::vector<std::string> names;
-    for (const std::size_t i : bearings) {
+    return joined(bearings, ", ", [&](std::size_t i) {
         const model::Bearing &bearing = scene.rotor.bearings[i];
-        names.push_back(
-            bearing.name.empty()
-                ? fmt::format("bearing at {:.6g} {}", bearing.z * metres, unit_name("length", "m"))
-                : bearing.name);
-    }
-    return joined(names, ", ");
+        return bearing.name.empty() ? fmt::format("bearing at {:.6g} {}", bearing.z * metres,
+                                                  unit_name("length", "m"))
+                                    : bearing.name;
+    });
 }
 
 std::string coefficient_name(const CriticalMapBearing &across, bool x) {

@@ -25,10 +25,8 @@ namespace {
 
 /// Angles in degrees, such as "10, -20".
 std::string in_degrees(const std::vector<double> &angles, const char *format, const char *between) {
-    std::vector<std::string> texts;
-    for (const double angle : angles)
-        texts.push_back(fmt::format(fmt::runtime(format), angle * degrees));
-    return joined(texts, between);
+    return joined(angles, between,
+                  [&](double angle) { return fmt::format(fmt::runtime(format), angle * degrees); });
 }
 std::string page_angles(const std::vector<double> &angles) {
     return in_degrees(angles, "{:.6g}", ", ");
@@ -92,12 +90,8 @@ const Columns<OtherStart> start_columns{
      &OtherStart::residual_ratio},
     {"balls", &OtherStart::angles},
     {"amplitude", &OtherStart::amplitude},
-    {OnPage("Final angles (deg)"), [](const auto &start) {
-         std::vector<std::string> texts;
-         for (const std::vector<double> &angles : start.angles)
-             texts.push_back(page_angles(angles));
-         return joined(texts, "; ");
-     }}};
+    {OnPage("Final angles (deg)"),
+     [](const auto &start) { return joined(start.angles, "; ", page_angles); }}};
 
 /// The first motion and those from other starts, side by side.
 std::vector<OtherStart> all_starts(const SimulateResult &result) {

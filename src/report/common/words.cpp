@@ -108,11 +108,11 @@ std::string notes_text(const results::ModelSummary &model) {
 
 std::string bands_text(const std::vector<results::SpeedBand> &bands, const char *end,
                        const char *to, const char *between, double factor) {
-    std::vector<std::string> texts;
-    for (const results::SpeedBand &band : bands)
-        texts.push_back(fmt::format(fmt::runtime(end), band.from * factor) + to +
-                        fmt::format(fmt::runtime(end), band.to * factor));
-    return texts.empty() ? "none" : joined(texts, between);
+    const std::string text = joined(bands, between, [&](const results::SpeedBand &band) {
+        return fmt::format(fmt::runtime(end), band.from * factor) + to +
+               fmt::format(fmt::runtime(end), band.to * factor);
+    });
+    return bands.empty() ? "none" : text;
 }
 
 } // namespace whirl::report

@@ -24,6 +24,14 @@ inline constexpr double degrees = 180 / pi; ///< in one rad
 [[nodiscard]] std::string short_speed(double value);
 /// The texts one after another, with something between them.
 [[nodiscard]] std::string joined(const std::vector<std::string> &texts, const std::string &between);
+/// The same of `of(item)` for each item.
+template <class List, class Of>
+[[nodiscard]] std::string joined(const List &list, const std::string &between, const Of &of) {
+    std::vector<std::string> texts;
+    for (const auto &item : list)
+        texts.push_back(of(item));
+    return joined(texts, between);
+}
 
 /// The title of a case, or its name.
 [[nodiscard]] std::string title_of(const model::Case &scene);

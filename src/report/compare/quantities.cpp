@@ -32,6 +32,12 @@ const Json &list(const Json &object, const char *key) {
     return found != object.end() && found->is_array() ? *found : none;
 }
 
+/// The name of a place, or where it is.
+std::string name_or_place(const Json &of) {
+    const std::string name = text(of, "name");
+    return name.empty() ? fmt::format("at {:.6g} m", number(of, "z").value_or(0)) : name;
+}
+
 /// With an error that is relative to the value.
 void add(Quantities &all, const std::string &name, const char *unit, std::optional<double> value,
          std::optional<double> relative) {
@@ -111,10 +117,7 @@ void of_response(const Json &json, Quantities &all) {
     std::map<std::string, int> counted;
     for (const Json &peak : list(json, "peaks")) {
         const std::string of = text(peak, "of");
-        const std::string name = text(peak, "name");
-        const std::string place = fmt::format(
-            "{} {}", of,
-            name.empty() ? fmt::format("at {:.6g} m", number(peak, "z").value_or(0)) : name);
+        const std::string place = of + " " + name_or_place(peak);
         const std::string which = fmt::format("peak {} of {}", ++counted[place], place);
         add(all, which + ", speed", "rad/s", number(peak, "speed"), number(peak, "speed_error"));
         add(all, which, of == "bearing" ? "N" : "m", number(peak, "value"), number(peak, "error"));
@@ -143,31 +146,23 @@ void of_stability(const Json &json, Quantities &all) {
 
 /// What is left of a motion with balancers, and the largest amplitudes on the way.
 void of_simulate(const Json &json, Quantities &all) {
-    const auto place = [](const Json &of) {
-        const std::string name = text(of, "name");
-        return name.empty() ? fmt::format("at {:.6g} m", number(of, "z").value_or(0)) : name;
-    };
     add(all, "residual ratio", "", number(json, "residual_ratio"), std::nullopt);
     for (const Json &balancer : list(json, "balancers"))
-        add(all, fmt::format("amplitude of {} at the end", place(balancer)), "m",
+        add(all, fmt::format("amplitude of {} at the end", name_or_place(balancer)), "m",
             number(balancer, "amplitude"), std::nullopt);
     for (const Json &station : list(json, "stations")) {
-        add(all, "peak of " + place(station), "m", number(station, "peak"), std::nullopt);
-        add(all, fmt::format("peak of {}, speed", place(station)), "rad/s",
+        add(all, "peak of " + name_or_place(station), "m", number(station, "peak"), std::nullopt);
+        add(all, fmt::format("peak of {}, speed", name_or_place(station)), "rad/s",
             number(station, "peak_speed"), std::nullopt);
-        add(all, fmt::format("amplitude of {} at the end", place(station)), "m",
+        add(all, fmt::format("amplitude of {} at the end", name_or_place(station)), "m",
             number(station, "amplitude"), std::nullopt);
     }
 }
 
 void of_balance(const Json &json, Quantities &all) {
-    for (const Json &plane : list(json, "planes")) {
-        const std::string name = text(plane, "name");
-        add_bands(list(plane, "bands"), list(plane, "band_errors"),
-                  name.empty() ? fmt::format("plane at {:.6g} m", number(plane, "z").value_or(0))
-                               : "plane " + name,
+    for (const Json &plane : list(json, "planes"))
+        add_bands(list(plane, "bands"), list(plane, "band_errors"), "plane " + name_or_place(plane),
                   all);
-    }
     if (const auto joint = json.find("joint"); joint != json.end() && joint->is_object())
         add_bands(list(*joint, "bands"), list(*joint, "band_errors"), "all planes", all);
 }

@@ -67,6 +67,13 @@ std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor
     return points;
 }
 
+std::vector<PlotPoint> circle_points(double radius) {
+    std::vector<PlotPoint> points;
+    for (int k = 0; k <= 120; ++k)
+        points.push_back({radius * std::cos(k * pi / 60), radius * std::sin(k * pi / 60)});
+    return points;
+}
+
 void Curves::add(const std::vector<PlotPoint> &line, const std::string &look,
                  const std::string &title) {
     add_pieces({line}, look, title);

@@ -43,6 +43,9 @@ struct PlotPoint {
 [[nodiscard]] std::vector<PlotPoint> points_over(const std::vector<double> &x, double x_factor,
                                                  const std::vector<double> &y, double y_factor);
 
+/// A circle about the origin.
+[[nodiscard]] std::vector<PlotPoint> circle_points(double radius);
+
 /// A plot command with its data: curve by curve, as the legend lists them.
 class Curves {
   public:

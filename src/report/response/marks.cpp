@@ -264,10 +264,7 @@ std::string rings(double largest) {
     std::vector<std::vector<PlotPoint>> circles;
     std::string script;
     for (int i = 1; i * step <= largest * (1 + 1e-9); ++i) {
-        circles.emplace_back();
-        for (int k = 0; k <= 120; ++k)
-            circles.back().push_back(
-                {i * step * std::cos(k * pi / 60), i * step * std::sin(k * pi / 60)});
+        circles.push_back(circle_points(i * step));
         script += fmt::format("set label '{:.12g}' at {},{} center font ',9' textcolor '#777777'\n",
                               i * step, i * step * std::cos(pi / 4), -i * step * std::sin(pi / 4));
     }

@@ -66,13 +66,6 @@ PlotPoint at_angle(const Orbit &orbit, double angle) {
             orbit.y * std::cos(angle + orbit.y_phase) * still_micrometres};
 }
 
-std::vector<PlotPoint> round_about(double radius) {
-    std::vector<PlotPoint> points;
-    for (int k = 0; k <= 120; ++k)
-        points.push_back({radius * std::cos(k * pi / 60), radius * std::sin(k * pi / 60)});
-    return points;
-}
-
 /// A quarter of a turn after the phase mark, the way the orbit is run through.
 std::vector<PlotPoint> arrow_head(const Orbit &orbit, double sign, double size) {
     constexpr double step = 1e-3; // of a turn
@@ -116,7 +109,7 @@ std::string orbit_panel(const Orbit &orbit, double sign) {
     std::string data;
     std::string plots;
     if (orbit.clearance && *orbit.clearance * still_micrometres <= reach) {
-        data += data_block("c", {round_about(*orbit.clearance * still_micrometres)});
+        data += data_block("c", {circle_points(*orbit.clearance * still_micrometres)});
         plots += fmt::format("$c with filledcurves closed fs solid 1 noborder fc rgb '#F4F6F8', "
                              "$c with lines lc rgb '{}' lw 1.6 dt (9,5) notitle, ",
                              clearance_colour);
