@@ -6,15 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <vector>
 
 namespace whirl::results {
 
 namespace {
 
 /// @param names  of all values of an enumeration, in its order
-template <class Enum> std::string name_of(Enum value, std::initializer_list<const char *> names) {
-    return names.begin()[static_cast<std::size_t>(value)];
+template <class Enum> std::string name_of(Enum value, const std::vector<const char *> &names) {
+    return names.at(static_cast<std::size_t>(value));
 }
 
 } // namespace
