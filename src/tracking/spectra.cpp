@@ -7,91 +7,73 @@
 
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 namespace whirl::tracking {
 
 namespace {
 
-/// Appends and reads plain values: all processes are one program on like machines.
-class Bytes {
+/// Plain values one after the other: all processes are one program on like machines.
+class Written {
   public:
-    explicit Bytes(std::vector<char> data = {}) : _data(std::move(data)) {}
-
-    template <class T> void put(const T *values, std::size_t count) {
-        const auto *first = reinterpret_cast<const char *>(values);
-        _data.insert(_data.end(), first, first + count * sizeof(T));
+    template <class T> void values(const T *first, std::size_t count) {
+        const auto *bytes = reinterpret_cast<const char *>(first);
+        _data.insert(_data.end(), bytes, bytes + count * sizeof(T));
     }
-    template <class T> void put(const T &value) { put(&value, 1); }
+    template <class Vector> void list(const Vector &vector) {
+        const auto size = static_cast<std::size_t>(vector.size());
+        values(&size, 1);
+        values(vector.data(), size);
+    }
+    std::size_t count(std::size_t size) {
+        values(&size, 1);
+        return size;
+    }
 
-    template <class T> void get(T *values, std::size_t count) {
-        std::memcpy(values, _data.data() + _next, count * sizeof(T));
+    [[nodiscard]] const std::vector<char> &data() const { return _data; }
+
+  private:
+    std::vector<char> _data;
+};
+
+/// The same values, read in the same order.
+class Read {
+  public:
+    explicit Read(std::vector<char> data) : _data(std::move(data)) {}
+
+    template <class T> void values(T *first, std::size_t count) {
+        std::memcpy(first, _data.data() + _next, count * sizeof(T));
         _next += count * sizeof(T);
     }
-    template <class T> T get() {
-        T value{};
-        get(&value, 1);
-        return value;
+    template <class Vector> void list(Vector &vector) {
+        using Size = decltype(vector.size());
+        vector.resize(static_cast<Size>(count(0)));
+        values(vector.data(), static_cast<std::size_t>(vector.size()));
     }
-    [[nodiscard]] const std::vector<char> &data() const { return _data; }
-    [[nodiscard]] bool at_end() const { return _next == _data.size(); }
+    std::size_t count(std::size_t size) {
+        values(&size, 1);
+        return size;
+    }
 
   private:
     std::vector<char> _data;
     std::size_t _next = 0;
 };
 
-void put(Bytes &bytes, const modes::Spectrum &spectrum) {
-    bytes.put(spectrum.speed);
-    bytes.put(spectrum.complete_radius);
-    bytes.put(spectrum.overdamped.size());
-    bytes.put(spectrum.overdamped.data(), spectrum.overdamped.size());
-    bytes.put(spectrum.modes.size());
-    bytes.put(spectrum.growing.size());
-    bytes.put(spectrum.growing.data(), spectrum.growing.size());
-    for (const modes::WhirlMode &mode : spectrum.modes) {
-        bytes.put(mode.eigenvalue);
-        bytes.put(mode.whirl);
-        bytes.put(mode.forward_fraction);
-        bytes.put(mode.residual);
-        bytes.put(mode.rounding);
-        bytes.put(mode.confirmed);
-        bytes.put(mode.frequency_rotating);
-        bytes.put(mode.other_frequency);
-        bytes.put(mode.rotating_value);
-        for (const Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
-            bytes.put(vector->size());
-            bytes.put(vector->data(), static_cast<std::size_t>(vector->size()));
-        }
+/// Writes a spectrum, or reads it.
+template <class Bytes, class Spectrum> void pass(Bytes &bytes, Spectrum &spectrum) {
+    const auto each = [&bytes](auto &...values) { (bytes.values(&values, 1), ...); };
+    const auto lists = [&bytes](auto &...vectors) { (bytes.list(vectors), ...); };
+    each(spectrum.speed, spectrum.complete_radius);
+    lists(spectrum.overdamped, spectrum.growing);
+    const std::size_t count = bytes.count(spectrum.modes.size());
+    if constexpr (!std::is_const_v<Spectrum>)
+        spectrum.modes.resize(count);
+    for (auto &mode : spectrum.modes) {
+        each(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.residual, mode.rounding,
+             mode.confirmed, mode.frequency_rotating, mode.other_frequency, mode.rotating_value);
+        lists(mode.shape, mode.left, mode.rotating_vector, mode.rotating_left);
     }
-}
-
-modes::Spectrum get_spectrum(Bytes &bytes) {
-    modes::Spectrum spectrum;
-    spectrum.speed = bytes.get<double>();
-    spectrum.complete_radius = bytes.get<double>();
-    spectrum.overdamped.resize(bytes.get<std::size_t>());
-    bytes.get(spectrum.overdamped.data(), spectrum.overdamped.size());
-    spectrum.modes.resize(bytes.get<std::size_t>());
-    spectrum.growing.resize(bytes.get<std::size_t>());
-    bytes.get(spectrum.growing.data(), spectrum.growing.size());
-    for (modes::WhirlMode &mode : spectrum.modes) {
-        mode.eigenvalue = bytes.get<std::complex<double>>();
-        mode.whirl = bytes.get<results::Whirl>();
-        mode.forward_fraction = bytes.get<double>();
-        mode.residual = bytes.get<double>();
-        mode.rounding = bytes.get<double>();
-        mode.confirmed = bytes.get<bool>();
-        mode.frequency_rotating = bytes.get<double>();
-        mode.other_frequency = bytes.get<std::optional<double>>();
-        mode.rotating_value = bytes.get<std::complex<double>>();
-        for (Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left}) {
-            vector->resize(bytes.get<Eigen::Index>());
-            bytes.get(vector->data(), static_cast<std::size_t>(vector->size()));
-        }
-    }
-    return spectrum;
 }
 
 /// Every process learns whether one of them failed, and throws the same.
@@ -129,7 +111,7 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     const auto processes = static_cast<std::size_t>(process::process_count());
     if (processes == 1)
         return spectra_alone(solver, speeds, wanted, follow);
-    Bytes mine;
+    Written mine;
     std::string failure;
     try {
         std::vector<double> own;
@@ -137,18 +119,18 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
              i += processes)
             own.push_back(speeds[i]);
         for (const modes::Spectrum &spectrum : spectra_alone(solver, own, wanted, follow))
-            put(mine, spectrum);
+            pass(mine, spectrum);
     } catch (const model::AnalysisFailure &error) {
         failure = error.what();
     }
     agree_on_failure(failure);
     std::vector<modes::Spectrum> spectra;
-    std::vector<Bytes> parts;
+    std::vector<Read> parts;
     for (std::vector<char> &part : process::gather(mine.data()))
         parts.emplace_back(std::move(part));
     if (!parts.empty())
         for (std::size_t i = 0; i < speeds.size(); ++i)
-            spectra.push_back(get_spectrum(parts[i % processes]));
+            pass(parts[i % processes], spectra.emplace_back());
     return spectra;
 }
 
