@@ -21,20 +21,8 @@ constexpr double same = 1e-6;
 
 bool near(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
 
-bool grows(const Motion &motion) { return motion.value.real() > motion.noise; }
-
 int growing(const std::vector<Motion> &motions) {
-    return static_cast<int>(std::ranges::count_if(motions, grows));
-}
-
-/// Motions that neither grow nor die out: without damping two of these meet and part.
-int neutral(const std::vector<Motion> &motions) {
-    return static_cast<int>(std::ranges::count_if(
-        motions, [](const Motion &m) { return std::abs(m.value.real()) <= m.noise; }));
-}
-
-const Motion &fastest(const std::vector<Motion> &motions) {
-    return *std::ranges::max_element(motions, {}, [](const Motion &a) { return a.value.real(); });
+    return static_cast<int>(std::ranges::count_if(motions, &Motion::grows));
 }
 
 bool begins_or_ends_growth(const StabilityEnd &end) {
@@ -59,7 +47,7 @@ void take_up(std::vector<StabilityEnd> &ends, const SpeedInterval &band, const M
              results::Form form, const SpeedInterval &range) {
     const std::vector<Motion> inside = at((band.first + band.second) / 2);
     const int count = std::max(1, growing(inside));
-    const double frequency = std::abs(fastest(inside).value.imag());
+    const double frequency = std::abs(stability::fastest_growing(inside).value.imag());
     for (const bool begins : {true, false}) {
         const double speed = begins ? band.first : band.second;
         if (speed == range.first || speed == range.second)
@@ -155,7 +143,9 @@ class CountSearch {
             end.speed = edge.value_or((a.speed + b.speed) / 2);
             constexpr double aside = 1e-5; // right beside the end damped ones hardly die out
             const double to_fewer = b.count > a.count ? -1 : 1;
-            const int still = neutral(_at(end.speed + to_fewer * aside * std::abs(end.speed)));
+            // without damping two motions that neither grow nor die out meet and part
+            const auto still = std::ranges::count_if(
+                _at(end.speed + to_fewer * aside * std::abs(end.speed)), &Motion::neutral);
             end.kind = still >= 2 ? EndKind::collision : EndKind::multiplier;
             end.growing_below = a.count;
             end.growing_above = b.count;
@@ -214,7 +204,7 @@ class CountSearch {
     [[nodiscard]] static const Motion &least_growing(const std::vector<Motion> &motions) {
         const Motion *out = &motions.front();
         for (const Motion &motion : motions)
-            if (grows(motion) && (!grows(*out) || motion.value.real() < out->value.real()))
+            if (motion.grows() && (!out->grows() || motion.value.real() < out->value.real()))
                 out = &motion;
         return *out;
     }

@@ -23,10 +23,6 @@ struct End {
     double beyond = 0; ///< distance to the next band or to the border of the range, rad/s
 };
 
-const Motion &fastest_growing(const std::vector<Motion> &motions) {
-    return *std::ranges::max_element(motions, {}, [](const Motion &a) { return a.value.real(); });
-}
-
 /// How far the end can lie from where the growth rises out of its noise.
 double blurred(const BandFinder &finder, const End &end, double &slope) {
     const double step = std::min(0.25 * end.width, 1e-4 * std::abs(end.speed));

@@ -16,8 +16,6 @@ constexpr int deepest = 20;
 /// Doubt within so small a part of the speed hides no band that counts.
 constexpr double minute = 1e-7;
 
-bool grows(const Motion &motion) { return motion.value.real() > motion.noise; }
-
 /// Vertex of the parabola through three points, the middle one the highest: how high it is.
 double vertex(double x0, double y0, double x1, double y1, double x2, double y2) {
     const double left = (y1 - y0) / (x1 - x0);
@@ -174,8 +172,8 @@ bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, 
 bool BandSearch::one_grows_through(const Continuation &next, const Look &a, const Look &b) {
     for (int i = 0; i < std::ssize(a.motions); ++i) {
         const int j = next.to[static_cast<std::size_t>(i)];
-        if (j != Continuation::nowhere && grows(a.motions[static_cast<std::size_t>(i)]) &&
-            grows(b.motions[static_cast<std::size_t>(j)]))
+        if (j != Continuation::nowhere && a.motions[static_cast<std::size_t>(i)].grows() &&
+            b.motions[static_cast<std::size_t>(j)].grows())
             return true;
     }
     return false;
@@ -227,7 +225,7 @@ void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &
             const auto expected = value_at(x);
             const auto nearest = std::ranges::min_element(
                 motions, {}, [&](const Motion &m) { return std::abs(m.value - expected); });
-            if (grows(*nearest) && !unstable) {
+            if (nearest->grows() && !unstable) {
                 unstable = true;
                 found = x;
             }

@@ -84,8 +84,7 @@ std::vector<RayleighFunctional::Admixture> admixtures(const std::vector<ComplexP
 void drop_sidebands(std::vector<Motion> &motions, double speed) {
     const double width = 2 * std::abs(speed);
     const auto same = [width](const Motion &a, const Motion &b) {
-        const Complex d = a.value - b.value;
-        return std::abs(Complex(d.real(), std::remainder(d.imag(), width))) < 1e-6 * width &&
+        return copies_apart(a.value, b.value, width) < 1e-6 * width &&
                std::abs(a.state.dot(b.state)) > 1 - 1e-6;
     };
     std::vector<Motion> kept;
@@ -296,8 +295,7 @@ struct MotionSolver::Data {
     [[nodiscard]] bool matters(const Motion &motion, std::size_t rank, double speed) const {
         constexpr double border = 1.2; // where motions come and go
         return rank < static_cast<std::size_t>(fewest) ||
-               std::abs(motion.value) <= border * radius(speed) ||
-               motion.value.real() > motion.noise;
+               std::abs(motion.value) <= border * radius(speed) || motion.grows();
     }
 
     [[nodiscard]] Solved those_that_matter(double speed) const {
@@ -373,11 +371,21 @@ std::complex<double> copy_next_to(std::complex<double> other, const Motion &moti
     return {motion.value.real(), other.imag() + std::remainder(off, motion.repeats)};
 }
 
+double copies_apart(std::complex<double> a, std::complex<double> b, double repeats) {
+    const Complex off = a - b;
+    return std::abs(
+        Complex(off.real(), repeats != 0 ? std::remainder(off.imag(), repeats) : off.imag()));
+}
+
+const Motion &fastest_growing(const std::vector<Motion> &motions) {
+    return *std::ranges::max_element(motions, {},
+                                     [](const Motion &motion) { return motion.value.real(); });
+}
+
 double growth_of(const std::vector<Motion> &motions) {
     double growth = -std::numeric_limits<double>::infinity();
     for (const Motion &motion : motions) { // a blurred zero must not hide one that grows
-        const double real = motion.value.real();
-        growth = std::max(growth, std::abs(real) <= motion.noise ? 0 : real);
+        growth = std::max(growth, motion.neutral() ? 0 : motion.value.real());
     }
     return growth;
 }

@@ -21,7 +21,15 @@ struct Motion {
     bool may_meet = true;       ///< slow enough for a combination resonance at this speed
     double repeats = 0;         ///< copies of l lie i times this apart, rad/s; 0: there are none
     int action = 0;             ///< without damping its sign (FloquetMotion), where it is known
+
+    [[nodiscard]] bool grows() const { return value.real() > noise; }
+    /// Neither grows nor dies out beyond its noise.
+    [[nodiscard]] bool neutral() const { return std::abs(value.real()) <= noise; }
 };
+
+/// How far apart two values are where copies of both lie i times `repeats` apart (0: there are
+/// none), 1/s.
+[[nodiscard]] double copies_apart(std::complex<double> a, std::complex<double> b, double repeats);
 
 class PeriodicMotions;
 struct StabilityModel;
@@ -82,6 +90,9 @@ class MotionSolver {
 
 /// The value of a motion at that of its copies (Motion::repeats) which is next to another value.
 [[nodiscard]] std::complex<double> copy_next_to(std::complex<double> other, const Motion &motion);
+
+/// The one of largest real part.
+[[nodiscard]] const Motion &fastest_growing(const std::vector<Motion> &motions);
 
 /// Largest real part, 1/s; below the noise of the motions it is 0.
 [[nodiscard]] double growth_of(const std::vector<Motion> &motions);

@@ -228,7 +228,6 @@ class CoalescenceSearch {
         const Complex s = interpolated(_points, &PairPoint::s, speed);
         PairPoint best;
         double least = HUGE_VAL;
-        const auto grows = [](const Motion &motion) { return motion.value.real() > motion.noise; };
         for (const Motion &a : motions)
             for (const Motion &b : motions) {
                 if (&a == &b)
@@ -244,7 +243,7 @@ class CoalescenceSearch {
                 if (off < least) {
                     least = off;
                     best = point;
-                    best.grows = grows(a) || grows(b);
+                    best.grows = a.grows() || b.grows();
                 }
             }
         return best;
@@ -332,13 +331,9 @@ class PassingSearch {
         if (one == nullptr || other == nullptr)
             return std::nullopt;
         const Place out{speed, copy_next_to(first, *one), copy_next_to(second, *other),
-                        one->noise + other->noise, grows(*one) || grows(*other)};
+                        one->noise + other->noise, !one->neutral() || !other->neutral()};
         const double off = std::max(std::abs(out.first - first), std::abs(out.second - second));
         return out.grows || off <= 0.3 * _size ? std::optional(out) : std::nullopt;
-    }
-    /// Or dies out, as does the partner of one that grows.
-    [[nodiscard]] static bool grows(const Motion &motion) {
-        return std::abs(motion.value.real()) > motion.noise;
     }
     /// Of this action, or of none that can be told: where they have met.
     [[nodiscard]] static const Motion *nearest(const std::vector<Motion> &motions, Complex expected,

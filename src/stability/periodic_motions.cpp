@@ -39,11 +39,6 @@ constexpr std::size_t most_kept = 4000;
 /// Rounding that is ever there, of speed and modulus.
 constexpr double ever_there = 1e-11;
 
-double copies_apart(const FloquetMotion &a, const FloquetMotion &b, double repeats) {
-    const Complex off = a.value - b.value;
-    return std::abs(Complex(off.real(), std::remainder(off.imag(), repeats)));
-}
-
 /// Largest copies_apart over the speed of those up to a frequency to the nearest of the others.
 double largest_change(const Floquet &some, const Floquet &others, double reach, double speed) {
     double worst = 0;
@@ -52,7 +47,7 @@ double largest_change(const Floquet &some, const Floquet &others, double reach, 
             continue;
         double nearest = std::numeric_limits<double>::infinity();
         for (const FloquetMotion &other : others)
-            nearest = std::min(nearest, copies_apart(motion, other, 2 * speed) -
+            nearest = std::min(nearest, copies_apart(motion.value, other.value, 2 * speed) -
                                             100 * (other.noise + motion.noise));
         worst = std::max(worst, nearest / speed);
     }
@@ -204,8 +199,7 @@ PeriodicMotions::List PeriodicMotions::listed(double speed) const {
         if (_grows)
             one.shape = motion.shape;
         one.motion.noise = motion.noise + ever_there * std::max(size, std::abs(motion.value));
-        one.motion.may_meet = rigid || motion.frequency <= slow_enough * size ||
-                              motion.value.real() > one.motion.noise;
+        one.motion.may_meet = rigid || motion.frequency <= slow_enough * size || one.motion.grows();
         one.motion.repeats = 2 * size;   // at rest: none
         constexpr double blurred = 1e-4; // where two are about to meet
         if (std::abs(motion.action) > blurred)
@@ -263,10 +257,9 @@ std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bo
     for (Listed &one : list) {
         Motion &motion = one.motion;
         // And stays so, where nothing damps; else it is next to an end of growth.
-        const bool neutral =
-            !_discretization.rotor().damped() && std::abs(motion.value.real()) <= motion.noise;
-        const bool matters = motion.value.real() > motion.noise ||
-                             (!neutral && motion.value.real() >= most - 10 * agreement * size);
+        const bool neutral = !_discretization.rotor().damped() && motion.neutral();
+        const bool matters =
+            motion.grows() || (!neutral && motion.value.real() >= most - 10 * agreement * size);
         // Faster ones are looked at where the rotor turns faster: fewer harmonics tell there.
         if (motion.value.imag() < 0 || !(matters || (all && motion.may_meet)))
             continue;

@@ -50,9 +50,7 @@ bool PeriodicMotions::has_wanted() const {
             const double allowed =
                 closely * std::max(std::abs(speed), std::abs(one.value)) + 10 * one.noise;
             return std::ranges::any_of(list, [&](const Listed &other) {
-                const std::complex<double> off = one.value - other.motion.value;
-                return std::abs(std::complex<double>(
-                           off.real(), std::remainder(off.imag(), 2 * speed))) <= allowed;
+                return copies_apart(one.value, other.motion.value, 2 * speed) <= allowed;
             });
         });
     });

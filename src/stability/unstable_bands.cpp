@@ -15,8 +15,7 @@ namespace {
 class GrowthAlong {
   public:
     GrowthAlong(const MotionsAt &at, double unstable) : _at(at) {
-        const std::vector<Motion> motions = at(unstable);
-        _reference = *std::ranges::max_element(motions, by_growth);
+        _reference = fastest_growing(at(unstable));
     }
 
     struct Look {
@@ -50,7 +49,7 @@ class GrowthAlong {
         std::vector<double> off; // frequencies from that of the one followed
         for (const Motion &motion : motions) {
             const double here = motion.value.imag() - _reference.value.imag();
-            if (std::abs(motion.value.real()) <= motion.noise)
+            if (motion.neutral())
                 off.push_back(motion.repeats > 0 ? std::remainder(here, motion.repeats) : here);
         }
         if (off.size() < 2)

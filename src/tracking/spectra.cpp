@@ -7,6 +7,7 @@
 #include "results/whirl.h"
 
 #include <string>
+#include <type_traits>
 
 namespace whirl::tracking {
 
@@ -14,50 +15,35 @@ namespace {
 
 using process::Bytes;
 
-void put(Bytes &bytes, const modes::Spectrum &spectrum) {
-    bytes.put(spectrum.speed);
-    bytes.put(spectrum.complete_radius);
-    bytes.put_list(spectrum.overdamped);
-    bytes.put_list(spectrum.growing);
-    bytes.put(spectrum.modes.size());
-    for (const modes::WhirlMode &mode : spectrum.modes) {
-        bytes.put(mode.eigenvalue);
-        bytes.put(mode.whirl);
-        bytes.put(mode.forward_fraction);
-        bytes.put(mode.residual);
-        bytes.put(mode.rounding);
-        bytes.put(mode.confirmed);
-        bytes.put(mode.frequency_rotating);
-        bytes.put(mode.other_frequency);
-        bytes.put(mode.rotating_value);
-        for (const Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left})
-            bytes.put_list(*vector);
+/// All of a spectrum but how many modes it has.
+/// @param value  of each plain value
+/// @param list   of each list
+template <class Spectrum, class Value, class List>
+void each_part(Spectrum &spectrum, const Value &value, const List &list) {
+    const auto values = [&value](auto &...of) { (value(of), ...); };
+    const auto lists = [&list](auto &...of) { (list(of), ...); };
+    values(spectrum.speed, spectrum.complete_radius);
+    lists(spectrum.overdamped, spectrum.growing);
+    for (auto &mode : spectrum.modes) {
+        values(mode.eigenvalue, mode.whirl, mode.forward_fraction, mode.residual, mode.rounding,
+               mode.confirmed, mode.frequency_rotating, mode.other_frequency, mode.rotating_value);
+        lists(mode.shape, mode.left, mode.rotating_vector, mode.rotating_left);
     }
 }
 
-modes::Spectrum get_spectrum(Bytes &bytes) {
-    modes::Spectrum spectrum;
-    spectrum.speed = bytes.get<double>();
-    spectrum.complete_radius = bytes.get<double>();
-    bytes.get_list(spectrum.overdamped);
-    bytes.get_list(spectrum.growing);
+void put(Bytes &bytes, const modes::Spectrum &spectrum) {
+    bytes.put(spectrum.modes.size());
+    each_part(
+        spectrum, [&bytes](const auto &value) { bytes.put(value); },
+        [&bytes](const auto &list) { bytes.put_list(list); });
+}
+
+void get(Bytes &bytes, modes::Spectrum &spectrum) {
     spectrum.modes.resize(bytes.get<std::size_t>());
-    for (modes::WhirlMode &mode : spectrum.modes) {
-        mode.eigenvalue = bytes.get<std::complex<double>>();
-        mode.whirl = bytes.get<results::Whirl>();
-        mode.forward_fraction = bytes.get<double>();
-        mode.residual = bytes.get<double>();
-        mode.rounding = bytes.get<double>();
-        mode.confirmed = bytes.get<bool>();
-        mode.frequency_rotating = bytes.get<double>();
-        mode.other_frequency = bytes.get<std::optional<double>>();
-        mode.rotating_value = bytes.get<std::complex<double>>();
-        for (Eigen::VectorXcd *vector :
-             {&mode.shape, &mode.left, &mode.rotating_vector, &mode.rotating_left})
-            bytes.get_list(*vector);
-    }
-    return spectrum;
+    each_part(
+        spectrum,
+        [&bytes](auto &value) { value = bytes.get<std::remove_cvref_t<decltype(value)>>(); },
+        [&bytes](auto &list) { bytes.get_list(list); });
 }
 
 } // namespace
@@ -99,7 +85,7 @@ std::vector<modes::Spectrum> spectra_at(const modes::SpectrumSolver &solver,
     std::vector<Bytes> parts = process::gather(mine);
     if (!parts.empty())
         for (std::size_t i = 0; i < speeds.size(); ++i)
-            spectra.push_back(get_spectrum(parts[i % processes]));
+            get(parts[i % processes], spectra.emplace_back());
     return spectra;
 }
 

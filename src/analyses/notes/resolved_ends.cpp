@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -97,20 +98,14 @@ FasterBands faster_bands(const ends::AllMotions &motions, double top,
 void join_bands(const FasterBands &faster, results::StabilityResult &result) {
     std::vector<stability::SpeedInterval> all = result.resolved_unstable;
     all.insert(all.end(), faster.bands.begin(), faster.bands.end());
-    const auto error_of = [&](double end) {
-        using Intervals = const std::vector<stability::SpeedInterval> *;
-        for (const auto &[bands, errors] :
-             {std::pair<Intervals, Intervals>{&result.resolved_unstable,
-                                              &result.resolved_unstable_error},
-              {&faster.bands, &faster.errors}})
-            for (std::size_t i = 0; i < bands->size(); ++i) {
-                if ((*bands)[i].first == end)
-                    return (*errors)[i].first;
-                if ((*bands)[i].second == end)
-                    return (*errors)[i].second;
-            }
-        return 0.0;
+    std::map<double, double> error_of; // of each end, by its speed
+    const auto take = [&error_of](const auto &bands, const auto &errors) {
+        for (std::size_t i = 0; i < bands.size(); ++i)
+            error_of.insert(
+                {{bands[i].first, errors[i].first}, {bands[i].second, errors[i].second}});
     };
+    take(result.resolved_unstable, result.resolved_unstable_error);
+    take(faster.bands, faster.errors);
     // Where it is not known whether faster ones grow, a band may go on.
     const auto unknown = [&](double end) {
         const std::vector<double> &speeds = result.speeds;
@@ -124,8 +119,8 @@ void join_bands(const FasterBands &faster, results::StabilityResult &result) {
     result.unstable_error.clear();
     for (const auto &[from, to] : result.unstable) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        result.unstable_error.emplace_back(unknown(from) ? none : error_of(from),
-                                           unknown(to) ? none : error_of(to));
+        result.unstable_error.emplace_back(unknown(from) ? none : error_of.at(from),
+                                           unknown(to) ? none : error_of.at(to));
     }
 }
 

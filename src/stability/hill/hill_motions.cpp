@@ -1,5 +1,7 @@
 #include "stability/hill/hill_motions.h"
 
+#include "stability/motions.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,12 +48,7 @@ double largest_distance(const modes::RotatingSpectrum &spectrum, const Pairs &so
 } // namespace
 
 double apart(Complex a, Complex b, double repeats) {
-    const auto copy = [repeats](Complex difference) {
-        const double off = difference.imag();
-        return std::abs(
-            Complex(difference.real(), repeats != 0 ? std::remainder(off, repeats) : off));
-    };
-    return std::min(copy(a - b), copy(a - std::conj(b)));
+    return std::min(copies_apart(a, b, repeats), copies_apart(a, std::conj(b), repeats));
 }
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,

@@ -43,6 +43,13 @@ std::optional<double> real_at_branch_point(const modes::SpectrumSolver &solver, 
     return std::nullopt;
 }
 
+/// How fast the slowest of those that are not locked turns in the rotor, rad/s.
+double slowest(const Count &count) {
+    return count.others.empty()
+               ? std::abs(count.speed)
+               : turn_in_rotor(count.others.front(), count.speed, results::Form::hill);
+}
+
 } // namespace
 
 std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
@@ -55,10 +62,7 @@ std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const 
             const Count here = count_at(solver, speed, wanted);
             if (here.motions > outside.motions)
                 return std::nullopt;
-            const double turn = here.others.empty() ? speed
-                                                    : turn_in_rotor(here.others.front(), speed,
-                                                                    results::Form::hill);
-            return turn * turn;
+            return slowest(here) * slowest(here);
         });
     if (!found)
         return std::nullopt;
@@ -71,12 +75,6 @@ std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const 
 }
 
 namespace {
-
-double slowest(const Count &count) {
-    return count.others.empty()
-               ? std::abs(count.speed)
-               : turn_in_rotor(count.others.front(), count.speed, results::Form::hill);
-}
 
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
 /// Motions on higher multiples than these stand in the rotor as copies that hardly deflect: they
