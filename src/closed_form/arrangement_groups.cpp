@@ -1,6 +1,5 @@
 #include "arrangement_groups.h"
 
-#include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -129,7 +128,8 @@ bool restore_balance(GroupedPosition &position, double capacity) {
         if (equations.residual.norm() < 1e-15)
             return true;
         const Eigen::VectorXd step =
-            equations.jacobian.completeOrthogonalDecomposition().solve(equations.residual);
+            equations.jacobian.jacobiSvd(Eigen::ComputeThinU | Eigen::ComputeThinV)
+                .solve(equations.residual);
         for (Eigen::Index g = 0; g < step.size(); ++g)
             position.angles[g] -= step[g];
     }

@@ -2,7 +2,7 @@
 
 #include "arrangement_groups.h"
 
-#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -87,7 +87,8 @@ bool find_zero(const Target &target, std::vector<double> &angles) {
         }
         if (residual.norm() < 1e-13)
             return true;
-        Eigen::VectorXd step = jacobian.completeOrthogonalDecomposition().solve(residual);
+        Eigen::VectorXd step =
+            jacobian.jacobiSvd(Eigen::ComputeThinU | Eigen::ComputeThinV).solve(residual);
         step *= std::min(1.0, 0.5 / step.norm());
         for (Eigen::Index j = 0; j < n; ++j)
             angles[j] -= step[j];
