@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -251,10 +252,9 @@ std::vector<double> extreme_position(const std::vector<CircledMass> &masses, dou
     for (int index = 0; index < starts; ++index) {
         std::vector<double> angles = position_of_family(masses, imbalance, index);
         const double value = climb.descend(angles);
-        if (value < lowest) {
-            lowest = value;
+        if (best.empty() || value < lowest)
             best = std::move(angles);
-        }
+        lowest = std::min(lowest, value);
     }
     return best;
 }

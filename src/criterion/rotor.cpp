@@ -79,7 +79,8 @@ std::vector<double> reading_speeds(const BalanceScene &scene) {
     for (const double row : synchronous::table_speeds(scene.rotor))
         if (row > scene.from && row < scene.to)
             speeds.push_back(row);
-    speeds.push_back(scene.to);
+    if (scene.to > scene.from)
+        speeds.push_back(scene.to);
     return speeds;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -38,11 +39,15 @@ class Bytes {
     std::vector<char> _data;
     std::size_t _next = 0;
 
+    template <class T> static constexpr bool is_plain = std::is_trivially_copyable_v<T>;
+
     template <class T> void put(const T *values, std::size_t count) {
+        static_assert(is_plain<T>);
         const auto *first = reinterpret_cast<const char *>(values);
         _data.insert(_data.end(), first, first + count * sizeof(T));
     }
     template <class T> void get(T *values, std::size_t count) {
+        static_assert(is_plain<T>);
         if (count > 0) // an empty list has no address to copy to
             std::memcpy(values, _data.data() + _next, count * sizeof(T));
         _next += count * sizeof(T);

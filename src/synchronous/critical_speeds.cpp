@@ -64,6 +64,7 @@ void name_whirl(const Discretization &d, results::Form form, std::vector<modes::
         set_sense(d, form == results::Form::hyperbolic, modes);
 }
 
+/// @param list  with a branch each
 void sort_ascending(SynchronousModes &list) {
     std::vector<std::size_t> order(list.modes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

@@ -210,7 +210,5 @@ TEST(BalancedPosition, SymmetricPositionsBalance) {
                 two_ball_second_harmonic(1.5), 1e-15);
 }
 
-TEST(BalancedPosition, Capacity) { EXPECT_GT(balance_defect({1.0, -1.0}, 2.0), 0.5); }
-
 } // namespace
 } // namespace whirl::closed_form

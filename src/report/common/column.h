@@ -57,12 +57,22 @@ template <class Row> struct Column {
     ///               member, or function of the row, or of the row and its index
     template <class First, class Second, class... More>
     Column(First first, Second second, More... more) {
+        static_assert((place<First> + place<Second> + ... + place<More>) == sizeof...(More) + 1,
+                      "a column has one value");
         take(std::move(first));
         take(std::move(second));
         (take(std::move(more)), ...);
     }
 
   private:
+    /// 1 for where a column is, 0 for its value.
+    template <class Part>
+    static constexpr std::size_t place =
+        std::is_convertible_v<Part, std::string> || std::is_same_v<Part, InCsv> ||
+                std::is_base_of_v<Shown, Part>
+            ? 1
+            : 0;
+
     void take(std::string json_key) { key = std::move(json_key); }
     void take(const char *json_key) { key = json_key; }
     void take(InCsv part) { csv = std::move(part.heading); }

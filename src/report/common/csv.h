@@ -6,8 +6,10 @@ namespace whirl::report {
 
 /// A value for a CSV file: numbers with all digits, empty for what is missing or not finite, text
 /// in quotes where a comma, a quote or a line end would break the row.
+/// @param factor  of numbers, from csv_factors()
 [[nodiscard]] std::string csv_cell(const Json &value, double factor = 1);
-/// The first line of a file, its units, in brackets at the ends of headings, those asked for.
+/// The first line of a file, its units, in brackets at the ends of headings, those asked for: the
+/// numbers below are converted with csv_factors(), as csv_rows() does.
 [[nodiscard]] std::string csv_head_line(const std::vector<std::string> &head);
 /// What the numbers below the headings are multiplied by for these.
 [[nodiscard]] std::vector<double> csv_factors(const std::vector<std::string> &head);

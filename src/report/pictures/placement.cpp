@@ -161,9 +161,8 @@ Figure placement_figure(const model::Case &scene, const results::Placement &map)
             best_marks(scaled(map.best.z, metres), speeds.front(), speeds.back()) +
             operation_lines(scene, {speeds.front(), speeds.back()}, SpeedAxis::y) +
             heat_plot("one") +
-            "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\nset xlabel "
-            "'z "
-            "(m)'\n" +
+            "\nunset object\nunset arrow\nunset ylabel\nunset label\nset format x '%g'\n"
+            "set xlabel 'z (m)'\n" +
             panel_margins(0.09, 0.5, 60 * pixel, 1 - 600 * pixel) + rotor_panel(scene) +
             two_planes(map, length, pixel) + "\n");
 }
