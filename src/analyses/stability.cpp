@@ -83,11 +83,12 @@ zero_root_or_none(const assembly::Discretization &d, const balancers::Arrangemen
 void begin(stability::BandFinder &finder, std::vector<double> &grid,
            stability::StabilityModel &model) {
     finder.keep(grid);
+    // The shapes of the whole grid at once: more of them later would mean to begin anew.
     if (finder.solver().by_monodromy() != nullptr && grid.size() > 1)
         try {
             (void)finder.good_shapes(grid);
-        } catch (const stability::NotSettled &) {
-        } // more shapes later would mean to begin anew
+        } catch (const stability::NotSettled &) { // which give_up_unsettled looks at
+        }
     give_up_unsettled(finder, grid, model);
 }
 

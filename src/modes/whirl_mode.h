@@ -58,7 +58,8 @@ struct WhirlMode {
 /// The whirl modes at one spin speed with the lowest frequencies, with what else was met.
 struct Spectrum {
     double speed = 0; ///< rad/s
-    /// Ascending by frequency; as a form finds them in any order, at least as many as wanted.
+    /// Of a solver ascending by frequency, no more than wanted; of a form by itself in any order,
+    /// and there may be more.
     std::vector<WhirlMode> modes;
     std::vector<double> overdamped; ///< real eigenvalues met on the way, 1/s
     std::vector<double> growing;    ///< those of them above zero by more than their error

@@ -62,8 +62,7 @@ std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions,
     return out;
 }
 
-/// exp(-2 i k speed t) / steps at the beginnings of the steps, a column for each k of a row of
-/// them.
+/// exp(-2 i k speed t) / steps at the beginnings of the steps, a column for each k = from, ..., to.
 MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool backwards) {
     Eigen::VectorXcd circle(steps);
     for (Eigen::Index j = 0; j < steps; ++j)

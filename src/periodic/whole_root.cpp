@@ -3,7 +3,6 @@
 #include "assembly/hill_system.h"
 #include "assembly/rotating_system.h"
 #include "linalg/sparse_factor.h"
-#include "linalg/sparse_sum.h"
 #include "linalg/unit_scales.h"
 
 #include <algorithm>
@@ -85,69 +84,113 @@ struct WholeRotor::AtSpeed {
     }
 };
 
-/// The equations of the terms q_-N, ..., q_N, l^2 A2 + l A1 + A0. In the column of term k stand,
-/// with its exponent w = l + 2 i k speed, w^2 M + w D + K and, one row above and below, w C + K of
-/// the supports.
+/// The equations of the terms q_-N, ..., q_N. In the column of term k stand, with its exponent
+/// w = l + 2 i k speed, w^2 M + w D + K and, one row above and below, w C + K of the supports.
 class WholeRotor::Series {
   public:
     Series(const AtSpeed &rotor, int harmonics)
-        : _n(rotor.M.rows()), _blocks(2 * harmonics + 1), _A2(size(), size()), _A1(size(), size()),
-          _A0(size(), size()) {
+        : _rotor(rotor), _harmonics(harmonics), _n(rotor.M.rows()) {
         const Complex i(0, 1);
-        const ComplexSparse none(_n, _n);
-        std::array<ComplexSparse, 2> C; // to the row above, and below
-        std::array<ComplexSparse, 2> K;
         for (std::size_t side = 0; side < 2; ++side) { // cos = (e+ + e-)/2, sin = (e+ - e-)/2i
             const Complex half_sine = (side == 0 ? 0.5 : -0.5) * i;
-            C[side] = 0.5 * rotor.C_cosine.cast<Complex>() + half_sine * rotor.C_sine;
-            K[side] = 0.5 * rotor.K_cosine.cast<Complex>() + half_sine * rotor.K_sine;
+            _C[side] = 0.5 * rotor.C_cosine.cast<Complex>() + half_sine * rotor.C_sine;
+            _K[side] = 0.5 * rotor.K_cosine.cast<Complex>() + half_sine * rotor.K_sine;
         }
-        for (Eigen::Index block = 0; block < _blocks; ++block) {
-            const Complex w = i * (2 * static_cast<double>(block - harmonics) * rotor.speed);
-            put(_A2, block, {none, rotor.M.cast<Complex>(), none});
-            put(_A1, block, {C[0], 2.0 * w * rotor.M + rotor.D.cast<Complex>(), C[1]});
-            put(_A0, block,
-                {w * C[0] + K[0], linalg::sum(w * w, rotor.M, w, rotor.D, 1, rotor.K),
-                 w * C[1] + K[1]});
-        }
-        for (ComplexSparse *A : {&_A2, &_A1, &_A0})
-            A->finalize();
     }
 
-    [[nodiscard]] Eigen::Index size() const { return _n * _blocks; }
+    [[nodiscard]] Eigen::Index size() const { return _n * (2 * _harmonics + 1); }
 
+    /// Columns from the first to the last, each from the top.
     [[nodiscard]] ComplexSparse at(Complex l) const {
-        return linalg::sum(l * l, _A2, l, _A1, 1, _A0);
+        const Eigen::Index blocks = 2 * _harmonics + 1;
+        ComplexSparse out(size(), size());
+        out.reserve(blocks * (_rotor.M.nonZeros() + _rotor.D.nonZeros() + _rotor.K.nonZeros() +
+                              2 * (_C[0].nonZeros() + _K[0].nonZeros())));
+        for (Eigen::Index block = 0; block < blocks; ++block) {
+            const Complex w = exponent(l, block);
+            const ComplexSparse own = w * w * _rotor.M + w * _rotor.D + _rotor.K.cast<Complex>();
+            const std::array<ComplexSparse, 2> beside{w * _C[0] + _K[0], w * _C[1] + _K[1]};
+            for (Eigen::Index j = 0; j < _n; ++j) {
+                out.startVec(block * _n + j);
+                if (block > 0)
+                    insert(out, beside[0], j, block - 1, block);
+                insert(out, own, j, block, block);
+                if (block + 1 < blocks)
+                    insert(out, beside[1], j, block + 1, block);
+            }
+        }
+        out.finalize();
+        return out;
     }
+
     /// The derivative by l, times a vector.
     [[nodiscard]] Eigen::VectorXcd slope(Complex l, const Eigen::VectorXcd &x) const {
-        return 2.0 * l * (_A2 * x) + _A1 * x;
+        Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const auto here = x.segment(block * _n, _n);
+            out.segment(block * _n, _n) +=
+                2.0 * exponent(l, block) * (_rotor.M * here) + _rotor.D * here;
+            if (block > 0)
+                out.segment((block - 1) * _n, _n) += _C[0] * here;
+            if (block < 2 * _harmonics)
+                out.segment((block + 1) * _n, _n) += _C[1] * here;
+        }
+        return out;
     }
     /// The adjoint of the derivative, times a vector.
     [[nodiscard]] Eigen::VectorXcd adjoint_slope(Complex l, const Eigen::VectorXcd &y) const {
-        return std::conj(2.0 * l) * (_A2.adjoint() * y) + _A1.adjoint() * y;
+        Eigen::VectorXcd out(y.size());
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const auto here = y.segment(block * _n, _n);
+            auto into = out.segment(block * _n, _n);
+            into = std::conj(2.0 * exponent(l, block)) * (_rotor.M.transpose() * here) +
+                   _rotor.D.transpose() * here;
+            if (block > 0)
+                into += _C[0].adjoint() * y.segment((block - 1) * _n, _n);
+            if (block < 2 * _harmonics)
+                into += _C[1].adjoint() * y.segment((block + 1) * _n, _n);
+        }
+        return out;
     }
+
     /// y^H (l^2 A2 + l A1 + A0) x
     [[nodiscard]] Quadratic form(const Eigen::VectorXcd &y, const Eigen::VectorXcd &x) const {
-        return {y.dot(_A2 * x), y.dot(_A1 * x), y.dot(_A0 * x)};
+        Quadratic out;
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const Complex w = exponent(0, block);
+            const Eigen::VectorXcd here = x.segment(block * _n, _n);
+            const auto own = y.segment(block * _n, _n);
+            const Complex m = own.dot(_rotor.M * here);
+            const Complex d = own.dot(_rotor.D * here);
+            out.a2 += m;
+            out.a1 += 2.0 * w * m + d;
+            out.a0 += w * (w * m + d) + own.dot(_rotor.K * here);
+            for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+                const Eigen::Index row = side == 0 ? block - 1 : block + 1;
+                if (row < 0 || row > 2 * _harmonics)
+                    continue;
+                const auto other = y.segment(row * _n, _n);
+                const Complex c = other.dot(_C[side] * here);
+                out.a1 += c;
+                out.a0 += w * c + other.dot(_K[side] * here);
+            }
+        }
+        return out;
     }
 
   private:
-    Eigen::Index _n, _blocks;
-    ComplexSparse _A2, _A1, _A0;
+    const AtSpeed &_rotor;
+    int _harmonics;
+    Eigen::Index _n;
+    std::array<ComplexSparse, 2> _C, _K; ///< to the row above, and below
 
-    /// The columns of a term, each from the top: blocks above, on and below the diagonal.
-    void put(ComplexSparse &to, Eigen::Index column,
-             const std::array<ComplexSparse, 3> &blocks) const {
-        for (Eigen::Index j = 0; j < _n; ++j) {
-            to.startVec(column * _n + j);
-            for (Eigen::Index row = column - 1; row <= column + 1; ++row)
-                if (row >= 0 && row < _blocks)
-                    for (ComplexSparse::InnerIterator entry(
-                             blocks[static_cast<std::size_t>(row - column + 1)], j);
-                         entry; ++entry)
-                        to.insertBack(row * _n + entry.row(), column * _n + j) = entry.value();
-        }
+    [[nodiscard]] Complex exponent(Complex l, Eigen::Index block) const {
+        return l + Complex(0, 2 * static_cast<double>(block - _harmonics) * _rotor.speed);
+    }
+    void insert(ComplexSparse &to, const ComplexSparse &block, Eigen::Index j, Eigen::Index row,
+                Eigen::Index column) const {
+        for (ComplexSparse::InnerIterator entry(block, j); entry; ++entry)
+            to.insertBack(row * _n + entry.row(), column * _n + j) = entry.value();
     }
 };
 

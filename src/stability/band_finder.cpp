@@ -88,7 +88,8 @@ std::vector<const linalg::ComplexPair *> missing(const Pairs &some, const Pairs 
 }
 
 /// Takes in what the motions of a rotor at some speeds lack of the shapes.
-/// @param reduced  its eigenpairs at a speed, on the shapes as they are by then
+/// @param reduced  its eigenpairs at a speed, on the shapes as they are by then, which it takes
+/// over
 /// @returns whether these do for all of them, and are few
 bool enriched(reduction::PlanarShapes &planar, const MotionSolver &whole,
               const std::vector<double> &speeds, const std::function<Pairs(double)> &reduced) {
@@ -273,8 +274,10 @@ bool BandFinder::enrich_for(const StabilityModel &other, const balancers::Arrang
     reduction::PlanarShapes planar(whole.discretization(), top_of(speeds), *_few);
     Eigen::Index taken = planar.matrix().cols();
     const auto reduced = [&](double speed) {
-        if (planar.matrix().cols() != std::exchange(taken, planar.matrix().cols()))
+        if (planar.matrix().cols() != taken) {
             _few = std::make_shared<const Eigen::MatrixXd>(planar.matrix());
+            taken = _few->cols();
+        }
         return MotionSolver(other, arrangement, _few).pairs(speed);
     };
     if (!enriched(planar, whole, speeds, reduced))

@@ -29,6 +29,7 @@ class BandFinder {
     BandFinder(const StabilityModel &model, const balancers::Arrangement &arrangement,
                const BandFinder &like);
 
+    /// As it was given: a range that was cut since (model.from) is not in it.
     [[nodiscard]] const StabilityModel &model() const { return _model; }
     [[nodiscard]] const balancers::Arrangement &arrangement() const { return _arrangement; }
     /// The whole rotor.

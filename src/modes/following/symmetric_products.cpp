@@ -46,13 +46,15 @@ struct Factor {
 
 linalg::RealEnergies SymmetricProblem::energies_of(const Exponents &exponents) const {
     linalg::Real4 square{};
-    for (int lane = 0; lane < linalg::lanes; ++lane)
-        square[lane] = std::ldexp(1.0, 2 * exponents[static_cast<std::size_t>(lane)]);
+    for (int lane = 0; lane < linalg::lanes; ++lane) {
+        const double size = std::ldexp(1.0, exponents[static_cast<std::size_t>(lane)]);
+        square[lane] = size * size;
+    }
     for (std::size_t entry = 0; entry < _entries.size(); ++entry) {
         const Everywhere &of = _everywhere[entry];
         _entries[entry] = {of.M * square + of.K, {}};
     }
-    (void)_of_energies->factorize(_entries); // positive definite: no pivot is zero
+    (void)_of_energies->factorize(_entries); // K is definite: no pivot is zero
     return linalg::RealEnergies(*_of_energies);
 }
 
