@@ -57,7 +57,7 @@ template <class Row> struct Column {
     ///               member, or function of the row, or of the row and its index
     template <class First, class Second, class... More>
     Column(First first, Second second, More... more) {
-        static_assert((place<First> + place<Second> + ... + place<More>) == sizeof...(More) + 1,
+        static_assert(((place<First> + place<Second>)+... + place<More>) == sizeof...(More) + 1,
                       "a column has one value");
         take(std::move(first));
         take(std::move(second));
