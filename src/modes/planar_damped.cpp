@@ -28,7 +28,8 @@ PlanarDamped::PlanarDamped(const assembly::Discretization &discretization, doubl
     // Free motions are decided by the constraints, not by pivots.
     if (zero_modes(discretization, results::Form::planar, bearing_speed, 0).eigenvalues != 0)
         return;
-    _problem = SymmetricProblem::of(discretization, results::Form::planar_damped, bearing_speed);
+    _problem = SymmetricProblem::with_bearings_at(bearing_speed, discretization,
+                                                  results::Form::planar_damped);
     if (!_problem)
         return;
     try {

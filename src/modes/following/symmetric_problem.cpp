@@ -24,23 +24,37 @@ bool positive_definite(const RealSparse &A) {
            Eigen::Success;
 }
 
+/// In the order of parts; empty where the form is another one or not symmetric so.
+std::vector<RealSparse> parts_of(const assembly::Discretization &d, results::Form form,
+                                 double bearing_speed) {
+    if (form == results::Form::planar_damped)
+        return planar_parts(d, bearing_speed);
+    return form == results::Form::general ? general_parts(d, bearing_speed)
+                                          : std::vector<RealSparse>{};
+}
+
 } // namespace
 
 std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretization &d,
-                                                       results::Form form, double bearing_speed) {
-    const bool planar = form == results::Form::planar_damped;
-    if (!planar && form != results::Form::general)
+                                                       results::Form form) {
+    const std::vector<RealSparse> matrices = parts_of(d, form, 0);
+    if (d.rotor().bearings_depend_on_speed() || matrices.empty() ||
+        !positive_definite(matrices[stiffness]) || !positive_definite(matrices[mass]))
         return nullptr;
-    std::vector<RealSparse> matrices =
-        planar ? planar_parts(d, bearing_speed) : general_parts(d, bearing_speed);
+    return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
+}
+
+std::unique_ptr<SymmetricProblem>
+SymmetricProblem::with_bearings_at(double speed, const assembly::Discretization &d,
+                                   results::Form form) {
+    const std::vector<RealSparse> matrices = parts_of(d, form, speed);
     if (matrices.empty() || !positive_definite(matrices[stiffness]))
         return nullptr;
     return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
 }
 
 SymmetricProblem::SymmetricProblem(const std::vector<Sparse> &matrices, results::Form form)
-    : _size(static_cast<int>(matrices[mass].rows())), _form(form),
-      _massless(!positive_definite(matrices[mass])), _parts(parts),
+    : _size(static_cast<int>(matrices[mass].rows())), _form(form), _parts(parts),
       _scales(matrices[stiffness].diagonal().cwiseSqrt().cwiseInverse()),
       _inverse_scales(_scales.cwiseInverse()) {
     Sparse all(_size, _size);

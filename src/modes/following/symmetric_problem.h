@@ -36,16 +36,17 @@ class SymmetricProblem {
     };
     static constexpr int parts = 7;
 
-    /// None where the form is another one or not symmetric so, or where the stiffness is not
-    /// positive definite.
-    /// @param bearing_speed  rad/s, of the bearings' coefficients
+    /// Of all speeds. None where the form is another one or not symmetric so, where bearings change
+    /// with the speed, where the stiffness is not positive definite, or where something moves
+    /// without mass.
     [[nodiscard]] static std::unique_ptr<SymmetricProblem>
-    of(const assembly::Discretization &discretization, results::Form form,
-       double bearing_speed = 0);
+    of(const assembly::Discretization &discretization, results::Form form);
+    /// With the bearings as at one speed (rad/s); things may move without mass.
+    [[nodiscard]] static std::unique_ptr<SymmetricProblem>
+    with_bearings_at(double speed, const assembly::Discretization &discretization,
+                     results::Form form);
 
     [[nodiscard]] int size() const { return _size; }
-    /// Something moves without mass.
-    [[nodiscard]] bool massless() const { return _massless; }
     [[nodiscard]] bool has(Part part) const {
         return !_parts[static_cast<std::size_t>(part)].value.empty();
     }
@@ -111,7 +112,6 @@ class SymmetricProblem {
     };
     int _size = 0;
     results::Form _form = results::Form::general;
-    bool _massless = false;
     std::vector<Rows> _parts;
     std::vector<std::array<double, parts>> _absolute_sums; ///< over the rows of |A|
     Eigen::VectorXd _scales; ///< unknowns of the form over those of this problem

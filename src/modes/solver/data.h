@@ -103,9 +103,8 @@ struct SpectrumSolver::Data {
     /// moves without mass.
     const SymmetricProblem *symmetric_matrices() {
         if (!_symmetric_problem)
-            _symmetric_problem = tables ? nullptr : SymmetricProblem::of(d, form);
-        const SymmetricProblem *found = _symmetric_problem->get();
-        return found == nullptr || found->massless() ? nullptr : found;
+            _symmetric_problem = SymmetricProblem::of(d, form);
+        return _symmetric_problem->get();
     }
 
   private:
