@@ -173,6 +173,19 @@ void search_zero_roots(const stability::BandFinder &finder, const std::vector<do
                                         "beside the other roots: they are not listed");
 }
 
+/// What there is of a rotor that is the same at all speeds.
+void answer_once(const stability::BandFinder &finder, const stability::SpeedInterval &range,
+                 results::StabilityResult &result) {
+    const stability::MotionSolver &solver = finder.solver();
+    const stability::StabilityModel &model = finder.model();
+    result.model.unknowns = solver.unknowns();
+    ends::AllMotions motions(solver.discretization(), model.form, finder.arrangement(), nullptr,
+                             range.first, range.second);
+    count_resolved_if_driven(motions, model.rotor);
+    add_growth_of_all_speeds(motions, result);
+    tell_resolved_apart(motions, model, {}, result);
+}
+
 /// The bands, critical and additional speeds and what depends on the arrangement of the balls.
 void search(const std::vector<double> &speeds, stability::StabilityModel &model,
             results::StabilityResult &result) {
@@ -184,12 +197,7 @@ void search(const std::vector<double> &speeds, stability::StabilityModel &model,
     const stability::MotionSolver &solver = finder.solver();
     result.model.elements = static_cast<int>(solver.discretization().shaft_mesh().spans.size());
     if (stability::same_at_all_speeds(model, solver.discretization())) {
-        result.model.unknowns = solver.unknowns();
-        ends::AllMotions motions(solver.discretization(), model.form, arrangement, nullptr,
-                                 grid.front(), grid.back());
-        count_resolved_if_driven(motions, model.rotor);
-        add_growth_of_all_speeds(motions, result);
-        tell_resolved_apart(motions, model, {}, result);
+        answer_once(finder, {grid.front(), grid.back()}, result);
         return;
     }
     begin(finder, grid, model);
