@@ -25,7 +25,8 @@ double distance(const Phasor &a, const Phasor &b) { return size_of({a.x - b.x, a
 
 /// With something attached to every node, so that all of them stay.
 model::Rotor with_probes(model::Rotor rotor, int order) {
-    for (const double z : assembly::Discretization(rotor, order).shaft_mesh().nodes)
+    const std::vector<double> nodes = assembly::Discretization(rotor, order).shaft_mesh().nodes;
+    for (const double z : nodes)
         rotor.probes.push_back({"", z, 0});
     return rotor;
 }
