@@ -1,5 +1,6 @@
 #include "analyses/notes/drive.h"
 
+#include "analyses/notes/resolved_ends.h"
 #include "balancers/arrangement.h"
 #include "ends/all_motions.h"
 #include "linalg/check.h"
@@ -16,13 +17,8 @@ namespace whirl::analyses {
 namespace {
 
 void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
-    const bool negative = std::ranges::any_of(rotor.bearings, [](const model::Bearing &bearing) {
-        return std::ranges::any_of(bearing.rows, [](const model::BearingCoefficients &at) {
-            return model::pushes_away(at.c);
-        });
-    });
     const bool grows = std::ranges::any_of(result.growth, [](double value) { return value > 0; });
-    if (negative && grows && !rotor.shaft.rigid)
+    if (grows && !rotor.shaft.rigid && has_negative_damping(rotor))
         result.model.notes.emplace_back(
             "a bearing or seal has negative damping, which drives motions of every frequency: "
             "growth can be that of a motion as fast as the elements resolve, and rises with their "

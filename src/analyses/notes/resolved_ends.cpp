@@ -146,15 +146,14 @@ void note_resolved(results::StabilityResult &result) {
 
 } // namespace
 
+bool has_negative_damping(const model::Rotor &rotor) {
+    return !rotor.every_row(
+        [](const model::BearingCoefficients &at) { return !model::pushes_away(at.c); });
+}
+
 bool drives_every_frequency(const model::Rotor &rotor) {
-    if (rotor.shaft.rigid)
-        return false;
-    return !rotor.shaft.torque_has_potential() ||
-           std::ranges::any_of(rotor.bearings, [](const auto &bearing) {
-               return std::ranges::any_of(bearing.rows, [](const model::BearingCoefficients &at) {
-                   return model::pushes_away(at.c);
-               });
-           });
+    return !rotor.shaft.rigid &&
+           (!rotor.shaft.torque_has_potential() || has_negative_damping(rotor));
 }
 
 void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rotor) {

@@ -9,6 +9,9 @@
 
 namespace whirl::analyses {
 
+/// A bearing or seal has negative damping, at some speed.
+[[nodiscard]] bool has_negative_damping(const model::Rotor &rotor);
+
 /// Something drives motions of every frequency: an axial torque without a potential, which does
 /// work on every shape whose ends tilt, or negative damping in a bearing. The number of motions
 /// that grow is then that of the unknowns, and the fast ones are not those of the shaft.

@@ -37,9 +37,11 @@ std::vector<RealSparse> parts_of(const assembly::Discretization &d, results::For
 
 std::unique_ptr<SymmetricProblem> SymmetricProblem::of(const assembly::Discretization &d,
                                                        results::Form form) {
+    if (d.rotor().bearings_depend_on_speed())
+        return nullptr;
     const std::vector<RealSparse> matrices = parts_of(d, form, 0);
-    if (d.rotor().bearings_depend_on_speed() || matrices.empty() ||
-        !positive_definite(matrices[stiffness]) || !positive_definite(matrices[mass]))
+    if (matrices.empty() || !positive_definite(matrices[stiffness]) ||
+        !positive_definite(matrices[mass]))
         return nullptr;
     return std::unique_ptr<SymmetricProblem>(new SymmetricProblem(matrices, form));
 }

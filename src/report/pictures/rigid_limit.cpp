@@ -63,7 +63,7 @@ struct Panel {
             least_y = std::min(least_y, *point.y);
         }
     }
-    [[nodiscard]] bool empty() const { return largest_y == 0; }
+    [[nodiscard]] bool empty() const { return curves.empty(); }
     [[nodiscard]] std::string script(const std::string &before) const {
         return empty() ? "set xrange [1:10]\nset yrange [1e-12:1]\nplot NaN notitle\n"
                        : curves.script("", before);

@@ -59,6 +59,9 @@ class Curves {
                     const std::string &title = "");
     /// What has no data of its own: "NaN with boxes title 'unstable'".
     void add(const std::string &element);
+    /// The data of the curve added last, to draw it once more: "$map3".
+    [[nodiscard]] std::string last() const { return "$" + _name + std::to_string(_count - 1); }
+    [[nodiscard]] bool empty() const { return _elements.empty(); }
     /// @param further  elements behind the others, each after a comma
     /// @param before   elements in front of them, each with a comma behind it
     [[nodiscard]] std::string script(const std::string &further = "",

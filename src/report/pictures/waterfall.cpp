@@ -101,9 +101,10 @@ std::string order_name(double order) { return readable(order) + "× spin speed";
 std::string lines_of(const Layout &layout) {
     Curves drawn("w");
     for (const std::size_t k : layout.order()) {
-        const std::vector<PlotPoint> line = layout.line(k);
-        drawn.add(line, fmt::format("with filledcurves y1={} fc rgb '#FFFFFF'", layout.base(k)));
-        drawn.add(line, fmt::format("with lines lc rgb '{}' lw 0.9", series_style(0).colour));
+        drawn.add(layout.line(k),
+                  fmt::format("with filledcurves y1={} fc rgb '#FFFFFF'", layout.base(k)));
+        drawn.add(fmt::format("{} with lines lc rgb '{}' lw 0.9 notitle", drawn.last(),
+                              series_style(0).colour));
     }
     std::size_t number = 0;
     for (const double order : orders)
