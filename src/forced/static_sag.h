@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assembly/discretization.h"
-#include "results/static_sag.h"
+#include "results/show.h"
 
 #include <optional>
 

@@ -2,7 +2,7 @@
 
 #include "report/common/json.h"
 #include "report/report.h"
-#include "results/critical_map.h"
+#include "results/critical.h"
 
 #include <string>
 #include <vector>

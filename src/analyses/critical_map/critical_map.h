@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/case.h"
-#include "results/critical_map.h"
+#include "results/critical.h"
 #include "results/model_summary.h"
 
 namespace whirl::analyses {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyses/critical_map/points.h"
-#include "results/critical_map.h"
+#include "results/critical.h"
 
 #include <string>
 #include <vector>

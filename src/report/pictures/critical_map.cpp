@@ -3,7 +3,7 @@
 #include "report/critical_map.h"
 #include "report/pictures/operation.h"
 #include "report/pictures/style.h"
-#include "results/critical_map.h"
+#include "results/critical.h"
 #include "results/whirl.h"
 
 #include <fmt/format.h>
