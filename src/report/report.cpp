@@ -6,21 +6,11 @@
 #include "report/common/units.h"
 #include "report/common/words.h"
 
-#include <fstream>
-#include <sstream>
-
 namespace whirl::report {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string content_of(const fs::path &path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
 
 /// The files of a report while they come into being. The pictures are drawn by their own processes
 /// while this one writes the other files.

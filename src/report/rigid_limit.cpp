@@ -24,14 +24,8 @@ using Rows = std::vector<RigidLimitRow>;
 namespace {
 
 /// The rows of one column differ in what they are, so the units asked for are each row's own.
-struct RowUnit {
-    std::string name;
-    double factor = 1;
-};
-
-RowUnit unit_of(const RigidLimitRow &row) {
-    const std::string quantity = quantity_in(row.unit);
-    return {unit_name(quantity, row.unit), written_factor(quantity).value_or(1)};
+WrittenUnit unit_of(const RigidLimitRow &row) {
+    return written_unit(quantity_in(row.unit), row.unit);
 }
 
 Json in_unit(const RigidLimitRow &row, std::optional<double> value) {

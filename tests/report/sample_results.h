@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/case.h"
+#include "report/common/files.h"
 #include "report/reports.h"
 #include "results/campbell.h"
 #include "results/formulation.h"
@@ -11,7 +12,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -109,13 +109,6 @@ std::string to_html(const model::Case &scene, const Result &result, const std::s
 template <class Result> std::string to_csv(const Result &result) {
     const model::Case scene;
     return describe(scene, result).csv();
-}
-
-inline std::string content_of(const std::filesystem::path &path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
 }
 
 /// Lines of a text, the last one with or without its end.

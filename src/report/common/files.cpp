@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace whirl::report {
@@ -32,6 +33,13 @@ void check_folder(const fs::path &folder) {
     if (access(there.c_str(), W_OK | X_OK) != 0)
         throw model::BadInput("whirl: " +
                               no_folder(folder, "no permission to write in " + there.string()));
+}
+
+std::string content_of(const fs::path &path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
 }
 
 OutputFiles::OutputFiles(fs::path folder) : _folder(std::move(folder)) {

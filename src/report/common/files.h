@@ -13,6 +13,9 @@ namespace whirl::report {
 /// @throws model::BadInput
 void check_folder(const std::filesystem::path &folder);
 
+/// The bytes of a file; none where it cannot be read.
+[[nodiscard]] std::string content_of(const std::filesystem::path &path);
+
 /// A set of output files that appears as a whole or not at all.
 ///
 /// Content goes to temporary names in the output folder; commit() renames all of them. Without

@@ -61,6 +61,17 @@ struct UnitHeading {
 /// The name of a unit of a quantity, or of the one that was asked for: ("force", "N").
 [[nodiscard]] std::string unit_name(const std::string &quantity, const std::string &usual);
 
+/// The unit in which numbers of a quantity are written, and what it makes of those in SI.
+struct WrittenUnit {
+    std::string name;
+    double factor = 1;
+};
+/// @param usual  its name in SI
+[[nodiscard]] inline WrittenUnit written_unit(const std::string &quantity,
+                                              const std::string &usual) {
+    return {unit_name(quantity, usual), written_factor(quantity).value_or(1)};
+}
+
 /// Text of the report with its units by their other names: numbers before "rpm", "Hz" and "µm" are
 /// there already by the factors above, those before "m", "N", "N/m", "rad/s" are converted.
 /// @param kept  a part that stays as it is wherever it occurs, such as a title; or empty

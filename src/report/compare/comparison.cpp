@@ -1,14 +1,12 @@
 #include "report/compare/comparison.h"
 
 #include "model/errors.h"
+#include "report/common/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <set>
-#include <sstream>
 
 namespace whirl::report {
 
@@ -22,11 +20,11 @@ const Quantity *named(const std::vector<Quantity> &all, const std::string &name)
     return found == all.end() ? nullptr : &*found;
 }
 
-Difference difference_of(const Quantity *first, const Quantity *other, std::size_t place) {
+Difference difference_of(const Quantity *first, const Quantity *other, const std::string &name) {
     Difference out;
     out.quantity = (first ? first : other)->name;
     out.unit = (first ? first : other)->unit;
-    out.other = place;
+    out.other = name;
     if (first)
         out.first_value = first->value;
     if (other)
@@ -46,16 +44,18 @@ Difference difference_of(const Quantity *first, const Quantity *other, std::size
 }
 
 void add_notes(Comparison &out) {
-    for (std::size_t i = 1; i < out.results.size(); ++i) {
-        long only = 0;
-        for (const Difference &at : out.differences)
-            only += at.other == i && !at.difference ? 1 : 0;
+    bool not_known = false;
+    for (const std::vector<Difference> &all : out.differences) {
+        const auto only = std::count_if(all.begin(), all.end(),
+                                        [](const Difference &at) { return !at.difference; });
         if (only > 0)
             out.notes.push_back(fmt::format("{} numbers are only in one of {} and {}", only,
-                                            out.results[0].name, out.results[i].name));
+                                            out.results[0].name, all.front().other));
+        not_known = not_known || std::any_of(all.begin(), all.end(), [](const Difference &at) {
+                        return at.difference && !at.within;
+                    });
     }
-    if (std::any_of(out.differences.begin(), out.differences.end(),
-                    [](const Difference &at) { return at.difference && !at.within; }))
+    if (not_known)
         out.notes.emplace_back("where an error is not known, whether a difference is within the "
                                "errors is not said");
 }
@@ -66,11 +66,8 @@ ComparedResult read_result(const std::filesystem::path &file) {
     if (!std::filesystem::exists(file))
         throw model::BadInput(fmt::format(
             "{}: expected a result that whirl wrote, there is no such file", file.string()));
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    Json json = Json::parse(text.str(), nullptr, false);
-    if (!stream || !json.is_object() || json.value("program", Json()) != "whirl" ||
+    Json json = Json::parse(content_of(file), nullptr, false);
+    if (!json.is_object() || json.value("program", Json()) != "whirl" ||
         json.value("format", Json()) != 1 || !json.value("command", Json()).is_string())
         throw model::BadInput(
             fmt::format("{}: expected a result that whirl wrote (JSON, format 1)", file.string()));
@@ -95,11 +92,13 @@ Comparison compare(std::vector<ComparedResult> results) {
     const std::vector<Quantity> first = quantities_of(out.results.front());
     for (std::size_t i = 1; i < out.results.size(); ++i) {
         const std::vector<Quantity> other = quantities_of(out.results[i]);
+        const std::string &name = out.results[i].name;
+        std::vector<Difference> &all = out.differences.emplace_back();
         for (const Quantity &quantity : first)
-            out.differences.push_back(difference_of(&quantity, named(other, quantity.name), i));
+            all.push_back(difference_of(&quantity, named(other, quantity.name), name));
         for (const Quantity &quantity : other)
             if (!named(first, quantity.name))
-                out.differences.push_back(difference_of(nullptr, &quantity, i));
+                all.push_back(difference_of(nullptr, &quantity, name));
     }
     add_notes(out);
     return out;

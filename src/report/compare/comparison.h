@@ -1,6 +1,7 @@
 #pragma once
 
-#include "report/compare/quantities.h"
+#include "report/common/gnuplot.h"
+#include "report/common/json.h"
 
 #include <filesystem>
 #include <optional>
@@ -9,11 +10,25 @@
 
 namespace whirl::report {
 
+/// A result to be compared: what `--json` writes, and what it is called.
+struct ComparedResult {
+    std::string name;
+    Json json;
+};
+
+/// A number of a result that others have too.
+struct Quantity {
+    std::string name; ///< by which it is matched: "critical speed, forward 2"
+    std::string unit; ///< SI; empty: a ratio
+    double value = 0;
+    std::optional<double> error; ///< half width of its error bar, in the same unit; none: not known
+};
+
 /// One quantity of the first result and of another one.
 struct Difference {
     std::string quantity;
     std::string unit;
-    std::size_t other = 1; ///< place of the other result
+    std::string other; ///< name of the other result
     std::optional<double> first_value, other_value;
     std::optional<double> difference; ///< other less first
     std::optional<double> relative;   ///< to the modulus of the first; none where that is 0
@@ -24,9 +39,18 @@ struct Difference {
 struct Comparison {
     std::string command; ///< of all results
     std::vector<ComparedResult> results;
-    std::vector<Difference> differences; ///< by other result, in the order of the first one
+    /// Of each result but the first, in the order of the first one.
+    std::vector<std::vector<Difference>> differences;
     std::vector<std::string> notes;
 };
+
+/// The numbers of a result: critical speeds by whirl and number, whirl frequencies at
+/// the first and the last speed by mode, crossings, peaks by place and number, ends of bands by
+/// number, masses.
+/// @throws model::BadInput for results of commands that have none of these.
+[[nodiscard]] std::vector<Quantity> quantities_of(const ComparedResult &result);
+/// The i-th of a list of numbers; none where it is missing.
+[[nodiscard]] std::optional<double> item(const Json &values, std::size_t i);
 
 /// A result that was written before, of this program and of format 1.
 /// @throws model::BadInput
@@ -37,6 +61,10 @@ struct Comparison {
 /// @throws model::BadInput for results of different commands, or of one that has nothing to compare
 [[nodiscard]] Comparison compare(std::vector<ComparedResult> results);
 
+/// The results over one another (whirl frequencies, response curves, growth or critical speeds over
+/// spin speed, where the command has them), and below each relative difference beside its error
+/// bar.
+[[nodiscard]] Figure comparison_figure(const Comparison &comparison);
 /// For the terminal.
 [[nodiscard]] std::string comparison_text(const Comparison &comparison);
 /// `differences` and what was compared.

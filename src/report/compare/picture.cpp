@@ -1,12 +1,13 @@
-#include "report/compare/picture.h"
-
+#include "report/common/column.h"
 #include "report/common/words.h"
+#include "report/compare/comparison.h"
 #include "report/pictures/style.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace whirl::report {
 
@@ -14,12 +15,6 @@ namespace {
 
 /// Differences below this are drawn here: zero has no logarithm.
 constexpr double least_drawn = 1e-17;
-
-std::optional<double> plotted(const Json &values, std::size_t i, double factor) {
-    return i < values.size() && values[i].is_number()
-               ? std::optional(values[i].get<double>() * factor)
-               : std::nullopt;
-}
 
 /// Curves of one result, named in the legend.
 struct Overlaid {
@@ -30,11 +25,12 @@ struct Overlaid {
 std::vector<PlotPoint> line_of(const Json &speeds, const Json &values, double factor) {
     std::vector<PlotPoint> line;
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        line.push_back({speeds[i].get<double>() * rpm, plotted(values, i, factor)});
+        line.push_back({speeds[i].get<double>() * rpm, times(factor, item(values, i))});
     return line;
 }
 
-std::vector<Overlaid> campbell_curves(const ComparedResult &result) {
+std::vector<Overlaid> campbell_curves(const Comparison &comparison, std::size_t index) {
+    const ComparedResult &result = comparison.results[index];
     Overlaid out{result.name, {}};
     for (const Json &mode : result.json.at("modes"))
         out.lines.push_back(line_of(result.json.at("speeds"), mode.at("frequency"), hertz));
@@ -68,9 +64,8 @@ double largest_of(const Json &values) {
 std::vector<std::string> stations_of(const ComparedResult &result) {
     const Json &nodes = result.json.at("nodes");
     std::vector<std::pair<double, std::string>> sizes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
         sizes.emplace_back(-largest_of(station_curve(result, i).amplitude), station_name(nodes[i]));
-    }
     std::sort(sizes.begin(), sizes.end());
     constexpr std::size_t most = 2;
     std::vector<std::string> names;
@@ -79,13 +74,13 @@ std::vector<std::string> stations_of(const ComparedResult &result) {
     return names;
 }
 
-/// Of the stations with these names; down to a millionth of the largest amplitude, below which
-/// there is only the start from rest.
-std::vector<Overlaid> response_curves(const ComparedResult &result,
-                                      const std::vector<std::string> &stations) {
+/// Of the stations that move most in the first result; down to a millionth of the largest
+/// amplitude, below which there is only the start from rest.
+std::vector<Overlaid> response_curves(const Comparison &comparison, std::size_t index) {
     std::vector<Overlaid> out;
+    const ComparedResult &result = comparison.results[index];
     const Json &nodes = result.json.at("nodes");
-    for (const std::string &station : stations)
+    for (const std::string &station : stations_of(comparison.results.front()))
         for (std::size_t i = 0; i < nodes.size(); ++i) {
             if (station_name(nodes[i]) != station)
                 continue;
@@ -103,8 +98,9 @@ std::vector<Overlaid> response_curves(const ComparedResult &result,
 }
 
 /// Over time, of the balancer or the station that moves most in the first result.
-std::vector<Overlaid> motion_curves(const ComparedResult &result, const ComparedResult &first) {
-    const Json &all = first.json.at("series").at("amplitude");
+std::vector<Overlaid> motion_curves(const Comparison &comparison, std::size_t index) {
+    const ComparedResult &result = comparison.results[index];
+    const Json &all = comparison.results.front().json.at("series").at("amplitude");
     std::size_t place = 0;
     for (std::size_t i = 1; i < all.size(); ++i)
         if (largest_of(all[i]) > largest_of(all[place]))
@@ -114,40 +110,44 @@ std::vector<Overlaid> motion_curves(const ComparedResult &result, const Compared
     if (place < series.at("amplitude").size())
         for (std::size_t i = 0; i < series.at("time").size(); ++i)
             line.push_back({series.at("time")[i].get<double>(),
-                            plotted(series.at("amplitude")[place], i, micrometres)});
+                            times(micrometres, item(series.at("amplitude")[place], i))});
     return {{result.name, {line}}};
 }
 
-std::vector<Overlaid> curves_of(const Comparison &comparison, std::size_t index) {
-    const std::string &command = comparison.command;
+std::vector<Overlaid> growth_curves(const Comparison &comparison, std::size_t index) {
     const ComparedResult &result = comparison.results[index];
-    if (command == "campbell")
-        return campbell_curves(result);
-    if (command == "response")
-        return response_curves(result, stations_of(comparison.results.front()));
-    if (command == "stability")
-        return {{result.name, {line_of(result.json.at("speeds"), result.json.at("growth"), 1)}}};
-    if (command == "simulate")
-        return motion_curves(result, comparison.results.front());
-    Overlaid out{result.name, {}}; // critical: a mark each
-    for (const Json &at : result.json.at("critical_speeds"))
+    return {{result.name, {line_of(result.json.at("speeds"), result.json.at("growth"), 1)}}};
+}
+
+/// A row of marks for each result.
+std::vector<Overlaid> critical_marks(const Comparison &comparison, std::size_t index) {
+    Overlaid out{comparison.results[index].name, {}};
+    for (const Json &at : comparison.results[index].json.at("critical_speeds"))
         out.lines.push_back({{at.at("speed").get<double>() * rpm, -static_cast<double>(index)}});
     return {out};
 }
 
-bool has_curves(const std::string &command) {
-    return command == "campbell" || command == "response" || command == "stability" ||
-           command == "critical" || command == "simulate";
-}
+/// What a command has above the differences: curves of the index-th result, and the axis y.
+struct UpperPanel {
+    std::vector<Overlaid> (*curves)(const Comparison &comparison, std::size_t index);
+    std::string y_axis;
+};
+const std::map<std::string, UpperPanel> upper_panels{
+    {"campbell", {campbell_curves, "set ylabel 'Whirl frequency (Hz)'\n"}},
+    {"response", {response_curves, std::string("set ylabel 'Amplitude (µm)'\n") + logarithmic_y}},
+    {"stability", {growth_curves, "set ylabel 'Growth (1/s)'\n"}},
+    {"simulate", {motion_curves, "set ylabel 'Amplitude (µm)'\n"}},
+    {"critical", {critical_marks, "unset ytics\nunset ylabel\n"}}};
 
 std::string upper_panel(const Comparison &comparison, double pixel, double bottom, double top) {
     const std::string &command = comparison.command;
+    const UpperPanel &panel = upper_panels.at(command);
     const bool marks = command == "critical";
     Curves drawn("curve");
     drawn.add("NaN notitle");
     std::size_t count = 0;
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
-        for (const Overlaid &curve : curves_of(comparison, i)) {
+        for (const Overlaid &curve : panel.curves(comparison, i)) {
             const LineStyle style = series_style(count++);
             drawn.add_pieces(curve.lines,
                              marks ? fmt::format("with points pt {} ps 1.5 lw 1.6 lc rgb '{}'",
@@ -155,13 +155,7 @@ std::string upper_panel(const Comparison &comparison, double pixel, double botto
                                    : line_look(style, 2),
                              plot_text(curve.title));
         }
-    const std::string y = command == "campbell"    ? "set ylabel 'Whirl frequency (Hz)'\n"
-                          : command == "response"  ? "set ylabel 'Amplitude (µm)'\nset logscale "
-                                                     "y\nset format y '10^{%L}'\n"
-                          : command == "stability" ? "set ylabel 'Growth (1/s)'\n"
-                          : command == "simulate"  ? "set ylabel 'Amplitude (µm)'\n"
-                                                   : "unset ytics\nunset ylabel\n";
-    return panel_margins(0.09, 0.96, bottom, top) + y +
+    return panel_margins(0.09, 0.96, bottom, top) + panel.y_axis +
            (marks ? fmt::format("set yrange [{}:0.7]\n",
                                 0.3 - static_cast<double>(comparison.results.size()))
                   : std::string("set autoscale y\n")) +
@@ -179,13 +173,11 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
     for (std::size_t other = 1; other < comparison.results.size(); ++other) {
         std::vector<PlotPoint> differences;
         std::vector<PlotPoint> errors;
-        int number = 0;
-        for (std::size_t i = 0; i < comparison.differences.size(); ++i) {
-            const Difference &at = comparison.differences[i];
-            number += at.other == other ? 1 : 0;
-            if (at.other != other || !at.relative)
+        double x = 0;
+        for (const Difference &at : comparison.differences[other - 1]) {
+            ++x;
+            if (!at.relative)
                 continue;
-            const double x = number;
             differences.push_back({x, std::max(least_drawn, std::abs(*at.relative))});
             const double first = std::abs(*at.first_value);
             errors.push_back({x, at.error && first > 0
@@ -215,7 +207,7 @@ std::string lower_panel(const Comparison &comparison, double pixel, double botto
 } // namespace
 
 Figure comparison_figure(const Comparison &comparison) {
-    const bool curves = has_curves(comparison.command);
+    const bool curves = upper_panels.contains(comparison.command);
     const bool marks = comparison.command == "critical";
     const int height = (!curves ? 0 : marks ? 330 : 560) + 430;
     const double pixel = 1.0 / height;

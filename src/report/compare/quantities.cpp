@@ -1,4 +1,4 @@
-#include "report/compare/quantities.h"
+#include "report/compare/comparison.h"
 
 #include "model/errors.h"
 
@@ -53,12 +53,6 @@ void of_critical(const Json &json, Quantities &all) {
         add(all, fmt::format("critical speed, {} {}", whirl, ++counted[whirl]), "rad/s",
             number(at, "speed"), number(at, "error"));
     }
-}
-
-/// The i-th of a list of numbers.
-std::optional<double> item(const Json &values, std::size_t i) {
-    return i < values.size() && values[i].is_number() ? std::optional(values[i].get<double>())
-                                                      : std::nullopt;
 }
 
 /// Relative error of a crossing with `multiple` times the spin speed s by that of the frequency w
@@ -204,6 +198,11 @@ void of_samples(const Json &json, Quantities &all) {
 }
 
 } // namespace
+
+std::optional<double> item(const Json &values, std::size_t i) {
+    return i < values.size() && values[i].is_number() ? std::optional(values[i].get<double>())
+                                                      : std::nullopt;
+}
 
 std::vector<Quantity> quantities_of(const ComparedResult &result) {
     static const std::map<std::string, void (*)(const Json &, Quantities &)> readers{

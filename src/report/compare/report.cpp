@@ -1,49 +1,28 @@
 #include "report/report.h"
 #include "report/common/csv.h"
 #include "report/common/files.h"
-#include "report/common/gnuplot.h"
 #include "report/common/html.h"
 #include "report/common/table.h"
 #include "report/common/units.h"
 #include "report/common/words.h"
 #include "report/compare/comparison.h"
-#include "report/compare/picture.h"
 
 #include <fmt/format.h>
-
-#include <fstream>
-#include <sstream>
 
 namespace whirl::report {
 
 namespace {
 
-/// A difference with the name of the other result.
-struct Line : Difference {
-    std::string other_name;
-};
-
-std::vector<Line> lines_of(const Comparison &comparison) {
-    std::vector<Line> lines;
-    for (const Difference &at : comparison.differences)
-        lines.push_back({at, comparison.results[at.other].name});
-    return lines;
-}
-
-std::string verdict(const Line &line) {
-    if (!line.difference)
-        return line.first_value ? "only in the first" : "only in the other";
-    if (!line.within)
+std::string verdict(const Difference &at) {
+    if (!at.difference)
+        return at.first_value ? "only in the first" : "only in the other";
+    if (!at.within)
         return "error not known";
-    return *line.within ? "within errors" : "beyond errors";
+    return *at.within ? "within errors" : "beyond errors";
 }
 
 /// The unit in which a number is read.
-struct LineUnit {
-    std::string name;
-    double factor = 1;
-};
-LineUnit unit_of(const Difference &at) {
+WrittenUnit unit_of(const Difference &at) {
     const auto is_of = [&at](const char *word) {
         return at.quantity.find(word) != std::string::npos;
     };
@@ -52,24 +31,23 @@ LineUnit unit_of(const Difference &at) {
         quantity = "frequency";
     if (at.unit == "m" && !is_of("centre of mass") && !is_of("length"))
         quantity = "amplitude";
-    const auto factor = written_factor(quantity);
-    return factor ? LineUnit{unit_name(quantity, at.unit), *factor} : LineUnit{at.unit, 1};
+    return written_unit(quantity, at.unit);
 }
 auto in_its_unit(std::optional<double> Difference::*of) {
-    return [of](const Line &line) { return times(unit_of(line).factor, line.*of); };
+    return [of](const Difference &at) { return times(unit_of(at).factor, at.*of); };
 }
 
-const Columns<Line> columns{
+const Columns<Difference> columns{
     {OnPage("No."), InText(""), [](const auto &, std::size_t i) { return i + 1; }},
-    {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"), &Line::quantity},
-    {"unit", &Line::unit},
-    {"first_value", &Line::first_value},
-    {"other_value", &Line::other_value},
-    {"difference", &Line::difference},
-    {"error", &Line::error},
+    {"quantity", InCsv("quantity"), OnPage("Quantity"), InText("quantity"), &Difference::quantity},
+    {"unit", &Difference::unit},
+    {"first_value", &Difference::first_value},
+    {"other_value", &Difference::other_value},
+    {"difference", &Difference::difference},
+    {"error", &Difference::error},
     {InCsv("unit"), OnPage("Unit"), InText("unit"),
-     [](const Line &line) { return unit_of(line).name; }},
-    {"other", InCsv("other"), OnPage("Other result"), &Line::other_name},
+     [](const Difference &at) { return unit_of(at).name; }},
+    {"other", InCsv("other"), OnPage("Other result"), &Difference::other},
     {InCsv("first_value"), OnPage("First", "{:.10g}"), InText("first", precise),
      in_its_unit(&Difference::first_value)},
     {InCsv("other_value"), OnPage("Other", "{:.10g}"), InText("other", precise),
@@ -77,10 +55,10 @@ const Columns<Line> columns{
     {InCsv("difference"), OnPage("Difference", "{:+.6g}"), InText("difference", "{:+.6g}"),
      in_its_unit(&Difference::difference)},
     {"relative", InCsv("relative"), OnPage("Relative to first", "{:+.3g}"),
-     InText("relative to first", "{:+.3g}"), &Line::relative},
+     InText("relative to first", "{:+.3g}"), &Difference::relative},
     {InCsv("error"), OnPage("Both error bars", "{:.5g}"), InText("error bars", rough),
      in_its_unit(&Difference::error)},
-    {"within_errors", InCsv("within_errors"), &Line::within},
+    {"within_errors", InCsv("within_errors"), &Difference::within},
     {OnPage("Verdict"), InText(""), verdict}};
 
 /// "1: before.json, critical, order 10, 3 elements".
@@ -96,23 +74,26 @@ std::string result_text(const ComparedResult &result, std::size_t index) {
                        word("case"), word("order"), word("elements"), word("title"));
 }
 
-std::vector<Line> of_other(const std::vector<Line> &lines, std::size_t other) {
-    std::vector<Line> out;
-    for (const Line &line : lines)
-        if (line.other == other)
-            out.push_back(line);
-    return out;
+/// Those of all results, one after another.
+std::vector<Difference> all_of(const Comparison &comparison) {
+    std::vector<Difference> all;
+    for (const std::vector<Difference> &of : comparison.differences)
+        all.insert(all.end(), of.begin(), of.end());
+    return all;
+}
+
+/// "after.json against before.json".
+std::string against_first(const Comparison &comparison, std::size_t index) {
+    return comparison.results[index].name + " against " + comparison.results[0].name;
 }
 
 std::string sections(const Comparison &comparison) {
     std::string html = element("h2", "Results");
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
         html += element("p", result_text(comparison.results[i], i));
-    const auto lines = lines_of(comparison);
     for (std::size_t i = 1; i < comparison.results.size(); ++i)
-        html += element("h2", fmt::format("{} against {}", comparison.results[i].name,
-                                          comparison.results[0].name)) +
-                in_written_units(page_table(columns, of_other(lines, i)));
+        html += element("h2", against_first(comparison, i)) +
+                in_written_units(page_table(columns, comparison.differences[i - 1]));
     return html;
 }
 
@@ -148,24 +129,15 @@ std::string page_of(const Comparison &comparison, const std::string &still,
                                  {"scripts", ""}}));
 }
 
-std::string element_of(const std::filesystem::path &svg) {
-    std::ifstream file(svg, std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return picture_element(text.str(), "Results side by side and their differences");
-}
-
 } // namespace
 
 std::string comparison_text(const Comparison &comparison) {
     std::string text = "Comparison of results of " + comparison.command + "\n";
     for (std::size_t i = 0; i < comparison.results.size(); ++i)
         text += "  " + result_text(comparison.results[i], i) + "\n";
-    const auto lines = lines_of(comparison);
     for (std::size_t i = 1; i < comparison.results.size(); ++i) {
-        const auto of = of_other(lines, i);
-        text += fmt::format("\n{} against {}:\n", comparison.results[i].name,
-                            comparison.results[0].name) +
+        const std::vector<Difference> &of = comparison.differences[i - 1];
+        text += "\n" + against_first(comparison, i) + ":\n" +
                 (of.empty() ? "  nothing to compare\n" : text_table(columns, of));
     }
     for (const std::string &note : comparison.notes)
@@ -188,7 +160,7 @@ Json comparison_json(const Comparison &comparison) {
             {"command", "compare"},
             {"of", comparison.command},
             {"results", results},
-            {"differences", json_rows(columns, lines_of(comparison))},
+            {"differences", json_rows(columns, all_of(comparison))},
             {"notes", comparison.notes}};
 }
 
@@ -203,12 +175,12 @@ std::vector<std::filesystem::path> write_comparison(const Comparison &comparison
     if (jobs.start(figure, PictureFormat::svg, svg)) {
         jobs.start(figure, PictureFormat::png, files.reserve("compare.png"));
         jobs.finish();
-        still = element_of(svg);
+        still = picture_element(content_of(svg), "Results side by side and their differences");
     } else {
         files.drop("compare.svg"); // no gnuplot
     }
     files.add("compare.json", json_text(comparison_json(comparison)));
-    files.add("compare.csv", csv_table(columns, lines_of(comparison)));
+    files.add("compare.csv", csv_table(columns, all_of(comparison)));
     std::vector<std::string> linked{"compare.json", "compare.csv"};
     if (!still.empty())
         linked.insert(linked.end(), {"compare.svg", "compare.png"});
