@@ -188,13 +188,8 @@ const Columns<SignaturePoint> signature_columns{
     {"eigenvalues", &SignaturePoint::eigenvalues},
     {"negative", &SignaturePoint::negative},
     {"relative", &SignaturePoint::relative},
-    {"worst_real",
-     [](const auto &point) {
-         return json_list(point.worst, [](std::complex<double> s) { return s.real(); });
-     }},
-    {"worst_imag", [](const auto &point) {
-         return json_list(point.worst, [](std::complex<double> s) { return s.imag(); });
-     }}};
+    {"worst_real", [](const auto &point) { return real_parts(point.worst); }},
+    {"worst_imag", [](const auto &point) { return imaginary_parts(point.worst); }}};
 
 const Columns<SimulatedSpeed> simulated_columns{{"speed", &SimulatedSpeed::speed},
                                                 {"outcome", &SimulatedSpeed::outcome},

@@ -204,13 +204,12 @@ std::string text_of(const model::Case &scene, const CampbellResult &result) {
         written_factor("speed") ? "" : fmt::format(" ({:.6g} rad/s)", last);
     text += fmt::format("Whirl modes at {:.6g} rpm{}:\n{}", last * rpm, beside,
                         text_table(mode_columns, at_last_speed(result)));
-    if (!result.crossings.empty())
-        text += "\nCrossings with multiples of the spin speed:\n" +
-                text_table(crossing_columns(result), result.crossings);
-    if (!result.locked.empty())
-        text += "\nModes that stay on a multiple of the spin speed:\n" +
-                text_table(locked_columns(result), result.locked);
-    return text + model_text(result.model);
+    return text +
+           text_table("\nCrossings with multiples of the spin speed:\n", crossing_columns(result),
+                      result.crossings) +
+           text_table("\nModes that stay on a multiple of the spin speed:\n",
+                      locked_columns(result), result.locked) +
+           model_text(result.model);
 }
 
 } // namespace

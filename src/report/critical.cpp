@@ -126,11 +126,7 @@ std::string speed_labels(const CriticalResult &result, const MarksAxis &axis) {
         }
         unnamed += placed ? 0 : 1;
     }
-    if (unnamed > 0)
-        script += fmt::format("set label '{} more {}: see the table' at graph 0,1.06 left "
-                              "font ',10' textcolor '#555555'\n",
-                              unnamed, unnamed == 1 ? "number" : "numbers");
-    return script;
+    return script + left_out(unnamed, "number", "0,1.06");
 }
 
 /// The critical speeds as marks on a speed axis, forward and backward in rows of their own.

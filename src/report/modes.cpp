@@ -34,15 +34,6 @@ double damping_ratio(const ModeShape &mode) {
     return modulus > 0 ? 0.0 - real_part(mode) / modulus : 0.0;
 }
 
-/// Real or imaginary parts of the deflections.
-auto part(std::vector<std::complex<double>> ModeShape::*of, bool real) {
-    return [of, real](const ModeShape &mode) {
-        return json_list(mode.*of, [real](std::complex<double> value) {
-            return real ? value.real() : value.imag();
-        });
-    };
-}
-
 Json json_of(const Dissipation &part) {
     return {{"of", part.of}, {"z", part.z}, {"name", part.name}, {"share", part.share}};
 }
@@ -58,10 +49,10 @@ const Columns<ModeShape> shape_columns{
     {"whirl", OnPage("Whirl"), InText("whirl"), &ModeShape::whirl},
     {"forward_share", OnPage("Forward share", "{:.4g}"), &ModeShape::forward_fraction},
     {"forward_fraction", &ModeShape::forward_fraction}, // its older name
-    {"x_real", part(&ModeShape::x, true)},
-    {"x_imag", part(&ModeShape::x, false)},
-    {"y_real", part(&ModeShape::y, true)},
-    {"y_imag", part(&ModeShape::y, false)},
+    {"x_real", [](const auto &mode) { return real_parts(mode.x); }},
+    {"x_imag", [](const auto &mode) { return imaginary_parts(mode.x); }},
+    {"y_real", [](const auto &mode) { return real_parts(mode.y); }},
+    {"y_imag", [](const auto &mode) { return imaginary_parts(mode.y); }},
     {"dissipation", [](const ModeShape &mode) { return json_list(mode.dissipation, json_of); }}};
 
 /// The same with the speed of each: those at critical speeds.
@@ -145,11 +136,8 @@ std::string text_of(const model::Case &scene, const ModesResult &result) {
     return heading(scene, fmt::format("Mode shapes at {:.6g} rpm", result.speed * rpm)) +
            text_table(shape_columns, result.modes) +
            after_a_line(dissipation_texts(result.modes, "-")) +
-           (result.critical.empty()
-                ? ""
-                : "\nAt the critical speeds:\n" + text_table(critical_columns(), result.critical) +
-                      after_a_line(dissipation_texts(result.critical, "-"))) +
-           model_text(result.model);
+           text_table("\nAt the critical speeds:\n", critical_columns(), result.critical) +
+           after_a_line(dissipation_texts(result.critical, "-")) + model_text(result.model);
 }
 
 /// A JavaScript array; five digits are more than a screen shows.

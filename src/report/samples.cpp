@@ -36,11 +36,10 @@ const Columns<SampleQuantile> quantile_columns{{"p", &SampleQuantile::share},
                                                 }}};
 
 /// The unit of an answer, and the factor of its values; amplitudes are the lengths among answers.
-UnitHeading unit_of(const SampledAnswer &answer) {
-    UnitHeading unit = heading_in_written_units(answer.unit, "");
+WrittenUnit unit_of(const SampledAnswer &answer) {
     if (answer.unit == "m")
-        unit = {unit_name("amplitude", "µm"), micrometres, true};
-    return unit;
+        return {unit_name("amplitude", "µm"), micrometres};
+    return written_unit(quantity_in(answer.unit), answer.unit);
 }
 auto in_its_unit(std::optional<double> SampledAnswer::*of) {
     return [of](const SampledAnswer &answer) { return times(unit_of(answer).factor, answer.*of); };
@@ -51,7 +50,7 @@ const Columns<SampledAnswer> answer_columns{
     {"name", &SampledAnswer::name},
     {OnPage("Answer"), InText("answer"), of_and_name},
     {"unit", &SampledAnswer::unit},
-    {ForReaders("unit"), [](const auto &answer) { return unit_of(answer).text; }},
+    {ForReaders("unit"), [](const auto &answer) { return unit_of(answer).name; }},
     {"nominal", &SampledAnswer::nominal},
     {OnPage("case as it is", "{:.10g}"), InText("case as is", precise),
      in_its_unit(&SampledAnswer::nominal)},
@@ -96,7 +95,7 @@ const Columns<SampleLine> sample_line_columns{
      [](const SampleLine &line) { return readable(100 * line.quantile.share) + " %"; }},
     {OnPage("rpm", "{:.6g}"), InText("rpm"), in_rpm},
     {OnPage("value", "{:.6g}"), InText("value"), in_its_unit(&SampleQuantile::value)},
-    {ForReaders("unit"), [](const SampleLine &line) { return unit_of(line.answer).text; }},
+    {ForReaders("unit"), [](const SampleLine &line) { return unit_of(line.answer).name; }},
     {OnPage("95 % from", "{:.6g}"), InText("95 % from"), in_its_unit(&SampleQuantile::low)},
     {OnPage("to", "{:.6g}"), InText("to"), in_its_unit(&SampleQuantile::high)}};
 
@@ -128,33 +127,29 @@ std::string with_unit(const std::string &name, const std::string &unit) {
     return csv_cell(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
 }
 
-/// A line a sample; its columns are the inputs and answers.
-Columns<int> sample_columns(const SamplesResult &result) {
-    Columns<int> columns{{InCsv("sample"), [](int sample) { return sample; }}};
-    const auto column = [&columns](const std::string &heading, const auto &values) {
-        columns.push_back({InCsv(heading), [&values](int sample) {
-                               return Json(values.at(static_cast<std::size_t>(sample)));
-                           }});
-    };
-    for (const SampledInput &input : result.inputs)
-        column(with_unit(input.path, input.unit), input.values);
-    for (const SampledAnswer &answer : result.answers)
-        column(with_unit(of_and_name(answer), answer.unit), answer.values);
-    columns.push_back(
-        {InCsv("failure"), [&result](int sample) {
-             for (const SampleFailure &failure : result.failures)
-                 if (std::binary_search(failure.samples.begin(), failure.samples.end(), sample))
-                     return failure.message;
-             return std::string();
-         }});
-    return columns;
+/// Why a sample failed; empty: it did not.
+std::string failure_of(const SamplesResult &result, int sample) {
+    for (const SampleFailure &failure : result.failures)
+        if (std::binary_search(failure.samples.begin(), failure.samples.end(), sample))
+            return failure.message;
+    return "";
 }
 
+/// A line a sample; its columns are the inputs and answers.
 std::string csv_of(const SamplesResult &result) {
-    std::vector<int> samples(static_cast<std::size_t>(result.count));
-    for (std::size_t i = 0; i < samples.size(); ++i)
-        samples[i] = static_cast<int>(i);
-    return csv_table(sample_columns(result), samples);
+    Json samples = Json::array();
+    Json failures = Json::array();
+    for (int sample = 0; sample < result.count; ++sample) {
+        samples.push_back(sample);
+        failures.push_back(failure_of(result, sample));
+    }
+    std::vector<std::pair<std::string, Json>> lists{{"sample", samples}};
+    for (const SampledInput &input : result.inputs)
+        lists.emplace_back(with_unit(input.path, input.unit), input.values);
+    for (const SampledAnswer &answer : result.answers)
+        lists.emplace_back(with_unit(of_and_name(answer), answer.unit), answer.values);
+    lists.emplace_back("failure", failures);
+    return csv_lists(lists);
 }
 
 Json json_of(const SamplesResult &result) {
@@ -182,11 +177,8 @@ std::string text_of(const model::Case &scene, const SamplesResult &result) {
         heading(scene, fmt::format("{} samples, seed {}", result.count, result.seed));
     text += result.answers.empty() ? "  no answers\n"
                                    : text_table(sample_line_columns, lines_of(result));
-    if (!result.answers.empty())
-        text += "\n" + text_table(answer_columns, result.answers);
-    if (!result.failures.empty())
-        text += "\n" + text_table(failure_columns, result.failures);
-    return text + model_text(result.model);
+    return text + text_table("\n", answer_columns, result.answers) +
+           text_table("\n", failure_columns, result.failures) + model_text(result.model);
 }
 
 } // namespace

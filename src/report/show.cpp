@@ -212,17 +212,6 @@ std::string chart_text(const AnisotropyChart &chart) {
                               chart.permissible, chart.anisotropy);
 }
 
-/// Curves as a table, a column a list.
-std::string
-curves_csv(const std::vector<std::pair<std::string, const std::vector<double> *>> &curves) {
-    Columns<std::size_t> all;
-    for (const auto &[name, values] : curves)
-        all.push_back({InCsv(name), [list = values](const std::size_t &, std::size_t i) {
-                           return i < list->size() ? Json((*list)[i]) : Json();
-                       }});
-    return csv_table(all, std::vector<std::size_t>(curves.front().second->size()));
-}
-
 std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &result) {
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
@@ -231,23 +220,23 @@ std::vector<Picture> pictures_of(const model::Case &scene, const ShowResult &res
         const CompositeCurves &c = *result.balancers[i].curves;
         pictures.push_back({i == 0 ? "composite" : "composite_" + std::to_string(i + 1),
                             composite_figure(scene, result, i),
-                            curves_csv({{"n m/M_s", &c.m},
-                                        {"A_m", &c.A_m},
-                                        {"A_C1", &c.A_C1},
-                                        {"A_C2", &c.A_C2},
-                                        {"A", &c.A},
-                                        {"C", &c.C},
-                                        {"A_C1 with |D|", &c.A_C1_paper},
-                                        {"A_C2 with |D|", &c.A_C2_paper},
-                                        {"A with |D|", &c.A_paper},
-                                        {"A least", &c.A_least},
-                                        {"A largest", &c.A_largest}})});
+                            csv_lists({{"n m/M_s", c.m},
+                                       {"A_m", c.A_m},
+                                       {"A_C1", c.A_C1},
+                                       {"A_C2", c.A_C2},
+                                       {"A", c.A},
+                                       {"C", c.C},
+                                       {"A_C1 with |D|", c.A_C1_paper},
+                                       {"A_C2 with |D|", c.A_C2_paper},
+                                       {"A with |D|", c.A_paper},
+                                       {"A least", c.A_least},
+                                       {"A largest", c.A_largest}})});
     }
     if (const auto &chart = result.anisotropy)
         pictures.push_back({"anisotropy", anisotropy_figure(scene, *chart),
-                            curves_csv({{"speed [rad/s]", &chart->speed},
-                                        {"anisotropy at the stability limit", &chart->limit},
-                                        {"anisotropy at a critical speed", &chart->undamped}})});
+                            csv_lists({{"speed [rad/s]", chart->speed},
+                                       {"anisotropy at the stability limit", chart->limit},
+                                       {"anisotropy at a critical speed", chart->undamped}})});
     return pictures;
 }
 

@@ -222,20 +222,16 @@ Json json_of(const SimulateResult &result) {
 /// The time series; a column for each plane and each ball.
 std::string csv_of(const SimulateResult &result) {
     const results::MotionSeries &series = result.series;
-    const auto column = [](const std::string &name, const std::vector<double> &values) {
-        return Column<std::size_t>(
-            InCsv(name), [&values](const std::size_t &, std::size_t i) { return values[i]; });
-    };
-    Columns<std::size_t> all{column("time [s]", series.time),
-                             column("speed [rad/s]", series.speed)};
+    std::vector<std::pair<std::string, Json>> lists{{"time [s]", series.time},
+                                                    {"speed [rad/s]", series.speed}};
     for (std::size_t i = 0; i < series.amplitude.size(); ++i) {
-        all.push_back(column(fmt::format("amplitude_{} [m]", i), series.amplitude[i]));
-        all.push_back(column(fmt::format("x_{} [m]", i), series.x[i]));
-        all.push_back(column(fmt::format("y_{} [m]", i), series.y[i]));
+        lists.emplace_back(fmt::format("amplitude_{} [m]", i), series.amplitude[i]);
+        lists.emplace_back(fmt::format("x_{} [m]", i), series.x[i]);
+        lists.emplace_back(fmt::format("y_{} [m]", i), series.y[i]);
     }
     for (std::size_t i = 0; i < series.angles.size(); ++i)
-        all.push_back(column(fmt::format("angle_{} [rad]", i), series.angles[i]));
-    return csv_table(all, std::vector<std::size_t>(series.time.size()));
+        lists.emplace_back(fmt::format("angle_{} [rad]", i), series.angles[i]);
+    return csv_lists(lists);
 }
 
 std::vector<Section> sections_of(const SimulateResult &result) {

@@ -53,4 +53,13 @@ std::string csv_line(const std::vector<std::string> &cells) {
     return fmt::format("{}\n", fmt::join(cells, ","));
 }
 
+std::string csv_lists(const std::vector<std::pair<std::string, Json>> &lists) {
+    Columns<std::size_t> columns;
+    for (const auto &[heading, values] : lists)
+        columns.push_back({InCsv(heading), [&list = values](const std::size_t &, std::size_t i) {
+                               return i < list.size() ? list[i] : Json();
+                           }});
+    return csv_table(columns, std::vector<std::size_t>(lists.front().second.size()));
+}
+
 } // namespace whirl::report

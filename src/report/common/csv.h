@@ -47,5 +47,8 @@ template <class Row, class Rows>
     const std::vector<std::string> head = csv_head(columns);
     return csv_head_line(head) + csv_rows(head, columns, rows);
 }
+/// A file of lists, each below its heading; cells beyond the end of one that is shorter than the
+/// first stay empty.
+[[nodiscard]] std::string csv_lists(const std::vector<std::pair<std::string, Json>> &lists);
 
 } // namespace whirl::report

@@ -8,8 +8,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <complex>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 // What all reports do with JSON, compiled once in json.cpp: their sources are not optimised. `what`
 // is "extern template" or "template"; void is written so that a check of macros takes it for a
@@ -61,6 +63,12 @@ template <class List, class Of> [[nodiscard]] Json json_list(const List &list, O
     for (const auto &item : list)
         items.push_back(of(item));
     return items;
+}
+[[nodiscard]] inline Json real_parts(const std::vector<std::complex<double>> &list) {
+    return json_list(list, [](std::complex<double> value) { return value.real(); });
+}
+[[nodiscard]] inline Json imaginary_parts(const std::vector<std::complex<double>> &list) {
+    return json_list(list, [](std::complex<double> value) { return value.imag(); });
 }
 
 } // namespace whirl::report

@@ -52,6 +52,12 @@ template <class Row, class Rows>
 [[nodiscard]] std::string text_table(const Columns<Row> &columns, const Rows &rows) {
     return text_table(texts_of(columns, rows, &Column<Row>::text, "-"));
 }
+/// The same below a heading; nothing without rows.
+template <class Row, class Rows>
+[[nodiscard]] std::string text_table(const std::string &heading, const Columns<Row> &columns,
+                                     const Rows &rows) {
+    return rows.empty() ? "" : heading + text_table(columns, rows);
+}
 
 /// What one row is, a line a column: headings in front of values.
 template <class Row>

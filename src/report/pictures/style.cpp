@@ -224,6 +224,13 @@ std::optional<LabelPlacer::Box> LabelPlacer::place(double x, double y, double wi
     return best;
 }
 
+std::string left_out(int count, const std::string &mark, const std::string &at) {
+    return count == 0 ? ""
+                      : fmt::format("set label '{} more {}{}: see the table' at graph {} left font "
+                                    "',10' textcolor '#555555'\n",
+                                    count, mark, count == 1 ? "" : "s", at);
+}
+
 std::string leader(const LabelPlacer::Box &label, double x, double y) {
     // From the nearest place of the box, none from one that stands beside what it names.
     const double u = std::clamp(x, label.x, label.x + label.width);

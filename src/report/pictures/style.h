@@ -137,6 +137,10 @@ class LabelPlacer {
     std::vector<Box> _labels;
 };
 
+/// Says of marks for whose labels there is no place that the table has them; nothing without any.
+/// @param at  where, in parts of the graph: "0,1.06"
+[[nodiscard]] std::string left_out(int count, const std::string &mark, const std::string &at);
+
 /// A line from a label to what it names, at (x, y); all in parts of the graph.
 [[nodiscard]] std::string leader(const LabelPlacer::Box &label, double x, double y);
 

@@ -14,20 +14,22 @@ using results::GravityStation;
 
 namespace {
 
-const Columns<At<GravityStation>> station_series{
-    series("static", "static [m]", &GravityStation::sag),
-    series("static_x", "static_x [m]", &GravityStation::sag_x),
-    series("static_y", "static_y [m]", &GravityStation::sag_y),
-    series("twice", "twice [m]", &GravityStation::twice),
-    series("phase", "phase [rad]", &GravityStation::phase),
-    series("error", "error", &GravityStation::error),
-    series("static_error", "static_error", &GravityStation::sag_error)};
+const Kind<GravityStation> station_kind{
+    "station",
+    {series("static", "static [m]", &GravityStation::sag),
+     series("static_x", "static_x [m]", &GravityStation::sag_x),
+     series("static_y", "static_y [m]", &GravityStation::sag_y),
+     series("twice", "twice [m]", &GravityStation::twice),
+     series("phase", "phase [rad]", &GravityStation::phase),
+     series("error", "error", &GravityStation::error),
+     series("static_error", "static_error", &GravityStation::sag_error)}};
 
-const Columns<At<GravityBearing>> gravity_bearing_series{
-    series("static", "static force [N]", &GravityBearing::carried),
-    series("twice", "twice force [N]", &GravityBearing::twice),
-    series("error", "error", &GravityBearing::error),
-    series("static_error", "static_error", &GravityBearing::carried_error)};
+const Kind<GravityBearing> gravity_bearing_kind{
+    "bearing",
+    {series("static", "static force [N]", &GravityBearing::carried),
+     series("twice", "twice force [N]", &GravityBearing::twice),
+     series("error", "error", &GravityBearing::error),
+     series("static_error", "static_error", &GravityBearing::carried_error)}};
 
 const std::vector<std::string> gravity_headings{
     "speed [rad/s]",   "kind",         "name",        "z [m]",       "static [m]",
@@ -90,11 +92,8 @@ std::vector<Summary> of_bearings(const GravityResponse &response,
 
 Json gravity_json(const GravityResponse &response, const std::vector<double> &speeds) {
     return {{"gravity", response.gravity},
-            {"stations", json_of_kind(speeds, response.stations,
-                                      place_columns<GravityStation>("station"), station_series)},
-            {"bearings",
-             json_of_kind(speeds, response.bearings, place_columns<GravityBearing>("bearing"),
-                          gravity_bearing_series)},
+            {"stations", station_kind.json(speeds, response.stations)},
+            {"bearings", gravity_bearing_kind.json(speeds, response.bearings)},
             {"peaks", json_rows(curve_peaks(), response.peaks)},
             {"curves", curves_json(response)}};
 }
@@ -102,10 +101,8 @@ Json gravity_json(const GravityResponse &response, const std::vector<double> &sp
 std::string gravity_csv(const GravityResponse &response, const std::vector<double> &speeds) {
     std::string csv = csv_head_line(gravity_headings);
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        csv += csv_of_kind(gravity_headings, speeds[i], i, response.stations,
-                           place_columns<GravityStation>("station"), station_series) +
-               csv_of_kind(gravity_headings, speeds[i], i, response.bearings,
-                           place_columns<GravityBearing>("bearing"), gravity_bearing_series);
+        csv += station_kind.csv(gravity_headings, speeds[i], i, response.stations) +
+               gravity_bearing_kind.csv(gravity_headings, speeds[i], i, response.bearings);
     return csv;
 }
 
@@ -125,18 +122,14 @@ std::vector<Section> gravity_sections(const GravityResponse &response,
 }
 
 std::string gravity_text(const GravityResponse &response, const std::vector<double> &speeds) {
-    std::string text =
-        fmt::format("Under the weight, {:.6g} m/s2 towards -y: peaks of the motion at twice the "
-                    "spin speed\n",
-                    response.gravity) +
-        (response.peaks.empty() ? "\n  none inside the range\n"
-                                : text_table(curve_peaks(), response.peaks)) +
-        "\n" +
-        text_table(summary_columns("station", of_deflections()), of_stations(response, speeds));
-    if (!response.bearings.empty())
-        text +=
-            "\n" + text_table(summary_columns("bearing", of_forces), of_bearings(response, speeds));
-    return text;
+    return fmt::format("Under the weight, {:.6g} m/s2 towards -y: peaks of the motion at twice the "
+                       "spin speed\n",
+                       response.gravity) +
+           (response.peaks.empty() ? "\n  none inside the range\n"
+                                   : text_table(curve_peaks(), response.peaks)) +
+           "\n" +
+           text_table(summary_columns("station", of_deflections()), of_stations(response, speeds)) +
+           text_table("\n", summary_columns("bearing", of_forces), of_bearings(response, speeds));
 }
 
 } // namespace whirl::report

@@ -129,10 +129,7 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
             marks.after += fmt::format("unset arrow {}\n", arrow);
         }
     }
-    if (unnamed > 0)
-        marks.before += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.04 "
-                                    "left font ',{}' textcolor '#555555'\n",
-                                    unnamed, unnamed == 1 ? "peak" : "peaks", label_size);
+    marks.before += left_out(unnamed, "peak", "0.01,0.04");
     if (tops.empty())
         return marks;
     const auto &of = result.nodes[station];
@@ -307,11 +304,7 @@ std::string polar_peaks(const ResponseResult &result, const std::vector<PolarLin
                                   plot_text(text), box->x, box->y + box->height / 2, label_size) +
                       leader(*box, u, v);
     }
-    if (unnamed > 0)
-        script += fmt::format("set label '{} more {}: see the table' at graph 0.01,0.025 left "
-                              "font ',{}' textcolor '#555555'\n",
-                              unnamed, unnamed == 1 ? "peak" : "peaks", label_size);
-    return script + data_block("tops", {tops});
+    return script + left_out(unnamed, "peak", "0.01,0.025") + data_block("tops", {tops});
 }
 
 } // namespace

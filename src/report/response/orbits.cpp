@@ -147,15 +147,9 @@ std::vector<Section> orbit_sections(const ResponseResult &result) {
 }
 
 std::string orbit_text(const ResponseResult &result) {
-    std::string text;
-    if (!result.clearances.empty())
-        text += "\n" + text_table(use_columns, result.clearances);
-    const std::vector<OrbitRow> rows = rows_of(result.orbits, true);
-    if (!rows.empty())
-        text += "\n" + text_table(orbit_columns, rows);
-    if (!result.shapes.empty())
-        text += "\n" + text_table(shape_columns, result.shapes);
-    return text;
+    return text_table("\n", use_columns, result.clearances) +
+           text_table("\n", orbit_columns, rows_of(result.orbits, true)) +
+           text_table("\n", shape_columns, result.shapes);
 }
 
 std::vector<Picture> orbit_pictures(const model::Case &scene, const ResponseResult &result) {

@@ -28,32 +28,28 @@ using results::ResponseResult;
 
 namespace {
 
-const Columns<At<ResponseNode>> node_series{
-    series("amplitude", "amplitude [m]", &ResponseNode::amplitude),
-    series("phase", "phase [rad]", &ResponseNode::phase),
-    series("major", "major [m]", &ResponseNode::major),
-    series("minor", "minor [m]", &ResponseNode::minor),
-    series("x", "x [m]", &ResponseNode::x),
-    series("x_phase", "x_phase [rad]", &ResponseNode::x_phase),
-    series("y", "y [m]", &ResponseNode::y),
-    series("y_phase", "y_phase [rad]", &ResponseNode::y_phase),
-    series("inclination", "inclination [rad]", &ResponseNode::inclination),
-    series("error", "error", &ResponseNode::error)};
+const Kind<ResponseNode> node_kind{
+    "node",
+    {series("amplitude", "amplitude [m]", &ResponseNode::amplitude),
+     series("phase", "phase [rad]", &ResponseNode::phase),
+     series("major", "major [m]", &ResponseNode::major),
+     series("minor", "minor [m]", &ResponseNode::minor), series("x", "x [m]", &ResponseNode::x),
+     series("x_phase", "x_phase [rad]", &ResponseNode::x_phase),
+     series("y", "y [m]", &ResponseNode::y),
+     series("y_phase", "y_phase [rad]", &ResponseNode::y_phase),
+     series("inclination", "inclination [rad]", &ResponseNode::inclination),
+     series("error", "error", &ResponseNode::error)}};
 
-const Columns<At<ResponseBearing>> bearing_series{
-    series("force", "force [N]", &ResponseBearing::force),
-    series("error", "error", &ResponseBearing::error)};
+const Kind<ResponseBearing> bearing_kind{"bearing",
+                                         {series("force", "force [N]", &ResponseBearing::force),
+                                          series("error", "error", &ResponseBearing::error)}};
 
-const Columns<At<ResponseProbe>> probe_series{
-    series("amplitude", "amplitude [m]", &ResponseProbe::amplitude),
-    series("phase", "phase [rad]", &ResponseProbe::phase),
-    series("error", "error", &ResponseProbe::error)};
-
-Columns<At<ResponseProbe>> probe_places() {
-    auto columns = place_columns<ResponseProbe>("probe");
-    columns.push_back({"angle", InCsv("angle [rad]"), [](const auto &at) { return at.of->angle; }});
-    return columns;
-}
+const Kind<ResponseProbe> probe_kind{
+    "probe",
+    {series("amplitude", "amplitude [m]", &ResponseProbe::amplitude),
+     series("phase", "phase [rad]", &ResponseProbe::phase),
+     series("error", "error", &ResponseProbe::error)},
+    {{"angle", InCsv("angle [rad]"), [](const auto &at) { return at.of->angle; }}}};
 
 const std::vector<std::string> csv_headings{"speed [rad/s]", "kind",
                                             "name",          "z [m]",
@@ -178,11 +174,9 @@ Json curves_json(const ResponseResult &result) {
 Json json_of(const ResponseResult &result) {
     Json json{{"speeds", result.speeds},
               {"peaks", json_rows(curve_peaks(), result.peaks)},
-              {"nodes", json_of_kind(result.speeds, result.nodes,
-                                     place_columns<ResponseNode>("node"), node_series)},
-              {"bearings", json_of_kind(result.speeds, result.bearings,
-                                        place_columns<ResponseBearing>("bearing"), bearing_series)},
-              {"probes", json_of_kind(result.speeds, result.probes, probe_places(), probe_series)},
+              {"nodes", node_kind.json(result.speeds, result.nodes)},
+              {"bearings", bearing_kind.json(result.speeds, result.bearings)},
+              {"probes", probe_kind.json(result.speeds, result.probes)},
               {"curves", curves_json(result)}};
     add_orbits(json, result);
     add_margins(json, result.margins);
@@ -199,12 +193,9 @@ std::string csv_of(const ResponseResult &result) {
         return gravity_csv(*result.gravity, result.speeds);
     std::string csv = csv_head_line(csv_headings);
     for (std::size_t i = 0; i < result.speeds.size(); ++i)
-        csv += csv_of_kind(csv_headings, result.speeds[i], i, result.nodes,
-                           place_columns<ResponseNode>("node"), node_series) +
-               csv_of_kind(csv_headings, result.speeds[i], i, result.bearings,
-                           place_columns<ResponseBearing>("bearing"), bearing_series) +
-               csv_of_kind(csv_headings, result.speeds[i], i, result.probes, probe_places(),
-                           probe_series);
+        csv += node_kind.csv(csv_headings, result.speeds[i], i, result.nodes) +
+               bearing_kind.csv(csv_headings, result.speeds[i], i, result.bearings) +
+               probe_kind.csv(csv_headings, result.speeds[i], i, result.probes);
     return csv;
 }
 
@@ -231,16 +222,13 @@ std::vector<Section> sections_of(const ResponseResult &result) {
 }
 
 std::string imbalance_text(const ResponseResult &result) {
-    std::string text =
-        (result.peaks.empty() ? "No peak inside the range.\n"
-                              : text_table(curve_peaks(), result.peaks)) +
-        margins_text(result.margins) + "\n" +
-        text_table(peak_columns("", "station", "largest amplitude µm"), largest_amplitudes(result));
-    if (!result.probes.empty())
-        text += "\n" + text_table(probe_peak_columns(), largest_readings(result));
-    if (!result.bearings.empty())
-        text += "\n" + text_table(force_columns(), largest_forces(result));
-    return text + orbit_text(result);
+    return (result.peaks.empty() ? "No peak inside the range.\n"
+                                 : text_table(curve_peaks(), result.peaks)) +
+           margins_text(result.margins) + "\n" +
+           text_table(peak_columns("", "station", "largest amplitude µm"),
+                      largest_amplitudes(result)) +
+           text_table("\n", probe_peak_columns(), largest_readings(result)) +
+           text_table("\n", force_columns(), largest_forces(result)) + orbit_text(result);
 }
 
 std::string text_of(const model::Case &scene, const ResponseResult &result) {

@@ -7,8 +7,7 @@
 #include "report/common/words.h"
 #include "report/pictures/figures.h"
 #include "report/reports.h"
-#include "report/stability/band_lines.h"
-#include "report/stability/headline.h"
+#include "report/stability/bands.h"
 
 #include <fmt/format.h>
 
@@ -107,42 +106,16 @@ const Columns<Level1> level1_columns{
     {"anticipated_log_dec", OnPage("Logarithmic decrement with that", "{:.6g}"),
      InText("log. decrement with that", "{:.6g}"), &Level1::anticipated_log_dec},
     {"ratio", OnPage("Critical over anticipated", "{:.4g}"),
-     InText("critical over anticipated", "{:.4g}"), reserve}};
-
-/// A point of the curve.
-struct CurvePoint {
-    double q, log_dec, frequency;
-};
-
-std::vector<CurvePoint> points(const Level1 &level1) {
-    std::vector<CurvePoint> out;
-    for (std::size_t i = 0; i < level1.q.size(); ++i)
-        out.push_back({level1.q[i], level1.log_dec[i], level1.frequency[i]});
-    return out;
-}
-
-const Columns<CurvePoint> level1_curve{
-    {"q", InCsv("q [N/m]"), &CurvePoint::q},
-    {"log_dec", InCsv("log_dec"), &CurvePoint::log_dec},
-    {"frequency", InCsv("frequency [rad/s]"), &CurvePoint::frequency}};
-
-Json level1_json(const Level1 &level1) {
-    Json json = json_row(level1_columns, level1);
-    take_entries(json, json_lists(level1_curve, points(level1)));
-    return json;
-}
-
-Section level1_section(const Level1 &level1) {
-    return {"Level-I stability: added cross coupling", page_properties(level1_columns, level1)};
-}
-
-std::string level1_text(const Level1 &level1) {
-    return "\nLevel-I stability, added cross coupling:\n" +
-           text_table(properties(level1_columns, level1, &Column<Level1>::text, "-"));
-}
+     InText("critical over anticipated", "{:.4g}"), reserve},
+    {"q", &Level1::q},
+    {"log_dec", &Level1::log_dec},
+    {"frequency", &Level1::frequency}};
 
 Picture level1_picture(const model::Case &scene, const Level1 &level1) {
-    return {"level1", level1_figure(scene, level1), csv_table(level1_curve, points(level1))};
+    return {"level1", level1_figure(scene, level1),
+            csv_lists({{"q [N/m]", level1.q},
+                       {"log_dec", level1.log_dec},
+                       {"frequency [rad/s]", level1.frequency}})};
 }
 
 Json family_json(const results::ArrangementFamily &family) {
@@ -189,7 +162,7 @@ Json json_of(const StabilityResult &result) {
             {"harmonics", result.harmonics},
             {"family", result.family ? family_json(*result.family) : Json()},
             {"map", result.map ? map_json(*result.map) : Json()},
-            {"level1", result.level1 ? level1_json(*result.level1) : Json()}};
+            {"level1", result.level1 ? json_row(level1_columns, *result.level1) : Json()}};
 }
 
 std::string csv_of(const StabilityResult &result) {
@@ -200,9 +173,9 @@ std::string csv_of(const StabilityResult &result) {
             head.push_back(heading);
     const auto rows = [&](const std::vector<BandLine> &of) { return csv_rows(head, all, of); };
     std::string csv = csv_head_line(head) + rows(growth_lines(result)) +
-                      rows(band_lines("unstable", result.unstable, result.unstable_error)) +
+                      rows(band_lines("unstable", result.unstable, &result.unstable_error)) +
                       rows(band_lines("unstable, resolved", result.resolved_unstable,
-                                      result.resolved_unstable_error)) +
+                                      &result.resolved_unstable_error)) +
                       csv_rows(head, end_columns, result.ends) +
                       rows(speed_lines("critical speed", result.critical_speeds)) +
                       rows(speed_lines("zero root", result.zero_root_speeds)) +
@@ -247,7 +220,8 @@ std::vector<Section> sections_of(const StabilityResult &result) {
         sections.push_back({"Permissible inertial anisotropy",
                             page_table(permissible_columns, result.permissible)});
     if (result.level1)
-        sections.push_back(level1_section(*result.level1));
+        sections.push_back({"Level-I stability: added cross coupling",
+                            page_properties(level1_columns, *result.level1)});
     if (!result.family)
         return sections;
     const results::ArrangementFamily &family = *result.family;
@@ -259,7 +233,7 @@ std::vector<Section> sections_of(const StabilityResult &result) {
           std::pair(std::string("Critical speeds over the arrangements"), &family.critical_speeds),
           std::pair(std::string("Additional speeds over the arrangements"),
                     &family.additional_speeds)})
-        sections.push_back({title, bands_section(band_lines("", *bands), band_line_columns())});
+        sections.push_back({title, bands_section(*bands)});
     return sections;
 }
 
@@ -272,10 +246,9 @@ std::string speeds_text(const std::string &title, const std::vector<double> &spe
 
 std::string text_of(const model::Case &scene, const StabilityResult &result) {
     std::string text = heading(scene, "Stability, " + range_text(result.speeds));
-    text += headline_text(result);
-    if (!result.ends.empty())
-        text += "Speeds at which the number of growing motions changes:\n" +
-                text_table(without_empty(end_columns, result.ends), result.ends);
+    text += headline_text(result) +
+            text_table("Speeds at which the number of growing motions changes:\n",
+                       without_empty(end_columns, result.ends), result.ends);
     if (!result.unresolved_ends.empty())
         text += fmt::format("Not resolved by the elements: {} more {}, of motions with frequencies "
                             "above {:.6g} rad/s\n",
@@ -290,16 +263,14 @@ std::string text_of(const model::Case &scene, const StabilityResult &result) {
         text += "\n" +
                 bands_text(fmt::format("Unstable with some of {} arrangements of the balls",
                                        family->arrangements),
-                           band_lines("", family->unstable), band_line_columns()) +
-                bands_text("Unstable with every arrangement",
-                           band_lines("", family->always_unstable), band_line_columns()) +
-                bands_text("Critical speeds over the arrangements",
-                           band_lines("", family->critical_speeds), band_line_columns());
-    if (!result.permissible.empty())
-        text += "\nPermissible inertial anisotropy over this range:\n" +
-                text_table(permissible_columns, result.permissible);
+                           family->unstable) +
+                bands_text("Unstable with every arrangement", family->always_unstable) +
+                bands_text("Critical speeds over the arrangements", family->critical_speeds);
+    text += text_table("\nPermissible inertial anisotropy over this range:\n", permissible_columns,
+                       result.permissible);
     if (result.level1)
-        text += level1_text(*result.level1);
+        text += "\nLevel-I stability, added cross coupling:\n" +
+                text_table(properties(level1_columns, *result.level1, &Column<Level1>::text, "-"));
     return text + model_text(result.model);
 }
 

@@ -1,16 +1,95 @@
-#include "report/stability/headline.h"
+#include "report/stability/bands.h"
 
 #include "report/common/html.h"
+#include "report/common/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace whirl::report {
 
 using results::StabilityResult;
 using results::Verdict;
+
+namespace {
+
+double width(const BandLine &line) { return line.to - line.from; }
+
+/// Of the file, and of the tables of bands.
+Columns<BandLine> band_columns(bool with_errors) {
+    Columns<BandLine> columns{
+        {InCsv("kind"), &BandLine::kind},
+        {InCsv("from"), OnPage("From (rad/s)", "{:.10g}"), InText("from rad/s", precise),
+         &BandLine::from},
+        {InCsv("to"), OnPage("to (rad/s)", "{:.10g}"), InText("to rad/s", precise), &BandLine::to},
+        {OnPage("from (rpm)", "{:.8g}"), InText("from rpm"), in(rpm, &BandLine::from)},
+        {OnPage("to (rpm)", "{:.8g}"), InText("to rpm"), in(rpm, &BandLine::to)},
+        {OnPage("width (rad/s)", "{:.4g}"), InText("width rad/s"), width},
+        {InCsv("growth [1/s]"), &BandLine::growth},
+        {InCsv("verdict"), &BandLine::verdict}};
+    if (with_errors) {
+        columns.push_back({InCsv("error of from"), OnPage("error of from (rad/s)", "{:.2g}"),
+                           InText("error of from", rough), &BandLine::from_error});
+        columns.push_back({InCsv("error of to"), OnPage("error of to (rad/s)", "{:.2g}"),
+                           InText("error of to", rough), &BandLine::to_error});
+    }
+    return columns;
+}
+
+} // namespace
+
+Columns<BandLine> file_columns(const results::StabilityResult &result) {
+    Columns<BandLine> columns = band_columns(true);
+    if (!result.resolved_up_to)
+        return columns;
+    columns.push_back({InCsv("resolved growth [1/s]"), &BandLine::resolved_growth});
+    columns.push_back({InCsv("resolved verdict"), &BandLine::resolved_verdict});
+    columns.push_back({InCsv("unresolved growth [1/s]"), &BandLine::unresolved_growth});
+    return columns;
+}
+
+std::vector<BandLine> band_lines(const std::string &kind, const SpeedPairs &bands,
+                                 const SpeedPairs *errors) {
+    std::vector<BandLine> all;
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        all.push_back({kind, bands[i].first, bands[i].second});
+        if (errors && i < errors->size())
+            std::tie(all.back().from_error, all.back().to_error) = (*errors)[i];
+    }
+    return all;
+}
+
+std::vector<BandLine> speed_lines(const std::string &kind, const std::vector<double> &speeds) {
+    std::vector<BandLine> all;
+    for (const double speed : speeds)
+        all.push_back({kind, speed, speed});
+    return all;
+}
+
+std::vector<BandLine> growth_lines(const results::StabilityResult &result) {
+    std::vector<BandLine> all;
+    for (std::size_t i = 0; i < result.speeds.size() && i < result.growth.size(); ++i) {
+        all.push_back({"growth", result.speeds[i], result.speeds[i], result.growth[i],
+                       i < result.verdict.size() ? results::verdict_name(result.verdict[i]) : ""});
+        if (i >= result.resolved_growth.size())
+            continue;
+        all.back().resolved_growth = result.resolved_growth[i];
+        all.back().resolved_verdict = results::verdict_name(result.resolved_verdict[i]);
+        all.back().unresolved_growth = result.unresolved_growth[i];
+    }
+    return all;
+}
+
+std::vector<BandLine> map_lines(const results::StabilityMap &map) {
+    std::vector<BandLine> all;
+    for (std::size_t j = 0; j < map.growth.size(); ++j)
+        for (std::size_t i = 0; i < map.growth[j].size(); ++i)
+            all.push_back({"map", map.x_values[i], map.y_values[j], map.growth[j][i]});
+    return all;
+}
 
 namespace {
 
@@ -127,15 +206,18 @@ std::string lines_of(const std::vector<std::string> &sentences, const char *befo
 
 } // namespace
 
-std::string bands_text(const std::string &title, const std::vector<BandLine> &bands,
-                       const Columns<BandLine> &shown_columns) {
-    return bands.empty() ? title + ": none in this range\n"
-                         : title + ":\n" + text_table(shown_columns, bands);
+std::string bands_text(const std::string &title, const SpeedPairs &bands,
+                       const SpeedPairs *errors) {
+    return bands.empty()
+               ? title + ": none in this range\n"
+               : title + ":\n" +
+                     text_table(band_columns(errors != nullptr), band_lines("", bands, errors));
 }
 
-std::string bands_section(const std::vector<BandLine> &bands,
-                          const Columns<BandLine> &shown_columns) {
-    return bands.empty() ? "<p>None in this range.</p>\n" : page_table(shown_columns, bands);
+std::string bands_section(const SpeedPairs &bands, const SpeedPairs *errors) {
+    return bands.empty()
+               ? "<p>None in this range.</p>\n"
+               : page_table(band_columns(errors != nullptr), band_lines("", bands, errors));
 }
 
 std::string headline_text(const StabilityResult &result) {
@@ -147,8 +229,7 @@ std::string headline_text(const StabilityResult &result) {
         if (of.bands.empty() && !more.empty())
             text += of.title + ": " + more + "\n";
         else
-            text += bands_text(of.title, band_lines("", of.bands, of.errors),
-                               band_columns_with_errors()) +
+            text += bands_text(of.title, of.bands, &of.errors) +
                     (more.empty() ? "" : "  " + more + "\n");
         if (&of.bands == &result.resolved_unstable)
             text += "The " + faster_motions(result) + "\n";
@@ -164,12 +245,10 @@ std::vector<Section> headline_sections(const StabilityResult &result) {
     for (const Told &of : told(result)) {
         const std::string more = not_in_bands(of, result.speeds);
         const std::string sentence = more.empty() ? "" : "<p>" + more + ".</p>\n";
-        sections.push_back(
-            {of.title == "Unstable" ? "Unstable spin speeds" : of.title,
-             of.bands.empty() && !more.empty()
-                 ? sentence
-                 : bands_section(band_lines("", of.bands, of.errors), band_columns_with_errors()) +
-                       sentence});
+        sections.push_back({of.title == "Unstable" ? "Unstable spin speeds" : of.title,
+                            of.bands.empty() && !more.empty()
+                                ? sentence
+                                : bands_section(of.bands, &of.errors) + sentence});
         if (&of.bands == &result.resolved_unstable)
             sections.back().html += "<p>The " + faster_motions(result) + ".</p>\n";
     }

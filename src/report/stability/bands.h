@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/common/table.h"
+#include "report/report.h"
 #include "results/stability.h"
 
 #include <optional>
@@ -18,25 +19,33 @@ struct BandLine {
     double from = 0, to = 0;
     std::optional<double> growth{};
     std::string verdict{};
-    std::optional<std::pair<double, double>> errors{};
+    std::optional<double> from_error{}, to_error{};
     /// Of motions that the elements resolve, where these are told apart, and of faster ones.
     std::optional<double> resolved_growth{}, unresolved_growth{};
     std::string resolved_verdict{};
 };
 
-/// Lines of the file, and of the tables of bands.
-[[nodiscard]] const Columns<BandLine> &band_line_columns();
-/// The same with the errors of both ends.
-[[nodiscard]] Columns<BandLine> band_columns_with_errors();
-/// All that the file has, with the growth of what the elements resolve where it is told apart.
+/// What the file has, with the growth of what the elements resolve where it is told apart.
 [[nodiscard]] Columns<BandLine> file_columns(const results::StabilityResult &result);
 
 /// @param errors  of both ends of each band, or none
 [[nodiscard]] std::vector<BandLine> band_lines(const std::string &kind, const SpeedPairs &bands,
-                                               const SpeedPairs &errors = {});
+                                               const SpeedPairs *errors = nullptr);
 [[nodiscard]] std::vector<BandLine> speed_lines(const std::string &kind,
                                                 const std::vector<double> &speeds);
 [[nodiscard]] std::vector<BandLine> growth_lines(const results::StabilityResult &result);
 [[nodiscard]] std::vector<BandLine> map_lines(const results::StabilityMap &map);
+
+// What the answer of `stability` begins with: where something grows, of one speed what becomes of a
+// small motion there. Where only some motions are resolved by the elements these are told apart.
+
+[[nodiscard]] std::string headline_text(const results::StabilityResult &result);
+[[nodiscard]] std::vector<Section> headline_sections(const results::StabilityResult &result);
+
+/// A table of bands, or that there are none. @param errors  of both ends of each; none: not told
+[[nodiscard]] std::string bands_text(const std::string &title, const SpeedPairs &bands,
+                                     const SpeedPairs *errors = nullptr);
+[[nodiscard]] std::string bands_section(const SpeedPairs &bands,
+                                        const SpeedPairs *errors = nullptr);
 
 } // namespace whirl::report
