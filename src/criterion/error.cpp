@@ -102,31 +102,24 @@ std::optional<double> error_of(double end, bool upper, const std::vector<results
     return error + mesh_error::estimate_safety * std::abs(*other - end);
 }
 
-/// Fills in the errors of one list of bands. @returns ends without a counterpart.
-std::vector<double> judge(const BalanceScene &scene, const Judged &criterion,
-                          const SpeedFunction *finer, results::BalanceBands &of) {
-    std::vector<double> lonely;
+/// Fills in the errors of one list of bands. Ends without a counterpart get a note.
+/// @param which  bands, in words
+void judge(const BalanceScene &scene, const std::string &which, const Judged &criterion,
+           const SpeedFunction *finer, results::BalanceBands &of, std::vector<std::string> &notes) {
     of.errors.clear();
     const auto judged = [&](double end, bool upper, double edge) -> std::optional<double> {
         if (end == edge)
             return 0.0;
         const auto error = error_of(end, upper, of.bands, criterion, finer);
         if (!error)
-            lonely.push_back(end);
+            notes.push_back(fmt::format("{}: the end of a band at {:.6g} rad/s is not there on a "
+                                        "finer model; its error is not known",
+                                        which, end));
         return error;
     };
     for (const results::SpeedBand &band : of.bands)
         of.errors.emplace_back(judged(band.from, false, scene.from),
                                judged(band.to, true, scene.to));
-    return lonely;
-}
-
-void note_lonely(const std::string &which, const std::vector<double> &ends,
-                 std::vector<std::string> &notes) {
-    for (const double end : ends)
-        notes.push_back(fmt::format("{}: the end of a band at {:.6g} rad/s is not there on a finer "
-                                    "model; its error is not known",
-                                    which, end));
 }
 
 } // namespace
@@ -147,7 +140,7 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
         const Judged given{[&](double speed) { return form.value(i, speed); },
                            [&](double speed) { return form.rounding(i, speed); }};
         const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
-        note_lonely(name(i), judge(scene, given, rigid ? nullptr : &fine, *each[i]), notes);
+        judge(scene, name(i), given, rigid ? nullptr : &fine, *each[i], notes);
     }
     if (rigid)
         return;

@@ -57,8 +57,6 @@ PendulumShaft::PendulumShaft(model::Rotor rotor, int order,
       _receptance(_d, results::Form::planar, places_of(_d, _pendulums, _drive)) {}
 
 void PendulumShaft::look_at(double speed) {
-    if (speed == _speed)
-        return;
     const auto count = static_cast<Eigen::Index>(_pendulums.size());
     Eigen::MatrixXcd R;
     try {
@@ -71,7 +69,6 @@ void PendulumShaft::look_at(double speed) {
     for (std::size_t k = 0; k < _drive.size(); ++k)
         _held += R.col(count + static_cast<Eigen::Index>(k)).head(count) *
                  std::polar(_drive[k].mr, _drive[k].phase);
-    _speed = speed;
 }
 
 Eigen::VectorXcd PendulumShaft::held(double speed) {
