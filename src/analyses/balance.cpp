@@ -17,50 +17,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace whirl::analyses {
 
 namespace {
 
-/// Ends of the bands strictly inside the range.
-std::vector<results::BandEnd> inner_ends(const std::vector<results::SpeedBand> &bands, double from,
-                                         double to) {
+using Errors = decltype(results::BalanceBands::errors);
+
+/// Ends of the bands strictly inside the range, with their errors where these are known.
+std::vector<results::BandEnd> inner_ends(const std::vector<results::SpeedBand> &bands,
+                                         const Errors &errors, double from, double to) {
     std::vector<results::BandEnd> ends;
-    for (const results::SpeedBand &band : bands) {
-        if (band.from > from)
-            ends.push_back({band.from, false, {}, {}, {}, {}});
-        if (band.to < to)
-            ends.push_back({band.to, true, {}, {}, {}, {}});
+    for (std::size_t i = 0; i < bands.size(); ++i) {
+        const auto [of_lower, of_upper] = i < errors.size() ? errors[i] : Errors::value_type();
+        if (bands[i].from > from)
+            ends.push_back({bands[i].from, false, {}, {}, of_lower, {}});
+        if (bands[i].to < to)
+            ends.push_back({bands[i].to, true, {}, {}, of_upper, {}});
     }
     return ends;
 }
 
-std::optional<double> error_of(const results::BalanceBands &bands, const results::BandEnd &end) {
-    for (std::size_t i = 0; i < bands.errors.size(); ++i)
-        if ((end.upper ? bands.bands[i].to : bands.bands[i].from) == end.speed)
-            return end.upper ? bands.errors[i].second : bands.errors[i].first;
-    return std::nullopt;
-}
-
-template <class Ends> auto nearest_end(Ends &ends, double speed, bool upper) {
-    auto best = ends.end();
-    for (auto end = ends.begin(); end != ends.end(); ++end)
-        if (end->upper == upper &&
-            (best == ends.end() || std::abs(end->speed - speed) < std::abs(best->speed - speed)))
-            best = end;
-    return best;
+/// The nearest one of the same kind, where there is one.
+auto nearest_end(const std::vector<results::BandEnd> &ends, double speed, bool upper) {
+    return std::ranges::min_element(ends, {}, [speed, upper](const results::BandEnd &end) {
+        return std::pair(end.upper != upper, std::abs(end.speed - speed));
+    });
 }
 
 /// Ends beside the rigid ones: two belong together where each is the other's nearest.
 void complete(results::BalanceBands &bands, double from, double to) {
-    bands.ends = inner_ends(bands.bands, from, to);
+    bands.ends = inner_ends(bands.bands, bands.errors, from, to);
     const std::vector<results::BandEnd> rigid =
-        inner_ends(bands.rigid_bands.value_or(std::vector<results::SpeedBand>{}), from, to);
+        inner_ends(bands.rigid_bands.value_or(std::vector<results::SpeedBand>{}), {}, from, to);
     for (results::BandEnd &end : bands.ends) {
-        end.error = error_of(bands, end);
         const auto partner = nearest_end(rigid, end.speed, end.upper);
         // Farther apart than by half, they have nothing to do with each other.
-        if (partner != rigid.end() && std::abs(end.speed / partner->speed - 1) < 0.5 &&
+        if (partner != rigid.end() && partner->upper == end.upper &&
+            std::abs(end.speed / partner->speed - 1) < 0.5 &&
             nearest_end(bands.ends, partner->speed, end.upper)->speed == end.speed) {
             end.rigid = partner->speed;
             end.relative_difference = end.speed / partner->speed - 1;
@@ -76,22 +71,15 @@ void fill_bands(const criterion::BalanceScene &s, const criterion::BalanceBreakp
     std::vector<double> samples;
     if (!points.sharp)
         samples = criterion::samples_around(points.hints, s.speeds, s.from, s.to);
-    const auto bands = [&](int plane, const std::vector<double> &pinned) {
-        const criterion::SpeedFunction of = [&form, plane](double speed) {
-            return form.value(plane, speed);
-        };
-        return points.sharp ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
-                            : criterion::sampled_bands(of, samples);
-    };
-    for (std::size_t i = 0; i < s.planes.size(); ++i) {
-        results::BalanceBands &plane = result.planes[i].bands;
-        plane.pinned = points.pinned[i];
-        plane.bands = bands(static_cast<int>(i), plane.pinned);
+    const std::vector<results::BalanceBands *> each = criterion::bands_of_each(result);
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        const criterion::SpeedFunction of = [&](double speed) { return form.value(i, speed); };
+        const std::vector<double> &pinned = points.pinned[i];
+        each[i]->pinned = pinned;
+        each[i]->bands = points.sharp
+                             ? criterion::sharp_bands(of, points.critical, pinned, s.from, s.to)
+                             : criterion::sampled_bands(of, samples);
     }
-    results::BalanceBands &joint = result.joint.bands;
-    joint.pinned = points.pinned_all;
-    joint.bands = s.planes.size() == 1 ? result.planes[0].bands.bands
-                                       : bands(criterion::BalanceForm::all_planes, joint.pinned);
 }
 
 void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result) {
@@ -103,9 +91,10 @@ void fill_rigid(const criterion::BalanceScene &s, results::BalanceResult &result
         result.joint.bands.rigid_bands =
             criterion::rigid_joint_bands(*result.rigid, s.plane_positions(), s.from, s.to);
     }
-    for (results::BalancePlane &plane : result.planes)
-        complete(plane.bands, s.from, s.to);
-    complete(result.joint.bands, s.from, s.to);
+    for (results::BalanceBands *bands : criterion::bands_of_each(result))
+        complete(*bands, s.from, s.to);
+    if (result.planes.size() == 1)
+        result.joint.bands = result.planes.front().bands;
 }
 
 /// One row a speed: the eigenvalues, the diagonal, the worst imbalances.
@@ -118,7 +107,7 @@ void fill_signature(const criterion::BalanceScene &s, criterion::BalanceForm &fo
         values.push_back(point.negative);
         values.push_back(point.relative);
         for (std::size_t i = 0; i < count; ++i)
-            values.push_back(form.value(static_cast<int>(i), speed));
+            values.push_back(form.value(i, speed));
         for (const std::complex<double> &s_i : point.worst)
             values.insert(values.end(), {s_i.real(), s_i.imag()});
         return values;
@@ -174,7 +163,8 @@ results::BalanceResult empirical_criterion(const model::Case &scene,
                                            const criterion::BalanceScene &s,
                                            const assembly::Discretization &d) {
     const process::Stage stage("empirical criterion", 0, 0.1);
-    criterion::BalanceForm form(d, s.formulation.form, s.places(d), s.plane_positions());
+    criterion::BalanceForm form(d, s.formulation.form, criterion::deflections_at(d, s.planes),
+                                s.plane_positions());
     results::BalanceResult result;
     result.model.formulation = s.formulation;
     result.model.order = s.order;

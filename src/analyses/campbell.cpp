@@ -1,9 +1,6 @@
 #include "analyses/campbell.h"
 
-#include "analyses/lines/drawn_lines.h"
-#include "analyses/notes/gaps.h"
-#include "analyses/notes/growing_lines.h"
-#include "analyses/notes/unconfirmed.h"
+#include "analyses/notes/campbell_notes.h"
 #include "assembly/discretization.h"
 #include "mesh_error/estimate.h"
 #include "modes/formulation.h"
@@ -21,17 +18,89 @@
 #include "tracking/line_names.h"
 #include "tracking/tracking.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <iterator>
-#include <numbers>
 #include <optional>
+#include <utility>
 
 namespace whirl::analyses {
 
 namespace {
+
+/// The speeds of the diagram and those between them that name its lines, ascending.
+std::vector<double> with_naming_speeds(const model::SpeedRange &range) {
+    const std::vector<double> own = range.values();
+    const std::vector<double> naming = tracking::naming_speeds(range);
+    std::vector<double> all;
+    std::ranges::set_union(own, naming, std::back_inserter(all));
+    return all;
+}
+
+/// Places of some of these speeds.
+std::vector<std::size_t> places_of(const std::vector<double> &some,
+                                   const std::vector<modes::Spectrum> &spectra) {
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < spectra.size(); ++k)
+        if (std::ranges::binary_search(some, spectra[k].speed))
+            places.push_back(k);
+    return places;
+}
+
+template <class Item>
+void keep_places(std::vector<Item> &items, const std::vector<std::size_t> &places) {
+    std::vector<Item> kept;
+    for (const std::size_t k : places)
+        kept.push_back(std::move(items[k]));
+    items = std::move(kept);
+}
+
+/// What is drawn: the lines that are among the `modes` lowest at some speed of the diagram, there.
+struct Drawn {
+    std::vector<std::string> labels;
+    std::vector<int> places; ///< of the lines that were found among these, or -1
+};
+
+/// Leaves the lines that are drawn.
+/// @param own  places of the speeds of the diagram
+/// @param all  lines that are among the lowest at other speeds are drawn too
+Drawn keep_lowest_lines(tracking::FollowedLines &found, const model::SpeedRange &range,
+                        const std::vector<std::size_t> &own, int modes, bool all) {
+    std::vector<tracking::Line> &lines = found.tracking.lines;
+    const std::vector<tracking::LineName> names = tracking::line_names(
+        lines, found.spectra, places_of(tracking::naming_speeds(range), found.spectra), modes);
+    std::vector<tracking::Line> lowest;
+    Drawn out;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        tracking::Line looked_at = lines[i];
+        if (!all)
+            keep_places(looked_at.place, own);
+        const bool drawn = tracking::among_lowest(looked_at, modes);
+        out.places.push_back(drawn ? static_cast<int>(lowest.size()) : -1);
+        if (!drawn)
+            continue;
+        out.labels.push_back(names[i].label);
+        lowest.push_back(std::move(lines[i]));
+    }
+    lines = std::move(lowest);
+    return out;
+}
+
+/// Leaves the speeds of the diagram.
+void keep_own(tracking::FollowedLines &found, const std::vector<std::size_t> &own) {
+    keep_places(found.spectra, own);
+    keep_places(found.tracking.rates, own);
+    for (tracking::Line &line : found.tracking.lines) {
+        keep_places(line.place, own);
+        keep_places(line.absence, own);
+    }
+}
+
+/// Of crossings or intervals of all lines those of the lines drawn.
+template <class Item> void keep_drawn(std::vector<Item> &items, const Drawn &drawn) {
+    for (Item &item : items)
+        item.mode = drawn.places[static_cast<std::size_t>(item.mode)];
+    std::erase_if(items, [](const Item &item) { return item.mode < 0; });
+}
 
 std::string word(tracking::Absence why) {
     switch (why) {
@@ -63,194 +132,39 @@ results::CampbellMode mode_along(const tracking::Line &line,
                                  const std::vector<modes::Spectrum> &spectra,
                                  const std::vector<std::optional<double>> &errors, bool rotating,
                                  bool followed) {
+    const std::size_t speeds = spectra.size();
     results::CampbellMode out;
-    for (std::size_t k = 0; k < spectra.size(); ++k) {
+    for (auto *list :
+         {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec, &out.error, &out.residual})
+        list->resize(speeds);
+    for (auto *list : {&out.frequency_rotating, &out.other_frequency})
+        list->resize(rotating ? speeds : 0);
+    out.error_parts.resize(speeds);
+    out.whirl.assign(speeds, results::Whirl::mixed);
+    out.forward_fraction.assign(speeds, 0.5);
+    for (std::size_t k = 0; k < speeds; ++k) {
         out.absent.push_back(word(line.absence[k]));
-        if (line.place[k] == tracking::Line::absent) {
-            for (auto *list : {&out.frequency, &out.real, &out.damping_ratio, &out.log_dec,
-                               &out.error, &out.residual})
-                list->emplace_back();
-            out.error_parts.emplace_back();
-            if (rotating) {
-                out.frequency_rotating.emplace_back();
-                out.other_frequency.emplace_back();
-            }
-            out.whirl.push_back(results::Whirl::mixed);
-            out.forward_fraction.push_back(0.5);
+        if (line.place[k] == tracking::Line::absent)
             continue;
-        }
         const modes::WhirlMode &mode = spectra[k].modes[static_cast<std::size_t>(line.place[k])];
         const results::Damping damping = results::damping_of(mode.eigenvalue);
-        out.frequency.emplace_back(mode.eigenvalue.imag());
+        out.frequency[k] = mode.eigenvalue.imag();
         if (rotating) {
-            out.frequency_rotating.emplace_back(mode.frequency_rotating);
-            out.other_frequency.push_back(mode.other_frequency);
+            out.frequency_rotating[k] = mode.frequency_rotating;
+            out.other_frequency[k] = mode.other_frequency;
         }
-        out.real.emplace_back(mode.eigenvalue.real());
-        out.damping_ratio.push_back(damping.ratio);
-        out.log_dec.push_back(damping.log_dec);
-        out.whirl.push_back(mode.whirl);
-        out.forward_fraction.push_back(mode.forward_fraction);
-        out.residual.push_back(mode.confirmed ? std::optional(mode.residual) : std::nullopt);
-        out.error_parts.push_back(parts_of(errors[k], mode, followed));
-        out.error.push_back(out.error_parts.back() ? std::optional(out.error_parts.back()->sum())
-                                                   : std::nullopt);
+        out.real[k] = mode.eigenvalue.real();
+        out.damping_ratio[k] = damping.ratio;
+        out.log_dec[k] = damping.log_dec;
+        out.whirl[k] = mode.whirl;
+        out.forward_fraction[k] = mode.forward_fraction;
+        if (mode.confirmed)
+            out.residual[k] = mode.residual;
+        out.error_parts[k] = parts_of(errors[k], mode, followed);
+        if (out.error_parts[k])
+            out.error[k] = out.error_parts[k]->sum();
     }
     return out;
-}
-
-/// What the absence of modes at some speeds means.
-std::string absence_note(tracking::Absence why, const std::string &labels, bool several) {
-    const std::string who = (several ? "modes " : "mode ") + labels;
-    const std::string they = several ? "they" : "it";
-    const auto verb = [several](const char *one, const char *more) { return several ? more : one; };
-    switch (why) {
-    case tracking::Absence::overdamped:
-        return fmt::format("{} {} overdamped at some speeds and {} no whirl frequency there", who,
-                           verb("is", "are"), verb("has", "have"));
-    case tracking::Absence::divergent:
-        return fmt::format("{} {} at some speeds: the eigenvalue is real and positive there, {} {} "
-                           "without whirling",
-                           who, verb("diverges", "diverge"), they, verb("grows", "grow"));
-    case tracking::Absence::beyond:
-        return fmt::format("{} {} beyond the computed modes at some speeds", who,
-                           verb("lies", "lie"));
-    default:
-        return fmt::format("{} could not be followed to some speeds; {} {} on there as {}", who,
-                           they, verb("goes", "go"), verb("another line", "other lines"));
-    }
-}
-
-void note_absent(results::CampbellResult &result, const std::vector<tracking::Line> &lines) {
-    for (const tracking::Absence why : {tracking::Absence::overdamped, tracking::Absence::divergent,
-                                        tracking::Absence::beyond, tracking::Absence::lost}) {
-        std::string labels;
-        int count = 0;
-        for (std::size_t i = 0; i < lines.size(); ++i)
-            if (std::ranges::count(lines[i].absence, why) > 0)
-                labels += (count++ > 0 ? ", " : "") + result.modes[i].label;
-        if (count > 0)
-            result.model.notes.push_back(absence_note(why, labels, count > 1));
-    }
-}
-
-/// `critical` has no answer where the equations stay periodic.
-bool critical_knows(const results::CampbellResult &result) {
-    return result.model.formulation.form != results::Form::hill;
-}
-
-/// Speeds so far apart that lines exchange their places between them.
-void note_far_apart(results::CampbellResult &result) {
-    constexpr int most = 4; // of two pairs of modes
-    int largest = 0;
-    std::size_t at = 0;
-    for (std::size_t k = 1; k < result.speeds.size(); ++k) {
-        const auto inside = static_cast<int>(
-            std::ranges::count_if(result.crossings, [&](const results::Crossing &c) {
-                return c.multiple == result.crossings.front().multiple &&
-                       c.speed > result.speeds[k - 1] && c.speed <= result.speeds[k];
-            }));
-        if (inside > largest) {
-            largest = inside;
-            at = k;
-        }
-    }
-    if (largest > most)
-        result.model.notes.push_back(fmt::format(
-            "{} crossings lie between {:.6g} and {:.6g} rad/s, two neighbours of the speeds: modes "
-            "that exchange their places in between can cross unseen; take more speeds{}",
-            largest, result.speeds[at - 1], result.speeds[at],
-            critical_knows(result) ? ", or `critical`, which needs none" : ""));
-}
-
-/// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
-void note_real(results::CampbellResult &result, const std::vector<modes::Spectrum> &spectra) {
-    std::size_t overdamped = 0;
-    std::size_t diverging = 0;
-    double worst = 0;
-    double at = 0;
-    for (const modes::Spectrum &spectrum : spectra) {
-        overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
-        result.divergence.emplace_back();
-        if (spectrum.growing.empty())
-            continue;
-        ++diverging;
-        const double largest = *std::ranges::max_element(spectrum.growing);
-        result.divergence.back() = largest;
-        if (largest > worst) {
-            worst = largest;
-            at = spectrum.speed;
-        }
-    }
-    if (diverging > 0)
-        result.model.notes.push_back(
-            fmt::format("divergence (static instability) at {} of {} speeds: a real eigenvalue of "
-                        "{:+.6g} 1/s at {:.6g} rad/s, motion grows without whirling",
-                        diverging, spectra.size(), worst, at));
-    if (overdamped > 0)
-        result.model.notes.push_back(
-            fmt::format("up to {} overdamped motions, which do not whirl, lie among the ones "
-                        "computed at a speed: real eigenvalues, and pairs with a damping ratio "
-                        "above {:.4f}; they have no line and no crossings",
-                        overdamped, modes::overdamped_ratio));
-}
-
-/// Crossings that are no critical speeds: the damping of these beats every peak.
-void note_no_peaks(results::CampbellResult &result) {
-    std::vector<double> speeds;
-    for (const results::Crossing &c : result.crossings)
-        if (c.multiple == 1 && c.damping.ratio && *c.damping.ratio > 1 / std::numbers::sqrt2)
-            speeds.push_back(c.speed);
-    if (!speeds.empty())
-        result.model.notes.push_back(fmt::format(
-            "crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
-            "make no peak in a response{}",
-            fmt::join(speeds, ", "), critical_knows(result) ? "; `critical` leaves them out" : ""));
-}
-
-/// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
-/// change; by monodromy matrices all of 1x are searched for.
-/// @param by_steps  as the first
-void note_short_bands(results::ModelSummary &model, bool by_steps,
-                      const std::vector<double> &multiples) {
-    if (model.formulation.form != results::Form::hill)
-        return;
-    if (by_steps)
-        model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
-                              "leaves it again within one step of the speeds may not be listed");
-    else if (std::ranges::any_of(multiples, [](double m) { return m != 1; }))
-        model.notes.push_back("a motion that comes to stay on another multiple of the spin speed "
-                              "than 1x and leaves it again within a 200th of the range may not be "
-                              "listed");
-}
-
-void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
-              int wanted) {
-    const bool few = std::ranges::any_of(spectra, [wanted](const modes::Spectrum &s) {
-        return static_cast<int>(s.modes.size()) < wanted;
-    });
-    if (few)
-        model.notes.push_back(
-            fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "
-                        "more that double "
-                        "precision resolves beside the others: all found are listed",
-                        wanted));
-}
-
-void add_notes(results::CampbellResult &result, const model::CampbellSettings &settings,
-               const tracking::FollowedLines &found, const tracking::Crossings &crossed,
-               bool by_steps) {
-    note_absent(result, found.tracking.lines);
-    note_growing(result);
-    note_far_apart(result);
-    note_real(result, found.spectra);
-    note_no_peaks(result);
-    note_short_bands(result.model, by_steps, settings.multiples);
-    note_few(result.model, found.spectra, settings.modes);
-    note_gaps(result.model, found.tracking.gaps, "a mode could not be followed");
-    note_gaps(result.model, crossed.unsettled,
-              "a frequency changes sides of a multiple of the spin speed without a crossing that "
-              "could be verified");
 }
 
 void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
@@ -264,6 +178,11 @@ void add_modes(const model::Case &scene, const modes::SpectrumSolver &solver,
                                           results::in_rotating_axes(solver.form()),
                                           solver.follows()));
         result.modes.back().label = drawn.labels[i];
+    }
+    for (const modes::Spectrum &spectrum : found.spectra) {
+        const auto largest = std::ranges::max_element(spectrum.growing);
+        result.divergence.push_back(largest == spectrum.growing.end() ? std::nullopt
+                                                                      : std::optional(*largest));
     }
 }
 
@@ -294,7 +213,8 @@ results::CampbellResult campbell(const model::Case &scene) {
     // then these speeds are searched too.
     const bool coarse = result.speeds.size() < tracking::naming_speeds(range).size();
     const std::vector<std::size_t> own = places_of(result.speeds, found.spectra);
-    const Drawn drawn = keep_lowest(found, range, own, scene.campbell.modes, periodic || coarse);
+    const Drawn drawn =
+        keep_lowest_lines(found, range, own, scene.campbell.modes, periodic || coarse);
     tracking::Crossings crossed;
     const auto search = [&] {
         return tracking::crossings(solver, found.tracking, found.spectra, scene.campbell.multiples);
@@ -314,9 +234,7 @@ results::CampbellResult campbell(const model::Case &scene) {
         crossed = search();
     result.crossings = std::move(crossed.found);
     result.locked = std::move(crossed.locked);
-    add_notes(result, scene.campbell, found, crossed, !periodic);
-    note_unconfirmed(result.model, found.spectra, periodic.has_value());
-    note_unconfirmed(result, crossed.unconfirmed);
+    add_campbell_notes(scene.campbell, found, crossed, periodic.has_value(), result);
     return result;
 }
 

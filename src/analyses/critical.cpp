@@ -261,14 +261,10 @@ results::CriticalResult critical_speeds(const model::Case &scene, bool map) {
     results::CriticalResult result = critical_of(scene, true);
     name_modes(result.critical_speeds, scene, result.model.order);
     if (scene.operation) {
-        const bool backward_too = !scene.rotor.bearings_rotation_invariant();
         const auto peaks = peaks_for_margins(scene, result.model);
-        result.margins = operation::separation_margins(*scene.operation, result.critical_speeds,
-                                                       peaks, backward_too);
-        operation::note_unlisted(*scene.operation, result.critical_speeds, peaks, *result.margins,
-                                 backward_too, result.model.notes);
-        operation::note_without_factor(result.critical_speeds, peaks, result.model.notes);
-        operation::note_unknown_damping(result.critical_speeds, result.model.notes);
+        result.margins = operation::separation_margins(
+            *scene.operation, result.critical_speeds, peaks,
+            !scene.rotor.bearings_rotation_invariant(), result.model.notes);
     }
     if (map)
         result.map = map_of(scene, result.model);

@@ -325,13 +325,9 @@ void add_margins(results::ResponseResult &result, const model::Case &scene) {
     } catch (const model::AnalysisFailure &failure) {
         result.model.notes.push_back(fmt::format("margins of the peaks alone: {}", failure.what()));
     }
-    const bool backward_too = !scene.rotor.bearings_rotation_invariant();
     result.margins = operation::separation_margins(*scene.operation, critical_speeds, result.peaks,
-                                                   backward_too);
-    operation::note_unlisted(*scene.operation, critical_speeds, result.peaks, *result.margins,
-                             backward_too, result.model.notes);
-    operation::note_without_factor(critical_speeds, result.peaks, result.model.notes);
-    operation::note_unknown_damping(critical_speeds, result.model.notes);
+                                                   !scene.rotor.bearings_rotation_invariant(),
+                                                   result.model.notes);
 }
 
 } // namespace

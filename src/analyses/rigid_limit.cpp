@@ -1,6 +1,7 @@
 #include "analyses/rigid_limit.h"
 
 #include "assembly/discretization.h"
+#include "linalg/roots.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "model/variants.h"
@@ -11,6 +12,7 @@
 #include "rigid/model.h"
 #include "rigid/shaft.h"
 
+#include <boost/math/statistics/linear_regression.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,26 +29,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double one_percent = 0.01;
 using Values = std::vector<std::optional<rigid::ModelValue>>;
 
-double difference(const rigid::RigidTarget &target, const rigid::ModelValue &found) {
-    return std::abs(found.value - target.closed_form) / target.closed_form;
-}
-
-/// Least-squares slope of log y over log x.
-std::optional<double> slope(const std::vector<std::pair<double, double>> &points) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (const auto &[x, y] : points) {
-        const double u = std::log(x);
-        const double v = std::log(y);
-        n += 1;
-        sx += u;
-        sy += v;
-        sxx += u * u;
-        sxy += u * v;
-    }
-    const double spread = n * sxx - sx * sx;
-    if (points.size() < 3 || !(spread > 0))
-        return std::nullopt;
-    return (n * sxy - sx * sy) / spread;
+/// Infinite where the model has no such value.
+double difference(const rigid::RigidTarget &target, const std::optional<rigid::ModelValue> &found) {
+    return found ? std::abs(found->value - target.closed_form) / target.closed_form : infinite;
 }
 
 /// The speed that differs most, and by how much: infinitely where one does not exist.
@@ -78,7 +63,7 @@ class Comparison {
         for (std::size_t i = 0; i < _targets.size(); ++i) {
             if (!_targets[i].speed())
                 continue;
-            const double d = values[i] ? difference(_targets[i], *values[i]) : infinite;
+            const double d = difference(_targets[i], values[i]);
             if (d > out.difference || out.quantity.empty())
                 out = {d, _targets[i].quantity};
         }
@@ -90,7 +75,7 @@ class Comparison {
         const Values &values = at(factor);
         for (std::size_t i = 0; i < _targets.size(); ++i)
             if (!values[i] || (_targets[i].speed() &&
-                               difference(_targets[i], *values[i]) > margin * values[i]->noise))
+                               difference(_targets[i], values[i]) > margin * values[i]->noise))
                 return true;
         return false;
     }
@@ -137,46 +122,42 @@ std::optional<double> one_percent_factor(Comparison &comparison) {
             return std::nullopt;
         else
             within = beyond;
-    // Secant in the logarithms, on which the difference is nearly straight, kept in the bracket.
-    const auto excess = [&comparison](double x) {
-        const double d = comparison.worst(std::exp(x)).difference;
-        return std::isfinite(d) ? std::log(d / one_percent) : infinite;
+    // In the logarithms the difference is nearly straight.
+    const auto excess = [&comparison](double log_factor) {
+        return std::log(comparison.worst(std::exp(log_factor)).difference / one_percent);
     };
-    double a = std::log(within), b = std::log(beyond);
-    double fa = excess(a), fb = excess(b);
-    for (int i = 0; i < 80 && std::abs(a - b) > 1e-9; ++i) {
-        double next = (a + b) / 2;
-        if (std::isfinite(fb) && std::isfinite(fa) && i % 3 != 2)
-            next = std::clamp((a * fb - b * fa) / (fb - fa), std::min(a, b) + 1e-10,
-                              std::max(a, b) - 1e-10);
-        const double f = excess(next);
-        (f > 0 ? b : a) = next;
-        (f > 0 ? fb : fa) = f;
-    }
-    return std::exp(a);
+    const double inside = std::log(within);
+    const double outside = std::log(beyond);
+    return std::exp(linalg::root_between(excess, inside, excess(inside), outside, excess(outside)));
 }
 
-/// Fits the rate over points well above rounding and in the range where the first order dominates.
-void close_row(results::RigidLimitRow &row, const rigid::RigidTarget &target, const Values &found,
-               const std::vector<double> &abscissa) {
+/// The i-th value of every point. Fits the rate over points well above rounding and in the range
+/// where the first order dominates.
+void close_row(results::RigidLimitRow &row, const rigid::RigidTarget &target, std::size_t i,
+               const std::vector<Values> &points, const std::vector<double> &abscissa) {
     constexpr double first_order = 0.01;
-    std::vector<std::pair<double, double>> points;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        if (!found[k]) {
+    std::vector<double> log_x;
+    std::vector<double> log_d;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::optional<rigid::ModelValue> &found = points[k][i];
+        if (!found) {
             row.fe.emplace_back();
             row.relative_difference.emplace_back();
             row.rounding.emplace_back();
             continue;
         }
-        const double d = difference(target, *found[k]);
-        row.fe.emplace_back(found[k]->value);
+        const double d = difference(target, found);
+        row.fe.emplace_back(found->value);
         row.relative_difference.emplace_back(d);
-        row.rounding.emplace_back(found[k]->noise);
+        row.rounding.emplace_back(found->noise);
         if (std::isfinite(abscissa[k]) && d < first_order &&
-            d > Comparison::margin * found[k]->noise)
-            points.emplace_back(abscissa[k], d);
+            d > Comparison::margin * found->noise) {
+            log_x.push_back(std::log(abscissa[k]));
+            log_d.push_back(std::log(d));
+        }
     }
-    row.rate = slope(points);
+    if (log_x.size() >= 3)
+        row.rate = boost::math::statistics::simple_ordinary_least_squares(log_x, log_d).second;
 }
 
 results::RigidLimitRow row_of(const rigid::RigidTarget &target, int order) {
@@ -189,21 +170,13 @@ results::RigidLimitRow row_of(const rigid::RigidTarget &target, int order) {
     return row;
 }
 
-/// The i-th value of every point.
-Values values_of(const std::vector<Values> &points, std::size_t i) {
-    Values out;
-    for (const Values &point : points)
-        out.push_back(point[i]);
-    return out;
-}
-
 /// Largest difference of the model without elastic unknowns, which is that of rounding alone.
 /// @throws model::AnalysisFailure where it is not.
 double rigid_difference(const std::vector<rigid::RigidTarget> &targets, const Values &rigid) {
     constexpr double rounding = 1e-6; // near A = C the inertias leave few digits
     double largest = 0;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double d = rigid[i] ? difference(targets[i], *rigid[i]) : infinite;
+        const double d = difference(targets[i], rigid[i]);
         if (!(d <= rounding))
             throw model::AnalysisFailure(
                 fmt::format("{}: the rigid model does not agree with its closed form {:.6g} {}",
@@ -222,7 +195,7 @@ void add_stiffness_rows(results::RigidLimitResult &result,
         row.factor = factors;
         for (const double factor : factors)
             row.stiffness.push_back(std::isfinite(factor) ? factor * result.stiffness : infinite);
-        close_row(row, targets[i], values_of(points, i), row.stiffness);
+        close_row(row, targets[i], i, points, row.stiffness);
         if (rigid[i])
             row.rigid = rigid[i]->value;
         result.rows.push_back(row);
@@ -277,13 +250,11 @@ void add_mesh_rows(results::RigidLimitResult &result, const model::Rotor &rotor,
             points.push_back(rigid::model_values(mesh, order, forms.targets));
         for (std::size_t i = 0; i < forms.targets.size(); ++i) {
             results::RigidLimitRow row = row_of(forms.targets[i], order);
-            std::vector<double> abscissa;
             for (const model::Rotor &mesh : meshes) {
                 row.elements.push_back(rigid::element_count(mesh));
                 row.factor.push_back(result.mesh_factor);
-                abscissa.push_back(rigid::element_count(mesh));
             }
-            close_row(row, forms.targets[i], values_of(points, i), abscissa);
+            close_row(row, forms.targets[i], i, points, {row.elements.begin(), row.elements.end()});
             result.rows.push_back(row);
         }
         add_inertia_rows(result, forms.inertia, rotor.shaft.length(), meshes, order);

@@ -1,8 +1,7 @@
 #include "analyses/stability.h"
 
 #include "analyses/names/mode_naming.h"
-#include "analyses/notes/drive.h"
-#include "analyses/notes/resolved_ends.h"
+#include "analyses/notes/driven_motions.h"
 #include "analyses/stability_ends.h"
 #include "analyses/stability_map.h"
 #include "balancers/balanced_position.h"

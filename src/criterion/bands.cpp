@@ -18,25 +18,22 @@ constexpr double one_speed = 1e-8;
 struct Breakpoint {
     double speed = 0;
     bool critical = false;
-    bool pinned = false;
 };
 
 std::vector<Breakpoint> breakpoints(const std::vector<double> &critical,
                                     const std::vector<double> &pinned) {
     std::vector<Breakpoint> all;
     for (const double speed : critical)
-        all.push_back({speed, true, false});
+        all.push_back({speed, true});
     for (const double speed : pinned)
-        all.push_back({speed, false, true});
+        all.push_back({speed, false});
     std::ranges::sort(all, {}, &Breakpoint::speed);
     std::vector<Breakpoint> merged;
     for (const Breakpoint &point : all) {
-        if (!merged.empty() && point.speed - merged.back().speed < one_speed * point.speed) {
+        if (!merged.empty() && point.speed - merged.back().speed < one_speed * point.speed)
             merged.back().critical |= point.critical;
-            merged.back().pinned |= point.pinned;
-        } else {
+        else
             merged.push_back(point);
-        }
     }
     return merged;
 }
@@ -81,21 +78,20 @@ std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
                                             const std::vector<double> &critical,
                                             const std::vector<double> &pinned, double from,
                                             double to) {
-    const std::vector<Breakpoint> points = breakpoints(critical, pinned);
-    std::vector<double> middles;
-    for (std::size_t i = 0; i <= points.size(); ++i)
-        middles.push_back(
-            ((i == 0 ? from : points[i - 1].speed) + (i == points.size() ? to : points[i].speed)) /
-            2);
+    std::vector<Breakpoint> points = breakpoints(critical, pinned);
+    points.insert(points.begin(), {from, true}); // the range begins there, as at a critical speed
+    points.push_back({to, true});
     std::vector<results::SpeedBand> bands;
     bool before = false;
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-        const bool balanced = criterion(middles[i]) < 0;
+    double middle_before = from;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const double middle = (points[i].speed + points[i + 1].speed) / 2;
+        const bool balanced = criterion(middle) < 0;
         if (balanced != before) {
-            double end = i == 0 ? from : points[i - 1].speed;
-            if (i > 0 && !points[i - 1].critical) {
+            double end = points[i].speed;
+            if (!points[i].critical) {
                 // With a pole close beside the zero the counted root is the surer one.
-                const double zero = zero_at(criterion, end, middles[i - 1], middles[i]);
+                const double zero = zero_at(criterion, end, middle_before, middle);
                 end = std::abs(zero - end) < 1e-9 * end ? zero : end;
             }
             if (balanced)
@@ -104,6 +100,7 @@ std::vector<results::SpeedBand> sharp_bands(const SpeedFunction &criterion,
                 bands.back().to = end;
         }
         before = balanced;
+        middle_before = middle;
     }
     return bands;
 }

@@ -102,48 +102,24 @@ std::optional<double> error_of(double end, bool upper, const std::vector<results
     return error + mesh_error::estimate_safety * std::abs(*other - end);
 }
 
-/// Fills in the errors of one list of bands. @returns ends without a counterpart.
-std::vector<double> judge(const BalanceScene &scene, const Judged &criterion,
-                          const SpeedFunction *finer, results::BalanceBands &of) {
-    std::vector<double> lonely;
+/// Fills in the errors of one list of bands. Ends without a counterpart get a note.
+/// @param which  bands, in words
+void judge(const BalanceScene &scene, const std::string &which, const Judged &criterion,
+           const SpeedFunction *finer, results::BalanceBands &of, std::vector<std::string> &notes) {
     of.errors.clear();
     const auto judged = [&](double end, bool upper, double edge) -> std::optional<double> {
         if (end == edge)
             return 0.0;
         const auto error = error_of(end, upper, of.bands, criterion, finer);
         if (!error)
-            lonely.push_back(end);
+            notes.push_back(fmt::format("{}: the end of a band at {:.6g} rad/s is not there on a "
+                                        "finer model; its error is not known",
+                                        which, end));
         return error;
     };
     for (const results::SpeedBand &band : of.bands)
         of.errors.emplace_back(judged(band.from, false, scene.from),
                                judged(band.to, true, scene.to));
-    return lonely;
-}
-
-/// Numbers of bands of all planes and of all together, by counts; empty where they are not counted.
-std::vector<std::size_t> counted_bands(const BalanceScene &scene, const BalanceBreakpoints &points,
-                                       BalanceForm &form) {
-    std::vector<std::size_t> counts;
-    if (!points.sharp)
-        return counts;
-    const auto count = [&](int plane, const std::vector<double> &pinned) {
-        const SpeedFunction criterion = [&](double speed) { return form.value(plane, speed); };
-        counts.push_back(
-            sharp_bands(criterion, points.critical, pinned, scene.from, scene.to).size());
-    };
-    for (std::size_t i = 0; i < scene.planes.size(); ++i)
-        count(static_cast<int>(i), points.pinned[i]);
-    count(BalanceForm::all_planes, points.pinned_all);
-    return counts;
-}
-
-void note_lonely(const std::string &which, const std::vector<double> &ends,
-                 std::vector<std::string> &notes) {
-    for (const double end : ends)
-        notes.push_back(fmt::format("{}: the end of a band at {:.6g} rad/s is not there on a finer "
-                                    "model; its error is not known",
-                                    which, end));
 }
 
 } // namespace
@@ -152,33 +128,32 @@ void judge_band_ends(const BalanceScene &scene, BalanceForm &form, results::Bala
     const bool rigid = scene.rotor.shaft.rigid;
     const assembly::Discretization d(scene.rotor,
                                      rigid ? scene.order : mesh_error::finer_order(scene.order));
-    BalanceForm finer(d, scene.formulation.form, scene.places(d), scene.plane_positions());
+    BalanceForm finer(d, scene.formulation.form, deflections_at(d, scene.planes),
+                      scene.plane_positions());
     std::vector<std::string> &notes = result.model.notes;
-    const auto judge_one = [&](const std::string &which, int plane, results::BalanceBands &of) {
-        const Judged given{[&](double speed) { return form.value(plane, speed); },
-                           [&](double speed) { return form.rounding(plane, speed); }};
-        const SpeedFunction fine = [&](double speed) { return finer.value(plane, speed); };
-        note_lonely(which, judge(scene, given, rigid ? nullptr : &fine, of), notes);
+    const std::vector<results::BalanceBands *> each = bands_of_each(result);
+    const std::size_t planes = scene.planes.size();
+    const auto name = [planes](std::size_t i) {
+        return i < planes ? fmt::format("plane {}", i + 1) : std::string("all planes together");
     };
-    for (std::size_t i = 0; i < result.planes.size(); ++i)
-        judge_one(fmt::format("plane {}", i + 1), static_cast<int>(i), result.planes[i].bands);
-    if (result.planes.size() == 1)
-        result.joint.bands.errors = result.planes[0].bands.errors;
-    else
-        judge_one("all planes together", BalanceForm::all_planes, result.joint.bands);
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        const Judged given{[&](double speed) { return form.value(i, speed); },
+                           [&](double speed) { return form.rounding(i, speed); }};
+        const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
+        judge(scene, name(i), given, rigid ? nullptr : &fine, *each[i], notes);
+    }
     if (rigid)
         return;
-    const std::vector<std::size_t> counts =
-        counted_bands(scene, balance_breakpoints(scene, d, finer.receptance().undamped()), finer);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const bool joint = i == result.planes.size();
-        const results::BalanceBands &of = joint ? result.joint.bands : result.planes[i].bands;
-        if (counts[i] != of.bands.size() && !(joint && result.planes.size() == 1))
+    const BalanceBreakpoints points = balance_breakpoints(scene, d, finer.receptance().undamped());
+    for (std::size_t i = 0; i < each.size() && points.sharp; ++i) {
+        const SpeedFunction fine = [&](double speed) { return finer.value(i, speed); };
+        const std::size_t there =
+            sharp_bands(fine, points.critical, points.pinned[i], scene.from, scene.to).size();
+        if (there != each[i]->bands.size())
             notes.push_back(fmt::format(
                 "{}: {} bands here, {} on a finer model: some are narrower than the error of the "
                 "mesh",
-                joint ? std::string("all planes together") : fmt::format("plane {}", i + 1),
-                of.bands.size(), counts[i]));
+                name(i), each[i]->bands.size(), there));
     }
 }
 

@@ -68,9 +68,10 @@ Eigen::MatrixXcd BalanceForm::on_range(double speed) {
     return range.adjoint() * of_range;
 }
 
-double BalanceForm::value(int plane, double speed) {
-    if (plane != all_planes)
-        return at(speed)(plane, plane).real();
+double BalanceForm::value(std::size_t plane, double speed) {
+    const auto j = static_cast<Eigen::Index>(plane);
+    if (j < _range.rows())
+        return at(speed)(j, j).real();
     const Eigen::MatrixXcd form = on_range(speed);
     if (form.rows() == 1)
         return form(0, 0).real();
@@ -79,9 +80,10 @@ double BalanceForm::value(int plane, double speed) {
         .maxCoeff();
 }
 
-double BalanceForm::rounding(int plane, double speed) {
-    if (plane != all_planes)
-        return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), plane));
+double BalanceForm::rounding(std::size_t plane, double speed) {
+    const auto j = static_cast<Eigen::Index>(plane);
+    if (j < _range.rows())
+        return _receptance.rounding(speed, Eigen::VectorXcd::Unit(_range.rows(), j));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(on_range(speed));
     return _receptance.rounding(speed, _range * solver.eigenvectors().rightCols<1>());
 }

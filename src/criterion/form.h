@@ -22,14 +22,12 @@ class BalanceForm {
     /// @throws model::AnalysisFailure where there is none there either.
     [[nodiscard]] const Eigen::MatrixXcd &at(double speed);
 
-    /// In place of a plane: all of them.
-    static constexpr int all_planes = -1;
-    /// The criterion: Re R_jj of a plane, or of all planes the largest eigenvalue on the imbalances
-    /// that make a force at all (all of them, unless the rotor is rigid and has more than two
-    /// planes).
-    [[nodiscard]] double value(int plane, double speed);
+    /// The criterion: Re R_jj of plane j, or where j is their number the largest eigenvalue of all
+    /// planes on the imbalances that make a force at all (all of them, unless the rotor is rigid
+    /// and has more than two planes).
+    [[nodiscard]] double value(std::size_t plane, double speed);
     /// How far it can be off by rounding, 1/kg.
-    [[nodiscard]] double rounding(int plane, double speed);
+    [[nodiscard]] double rounding(std::size_t plane, double speed);
     /// Eigenvalues of the form; those of imbalances without force are exactly zero.
     [[nodiscard]] results::SignaturePoint signature(double speed);
 

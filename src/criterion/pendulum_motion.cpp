@@ -1,6 +1,7 @@
 #include "criterion/pendulum_motion.h"
 
 #include "closed_form/pendulum_balancer.h"
+#include "criterion/rotor.h"
 #include "linalg/check.h"
 #include "linalg/dense/least_squares.h"
 #include "results/formulation.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 
 namespace whirl::criterion {
 
@@ -35,11 +37,8 @@ std::vector<assembly::Combination>
 places_of(const assembly::Discretization &d,
           const std::vector<balancers::PlacedPendulums> &pendulums,
           const std::vector<model::Imbalance> &drive) {
-    std::vector<assembly::Combination> places;
-    for (const balancers::PlacedPendulums &pendulum : pendulums)
-        places.push_back(d.deflection_at(pendulum.z));
-    for (const model::Imbalance &imbalance : drive)
-        places.push_back(d.deflection_at(imbalance.z));
+    std::vector<assembly::Combination> places = deflections_at(d, pendulums);
+    std::ranges::move(deflections_at(d, drive), std::back_inserter(places));
     return places;
 }
 
@@ -58,8 +57,6 @@ PendulumShaft::PendulumShaft(model::Rotor rotor, int order,
       _receptance(_d, results::Form::planar, places_of(_d, _pendulums, _drive)) {}
 
 void PendulumShaft::look_at(double speed) {
-    if (speed == _speed)
-        return;
     const auto count = static_cast<Eigen::Index>(_pendulums.size());
     Eigen::MatrixXcd R;
     try {
@@ -72,7 +69,6 @@ void PendulumShaft::look_at(double speed) {
     for (std::size_t k = 0; k < _drive.size(); ++k)
         _held += R.col(count + static_cast<Eigen::Index>(k)).head(count) *
                  std::polar(_drive[k].mr, _drive[k].phase);
-    _speed = speed;
 }
 
 Eigen::VectorXcd PendulumShaft::held(double speed) {

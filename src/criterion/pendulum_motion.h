@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <memory>
 #include <vector>
 
 namespace whirl::criterion {
@@ -53,9 +52,8 @@ class PendulumShaft {
     std::vector<model::Imbalance> _drive;
     assembly::Discretization _d;
     synchronous::ForwardReceptance _receptance;
-    double _speed = -1;
-    Eigen::MatrixXcd _R;    ///< at _speed, between the balancers
-    Eigen::VectorXcd _held; ///< at _speed
+    Eigen::MatrixXcd _R;    ///< at the speed looked at, between the balancers
+    Eigen::VectorXcd _held; ///< there
 
     void look_at(double speed);
     [[nodiscard]] bool newton(Eigen::VectorXcd &u) const;

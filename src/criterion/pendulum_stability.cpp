@@ -1,6 +1,7 @@
 #include "assembly/planar_part.h"
 #include "assembly/system.h"
 #include "criterion/pendulum_motion.h"
+#include "criterion/rotor.h"
 #include "linalg/check.h"
 #include "linalg/definite_pair.h"
 #include "linalg/dense/general_eigen.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace whirl::criterion {
 
@@ -35,18 +37,6 @@ Eigen::MatrixXd basis_of(const assembly::PlanarSystem &system, const Eigen::Matr
     return V;
 }
 
-/// Unit forces at the pendulums, and at the bearings, where dampers act.
-std::vector<assembly::Combination>
-forced_places(const assembly::Discretization &d,
-              const std::vector<balancers::PlacedPendulums> &pendulums) {
-    std::vector<assembly::Combination> places;
-    for (const balancers::PlacedPendulums &pendulum : pendulums)
-        places.push_back(d.deflection_at(pendulum.z));
-    for (const model::Bearing &bearing : d.rotor().bearings)
-        places.push_back(d.deflection_at(bearing.z));
-    return places;
-}
-
 /// P + i Q on (x; y).
 Eigen::MatrixXd real_form(const Eigen::MatrixXd &P, const Eigen::MatrixXd &Q) {
     Eigen::MatrixXd out(2 * P.rows(), 2 * P.cols());
@@ -60,8 +50,9 @@ PendulumStability::PendulumStability(const PendulumShaft &shaft, double bearing_
     : _pendulums(shaft.pendulums()) {
     const assembly::Discretization &d = shaft.rotor();
     const auto count = static_cast<Eigen::Index>(_pendulums.size());
-    const Eigen::MatrixXd forces =
-        assembly::unit_loads(forced_places(d, _pendulums), d.planar_size());
+    std::vector<assembly::Combination> forced = deflections_at(d, _pendulums);
+    std::ranges::move(deflections_at(d, d.rotor().bearings), std::back_inserter(forced)); // dampers
+    const Eigen::MatrixXd forces = assembly::unit_loads(forced, d.planar_size());
     const assembly::PlanarSystem system = assembly::assemble_planar(d, bearing_speed);
     const Eigen::MatrixXd V = basis_of(system, forces, modes);
     const auto kept = [&V](const Sparse &A) -> Eigen::MatrixXd {

@@ -42,16 +42,11 @@ model::SpeedRange checked_range(const model::Case &scene) {
 }
 
 /// Dampers that lock make other resonances: those of the rotor held at its damped bearings.
-std::vector<assembly::Combination> damped_places(const assembly::Discretization &d,
-                                                 const model::Rotor &rotor) {
-    std::vector<assembly::Combination> places;
-    for (const model::Bearing &bearing : rotor.bearings) {
-        const bool damped = std::ranges::any_of(
-            bearing.rows, [](const model::BearingCoefficients &row) { return !row.c.isZero(0); });
-        if (damped)
-            places.push_back(d.deflection_at(bearing.z));
-    }
-    return places;
+std::vector<model::Bearing> damped_of(std::vector<model::Bearing> bearings) {
+    std::erase_if(bearings, [](const model::Bearing &bearing) {
+        return std::ranges::all_of(bearing.rows, [](const auto &row) { return row.c.isZero(0); });
+    });
+    return bearings;
 }
 
 /// Every bearing has a symmetric stiffness that pushes back in every direction, and a symmetric
@@ -90,8 +85,9 @@ std::vector<double> hints_of(const BalanceScene &scene) {
     const model::Rotor undamped = model::with_conservative_supports(scene.rotor);
     const assembly::Discretization d(undamped, scene.order);
     const std::vector<double> speeds = reading_speeds(scene);
-    const std::vector<assembly::Combination> places = scene.places(d);
-    const std::vector<assembly::Combination> locked = damped_places(d, scene.rotor);
+    const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
+    const std::vector<assembly::Combination> locked =
+        deflections_at(d, damped_of(scene.rotor.bearings));
     std::vector<double> hints;
     for (std::size_t k = 0; k < speeds.size(); ++k) {
         const double from = k == 0 ? scene.from : speeds[k - 1];
@@ -129,18 +125,20 @@ BalanceScene::BalanceScene(const model::Case &scene)
                                         : mesh_error::resolve_order_in_best_form(bare);
 }
 
-std::vector<assembly::Combination> BalanceScene::places(const assembly::Discretization &d) const {
-    std::vector<assembly::Combination> out;
-    for (const model::CorrectionPlane &plane : planes)
-        out.push_back(d.deflection_at(plane.z));
-    return out;
-}
-
 std::vector<double> BalanceScene::plane_positions() const {
     std::vector<double> z;
     for (const model::CorrectionPlane &plane : planes)
         z.push_back(plane.z);
     return z;
+}
+
+std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &result) {
+    std::vector<results::BalanceBands *> all;
+    for (results::BalancePlane &plane : result.planes)
+        all.push_back(&plane.bands);
+    if (result.planes.size() > 1)
+        all.push_back(&result.joint.bands);
+    return all;
 }
 
 BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly::Discretization &d,
@@ -149,7 +147,7 @@ BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly
     const bool planar = scene.rotor.bearings_isotropic();
     out.sharp =
         undamped && !scene.rotor.bearings_depend_on_speed() && bearings_push_back(scene.rotor);
-    out.pinned.resize(scene.planes.size());
+    out.pinned.resize(scene.planes.size() + 1);
     if (!scene.has_range())
         return out;
     if (!out.sharp) {
@@ -157,11 +155,11 @@ BalanceBreakpoints balance_breakpoints(const BalanceScene &scene, const assembly
         return out;
     }
     const UndampedRotor form(d, planar, scene.from);
-    const std::vector<assembly::Combination> places = scene.places(d);
+    const std::vector<assembly::Combination> places = deflections_at(d, scene.planes);
     out.critical = form.critical_speeds(scene.from, scene.to);
-    out.pinned_all = form.pinned_critical_speeds(places, scene.from, scene.to);
     for (std::size_t i = 0; i < places.size(); ++i)
         out.pinned[i] = form.pinned_critical_speeds({places[i]}, scene.from, scene.to);
+    out.pinned.back() = form.pinned_critical_speeds(places, scene.from, scene.to);
     return out;
 }
 

@@ -24,19 +24,28 @@ struct BalanceScene {
     explicit BalanceScene(const model::Case &scene);
 
     [[nodiscard]] bool has_range() const { return to > from; }
-    /// Deflections at the planes.
-    [[nodiscard]] std::vector<assembly::Combination>
-    places(const assembly::Discretization &d) const;
     /// z of the planes, m.
     [[nodiscard]] std::vector<double> plane_positions() const;
 };
+
+/// Deflections where some parts of a rotor are.
+template <class Parts>
+[[nodiscard]] std::vector<assembly::Combination> deflections_at(const assembly::Discretization &d,
+                                                                const Parts &parts) {
+    std::vector<assembly::Combination> out;
+    for (const auto &part : parts)
+        out.push_back(d.deflection_at(part.z));
+    return out;
+}
+
+/// Where each plane alone can balance the rotor, then where several can together.
+[[nodiscard]] std::vector<results::BalanceBands *> bands_of_each(results::BalanceResult &result);
 
 /// Speeds at which signs of the criterion can change.
 struct BalanceBreakpoints {
     bool sharp = false; ///< they change nowhere else, and the lists are complete
     std::vector<double> critical;
-    std::vector<std::vector<double>> pinned; ///< at each plane alone
-    std::vector<double> pinned_all;          ///< at all planes
+    std::vector<std::vector<double>> pinned; ///< at each plane alone, then at all of them
     std::vector<double> hints;               ///< not sharp: resonances of related undamped rotors
 };
 

@@ -57,14 +57,21 @@ bool together(const ResponsePeak &peak, const CriticalSpeed &critical) {
                         critical.damping.amplification);
 }
 
-/// The critical speed that a peak belongs to, or none.
-const CriticalSpeed *nearest(const ResponsePeak &peak,
-                             const std::vector<const CriticalSpeed *> &critical_speeds) {
-    const CriticalSpeed *best = nullptr;
-    for (const CriticalSpeed *critical : critical_speeds)
-        if (together(peak, *critical) &&
-            (!best || std::abs(peak.speed - critical->speed) < std::abs(peak.speed - best->speed)))
-            best = critical;
+/// What an imbalance excites: a critical speed, or none of the list, and the peaks that are its.
+struct Resonance {
+    const CriticalSpeed *critical = nullptr;
+    std::vector<const ResponsePeak *> peaks{};
+};
+
+/// The one of some critical speeds that a peak belongs to, or none.
+Resonance *nearest(const ResponsePeak &peak, std::vector<Resonance> &excited) {
+    Resonance *best = nullptr;
+    const auto distance = [&peak](const Resonance &resonance) {
+        return std::abs(peak.speed - resonance.critical->speed);
+    };
+    for (Resonance &resonance : excited)
+        if (together(peak, *resonance.critical) && (!best || distance(resonance) < distance(*best)))
+            best = &resonance;
     return best;
 }
 
@@ -106,27 +113,37 @@ std::vector<const ResponsePeak *> one_a_probe(std::vector<const ResponsePeak *> 
 
 /// Peaks that belong to no critical speed, those of one resonance together: within the width of the
 /// largest of them, and of each place one, for two peaks of one curve are two resonances.
-std::vector<std::vector<const ResponsePeak *>>
-of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
+std::vector<Resonance> of_one_resonance_each(std::vector<const ResponsePeak *> peaks) {
     std::ranges::stable_sort(peaks, std::greater{}, &ResponsePeak::value);
-    std::vector<std::vector<const ResponsePeak *>> out;
-    const auto distance = [](const auto &group, const ResponsePeak *peak) {
-        return std::abs(std::log(group.front()->speed / peak->speed));
+    std::vector<Resonance> out;
+    const auto distance = [](const Resonance &resonance, const ResponsePeak *peak) {
+        return std::abs(std::log(resonance.peaks.front()->speed / peak->speed));
     };
     for (const ResponsePeak *peak : peaks) {
-        std::vector<const ResponsePeak *> *nearest = nullptr;
-        for (auto &group : out) {
-            const ResponsePeak &first = *group.front();
+        Resonance *nearest = nullptr;
+        for (Resonance &resonance : out) {
+            const ResponsePeak &first = *resonance.peaks.front();
+            const auto &taken = resonance.peaks;
             if (within_width(peak->speed, peak->amplification, first.speed, first.amplification) &&
-                std::ranges::find(group, peak->place, &ResponsePeak::place) == group.end() &&
-                (!nearest || distance(group, peak) < distance(*nearest, peak)))
-                nearest = &group;
+                std::ranges::find(taken, peak->place, &ResponsePeak::place) == taken.end() &&
+                (!nearest || distance(resonance, peak) < distance(*nearest, peak)))
+                nearest = &resonance;
         }
-        if (nearest != nullptr)
-            nearest->push_back(peak);
-        else
-            out.push_back({peak});
+        (nearest ? *nearest : out.emplace_back()).peaks.push_back(peak);
     }
+    return out;
+}
+
+/// Its margins, the one that counts first; none of what is critically damped.
+std::vector<SeparationMargin> margins_of(const Resonance &resonance,
+                                         const model::Operation &operation) {
+    const CriticalSpeed *critical = resonance.critical;
+    std::vector<SeparationMargin> out;
+    for (const ResponsePeak *peak : one_a_probe(resonance.peaks))
+        out.push_back(of_peak(*peak, critical, operation));
+    if (out.empty() && critical && critical->whirl != Whirl::backward && critical->damping.known())
+        out.push_back(of_damping(*critical, operation));
+    std::erase_if(out, [](const SeparationMargin &m) { return !counts(m.amplification); });
     return out;
 }
 
@@ -162,54 +179,6 @@ SeparationMargin margin_of(double speed, std::optional<double> amplification,
     return out;
 }
 
-std::vector<SeparationMargin> separation_margins(const model::Operation &operation,
-                                                 const std::vector<CriticalSpeed> &critical_speeds,
-                                                 const std::vector<ResponsePeak> &peaks,
-                                                 bool backward_too) {
-    constexpr double one = 1e-9; // the same motion in two directions counts once
-    std::vector<const CriticalSpeed *> excited;
-    for (const CriticalSpeed &critical : critical_speeds)
-        if (critical.speed > 0 && (backward_too || critical.whirl != Whirl::backward))
-            if (excited.empty() || critical.speed > excited.back()->speed * (1 + one))
-                excited.push_back(&critical);
-    std::vector<std::vector<const ResponsePeak *>> theirs(excited.size());
-    std::vector<const ResponsePeak *> strays; // of no critical speed
-    for (const ResponsePeak *peak : judged(peaks)) {
-        if (!has_factor(*peak))
-            continue;
-        const CriticalSpeed *critical = nearest(*peak, excited);
-        if (!critical) {
-            strays.push_back(peak);
-            continue;
-        }
-        const auto place = std::ranges::find(excited, critical) - excited.begin();
-        theirs[static_cast<std::size_t>(place)].push_back(peak);
-    }
-    std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
-    for (const auto &resonance : of_one_resonance_each(std::move(strays))) {
-        groups.emplace_back();
-        for (const ResponsePeak *peak : one_a_probe(resonance))
-            groups.back().push_back(of_peak(*peak, nullptr, operation));
-    }
-    for (std::size_t i = 0; i < excited.size(); ++i) {
-        std::vector<SeparationMargin> group;
-        for (const ResponsePeak *peak : one_a_probe(theirs[i]))
-            group.push_back(of_peak(*peak, excited[i], operation));
-        if (group.empty() && excited[i]->whirl != Whirl::backward && excited[i]->damping.known())
-            group.push_back(of_damping(*excited[i], operation));
-        groups.push_back(std::move(group));
-    }
-    for (auto &group : groups)
-        std::erase_if(group, [](const SeparationMargin &m) { return !counts(m.amplification); });
-    std::erase_if(groups, [](const auto &group) { return group.empty(); });
-    std::ranges::stable_sort(
-        groups, [](const auto &a, const auto &b) { return a.front().speed < b.front().speed; });
-    std::vector<SeparationMargin> out;
-    for (const auto &group : groups)
-        out.insert(out.end(), group.begin(), group.end());
-    return out;
-}
-
 double highest_relevant_speed(const model::Operation &operation) {
     return std::max(operation.to * (1 + most_above / 100), operation.trip.value_or(0));
 }
@@ -217,11 +186,10 @@ double highest_relevant_speed(const model::Operation &operation) {
 namespace {
 
 bool is_listed(const CriticalSpeed &critical, const std::vector<SeparationMargin> &margins) {
-    ResponsePeak as_peak;
     return std::ranges::any_of(margins, [&](const SeparationMargin &margin) {
-        as_peak.speed = margin.speed;
-        as_peak.amplification = margin.amplification;
-        return margin.whirl == critical.whirl && together(as_peak, critical);
+        return margin.whirl == critical.whirl &&
+               within_width(margin.speed, margin.amplification, critical.speed,
+                            critical.damping.amplification);
     });
 }
 
@@ -244,8 +212,9 @@ std::string about(const ResponsePeak &peak) {
                              where, *peak.amplification, counted_from);
 }
 
-} // namespace
-
+/// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
+/// why they have no margin: the peak of the response that is theirs shows less, or they whirl
+/// backward and have none.
 void note_unlisted(const model::Operation &operation,
                    const std::vector<CriticalSpeed> &critical_speeds,
                    const std::vector<ResponsePeak> &peaks,
@@ -271,6 +240,7 @@ void note_unlisted(const model::Operation &operation,
     }
 }
 
+/// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
 void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                          const std::vector<ResponsePeak> &peaks, std::vector<std::string> &notes) {
     for (const ResponsePeak *peak : judged(peaks))
@@ -287,6 +257,8 @@ void note_without_factor(const std::vector<CriticalSpeed> &critical_speeds,
                 peak->speed * model::rpm));
 }
 
+/// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins
+/// are then those of the peaks of the response alone.
 void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
                           std::vector<std::string> &notes) {
     if (std::ranges::any_of(critical_speeds, [](const CriticalSpeed &critical) {
@@ -294,6 +266,42 @@ void note_unknown_damping(const std::vector<CriticalSpeed> &critical_speeds,
         }))
         notes.emplace_back("margins: of the peaks of the response alone, as the critical speeds of "
                            "this rotor are those without its damping");
+}
+
+} // namespace
+
+std::vector<SeparationMargin> separation_margins(const model::Operation &operation,
+                                                 const std::vector<CriticalSpeed> &critical_speeds,
+                                                 const std::vector<ResponsePeak> &peaks,
+                                                 bool backward_too,
+                                                 std::vector<std::string> &notes) {
+    constexpr double one = 1e-9; // the same motion in two directions counts once
+    std::vector<Resonance> excited;
+    for (const CriticalSpeed &critical : critical_speeds)
+        if (critical.speed > 0 && (backward_too || critical.whirl != Whirl::backward))
+            if (excited.empty() || critical.speed > excited.back().critical->speed * (1 + one))
+                excited.push_back({&critical});
+    std::vector<const ResponsePeak *> strays; // of no critical speed
+    for (const ResponsePeak *peak : judged(peaks)) {
+        if (!has_factor(*peak))
+            continue;
+        Resonance *resonance = nearest(*peak, excited);
+        (resonance ? resonance->peaks : strays).push_back(peak);
+    }
+    std::vector<Resonance> resonances = of_one_resonance_each(std::move(strays));
+    resonances.insert(resonances.end(), excited.begin(), excited.end());
+    std::vector<std::vector<SeparationMargin>> groups; // of one resonance each
+    for (const Resonance &resonance : resonances)
+        groups.push_back(margins_of(resonance, operation));
+    std::erase_if(groups, [](const auto &group) { return group.empty(); });
+    std::ranges::stable_sort(groups, {}, [](const auto &group) { return group.front().speed; });
+    std::vector<SeparationMargin> out;
+    for (const auto &group : groups)
+        out.insert(out.end(), group.begin(), group.end());
+    note_unlisted(operation, critical_speeds, peaks, out, backward_too, notes);
+    note_without_factor(critical_speeds, peaks, notes);
+    note_unknown_damping(critical_speeds, notes);
+    return out;
 }
 
 } // namespace whirl::operation

@@ -33,31 +33,15 @@ namespace whirl::operation {
 /// line of their own.
 /// @param backward_too  bearings differ between their directions: imbalance excites backward whirl;
 ///                      it is listed where it has a peak
+/// @param notes         say why critical speeds with AF >= 2.5 by their damping have no margin, of
+///                      which probes the peak has no factor, and that damping is not known
 [[nodiscard]] std::vector<results::SeparationMargin>
 separation_margins(const model::Operation &operation,
                    const std::vector<results::CriticalSpeed> &critical_speeds,
-                   const std::vector<results::ResponsePeak> &peaks, bool backward_too);
-
-/// Says of critical speeds with AF >= 2.5 by their damping, up to the highest speed that matters,
-/// why they have no margin: the peak of the response that is theirs shows less, or they whirl
-/// backward and have none.
-void note_unlisted(const model::Operation &operation,
-                   const std::vector<results::CriticalSpeed> &critical_speeds,
-                   const std::vector<results::ResponsePeak> &peaks,
-                   const std::vector<results::SeparationMargin> &margins, bool backward_too,
+                   const std::vector<results::ResponsePeak> &peaks, bool backward_too,
                    std::vector<std::string> &notes);
-
-/// Names the probes whose peak at a critical speed with AF >= 2.5 has no factor of its own.
-void note_without_factor(const std::vector<results::CriticalSpeed> &critical_speeds,
-                         const std::vector<results::ResponsePeak> &peaks,
-                         std::vector<std::string> &notes);
 
 /// Speed up to which critical speeds matter: above it every margin is enough, rad/s.
 [[nodiscard]] double highest_relevant_speed(const model::Operation &operation);
-
-/// Says so where the damping of critical speeds is not known (asymmetric damped rotors): margins
-/// are then those of the peaks of the response alone.
-void note_unknown_damping(const std::vector<results::CriticalSpeed> &critical_speeds,
-                          std::vector<std::string> &notes);
 
 } // namespace whirl::operation

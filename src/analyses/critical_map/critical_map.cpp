@@ -1,7 +1,7 @@
 #include "analyses/critical_map/critical_map.h"
 
-#include "analyses/critical_map/crossings.h"
 #include "analyses/critical_map/points.h"
+#include "assembly/planes.h"
 #include "mesh_error/estimate.h"
 #include "model/errors.h"
 #include "model/variants.h"
@@ -9,16 +9,20 @@
 #include "modes/orbits.h"
 #include "process/parallel.h"
 #include "rigid/shaft.h"
+#include "synchronous/critical_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <utility>
 
 namespace whirl::analyses {
 
 using results::CriticalMap;
+using results::CriticalMapBearing;
+using results::CriticalMapCrossing;
 using results::CriticalMapCurve;
 using synchronous::SynchronousModes;
 
@@ -27,24 +31,17 @@ namespace {
 /// Decades around the stiffnesses of shaft and bearings, two more on either side.
 std::pair<double, double> usual_range(const model::Rotor &rotor,
                                       std::optional<std::size_t> varied) {
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0;
-    const auto look_at = [&](double k) {
-        if (k > 0 && std::isfinite(k)) {
-            low = std::min(low, k);
-            high = std::max(high, k);
-        }
-    };
+    std::vector<double> around;
     if (!rotor.shaft.rigid)
-        look_at(rigid::bending_stiffness(rotor));
+        around.push_back(rigid::bending_stiffness(rotor));
     for (std::size_t i = 0; i < rotor.supports().size(); ++i)
         for (const model::BearingCoefficients &row : rotor.bearings[i].rows)
-            if (!varied || *varied == i) {
-                look_at(row.k(0, 0));
-                look_at(row.k(1, 1));
-            }
-    if (high == 0)
-        low = high = 1e6;
+            if (!varied || *varied == i)
+                around.insert(around.end(), {row.k(0, 0), row.k(1, 1)});
+    std::erase_if(around, [](double k) { return !(k > 0 && std::isfinite(k)); });
+    if (around.empty())
+        around = {1e6};
+    const auto [low, high] = std::ranges::minmax(around);
     return {std::pow(10, std::floor(std::log10(low)) - 2),
             std::pow(10, std::ceil(std::log10(high)) + 2)};
 }
@@ -102,10 +99,8 @@ MapScene map_scene(const model::Case &scene, const model::CriticalMapSettings &s
 
 bool same_everywhere(const std::vector<double> &a, const std::vector<double> &b) {
     constexpr double rounding = 1e-9;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (!(std::abs(a[i] - b[i]) <= rounding * a[i]))
-            return false;
-    return true;
+    return std::ranges::equal(a, b,
+                              [](double x, double y) { return std::abs(x - y) <= rounding * x; });
 }
 
 CurveOf add_curves(const MapScene &map, const std::vector<process::Outcome> &points,
@@ -140,12 +135,10 @@ CurveOf add_curves(const MapScene &map, const std::vector<process::Outcome> &poi
 std::vector<double> deflection_of(const modes::Stations &stations, results::Form form,
                                   const Eigen::VectorXcd &shape) {
     const bool planar = form == results::Form::planar;
-    const Eigen::Index n = shape.size() / 2;
-    const Eigen::VectorXcd x =
-        stations.deflections(planar ? shape : Eigen::VectorXcd(shape(Eigen::seqN(0, n, 2))));
-    const Eigen::VectorXcd y =
-        planar ? Eigen::VectorXcd(Eigen::VectorXcd::Zero(x.size()))
-               : stations.deflections(Eigen::VectorXcd(shape(Eigen::seqN(1, n, 2))));
+    const assembly::Planes planes(shape);
+    const Eigen::VectorXcd x = stations.deflections(planar ? shape : planes.x);
+    const Eigen::VectorXcd y = planar ? Eigen::VectorXcd(Eigen::VectorXcd::Zero(x.size()))
+                                      : stations.deflections(planes.y);
     Eigen::Index most = 0;
     const double square = (x.cwiseAbs2() + y.cwiseAbs2()).maxCoeff(&most);
     const Eigen::VectorXd along =
@@ -157,8 +150,7 @@ void add_shapes(const MapScene &map, const CurveOf &curve_of, CriticalMap &out) 
     for (const bool soft : {true, false}) {
         const assembly::Discretization d(
             map.with_stiffness(soft ? out.stiffness.front() : out.stiffness.back()), map.order);
-        const int spans = static_cast<int>(d.shaft_mesh().spans.size());
-        const modes::Stations stations(d, std::max(0, (120 + spans - 1) / spans - 1));
+        const modes::Stations stations = modes::Stations::for_drawing(d);
         out.z = stations.z();
         const SynchronousModes list = lowest_of_each(map, d);
         for (const results::Whirl whirl : map_senses) {
@@ -173,6 +165,160 @@ void add_shapes(const MapScene &map, const CurveOf &curve_of, CriticalMap &out) 
                     shape = deflection_of(stations, map.form, list.modes[places[i]].shape);
             }
         }
+    }
+}
+
+/// kxx (direction 0) or kyy (1) at the rows of a bearing, N/m.
+std::vector<double> direct_stiffness(const model::Bearing &bearing, int direction) {
+    std::vector<double> k;
+    for (const model::BearingCoefficients &row : bearing.rows)
+        k.push_back(row.k(direction, direction));
+    return k;
+}
+
+bool equal_stiffness(const model::Bearing &a, const model::Bearing &b) {
+    return a.speeds == b.speeds && direct_stiffness(a, 0) == direct_stiffness(b, 0) &&
+           direct_stiffness(a, 1) == direct_stiffness(b, 1);
+}
+
+/// Enough speeds that straight lines on logarithmic axes follow lines that are straight on others.
+std::vector<double> speeds_across(const model::Bearing &bearing, double low, double high) {
+    std::vector<double> speeds{low, high};
+    if (!bearing.depends_on_speed())
+        return speeds;
+    constexpr int steps = 200;
+    for (int k = 1; k < steps; ++k)
+        speeds.push_back(low * std::pow(high / low, static_cast<double>(k) / steps));
+    for (const double speed : bearing.speeds)
+        if (speed > low && speed < high)
+            speeds.push_back(speed);
+    std::ranges::sort(speeds);
+    return speeds;
+}
+
+struct OnMap {
+    std::size_t curve = 0;
+    double difference = 0; ///< relative, of the speeds
+};
+
+/// Which curve passes through a speed at a stiffness, looked up on the map itself; none where it is
+/// beyond those that the map keeps.
+std::optional<OnMap> curve_through(const MapScene &map, const CurveOf &curve_of, double k,
+                                   results::Whirl whirl, double speed) {
+    const assembly::Discretization d(map.with_stiffness(k), map.order);
+    const SynchronousModes list = lowest_of_each(map, d);
+    const auto places = of_sense(list, whirl);
+    std::optional<OnMap> nearest;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto found = curve_of.find({whirl, i});
+        const double difference = std::abs(list.modes[places[i]].eigenvalue.imag() - speed) / speed;
+        if (found != curve_of.end() && (!nearest || difference < nearest->difference))
+            nearest = OnMap{found->second, difference};
+    }
+    constexpr double another_curve = 1e-3;
+    return nearest && nearest->difference < another_curve ? nearest : std::nullopt;
+}
+
+/// The stiffnesses of the bearings over speed, to be laid across a map: equal bearings together;
+/// all of them, or the one that varies.
+/// @param rotor     as the case has it
+/// @param low,high  speeds of the map, rad/s
+std::vector<CriticalMapBearing> bearings_across(const model::Rotor &rotor,
+                                                std::optional<std::size_t> varied, double low,
+                                                double high) {
+    std::vector<CriticalMapBearing> out;
+    for (std::size_t i = 0; i < rotor.supports().size(); ++i) {
+        if (varied && *varied != i)
+            continue;
+        const model::Bearing &bearing = rotor.bearings[i];
+        const auto equal = std::ranges::find_if(out, [&](const auto &other) {
+            return equal_stiffness(rotor.bearings[other.bearings.front()], bearing);
+        });
+        if (equal != out.end()) {
+            equal->bearings.push_back(i);
+            continue;
+        }
+        CriticalMapBearing across;
+        across.bearings = {i};
+        across.isotropic = direct_stiffness(bearing, 0) == direct_stiffness(bearing, 1);
+        across.speeds = speeds_across(bearing, low, high);
+        for (const double speed : across.speeds) {
+            const model::BearingCoefficients at = bearing.at(speed);
+            across.kxx.push_back(at.k(0, 0));
+            across.kyy.push_back(at.k(1, 1));
+        }
+        out.push_back(std::move(across));
+    }
+    return out;
+}
+
+/// Where the stiffness of a bearing in one direction (0 or 1), as it is at that speed, meets those
+/// of the map, as roots.
+/// @param across   place of the bearing in the map
+/// @param highest  speed of the map, rad/s
+std::vector<CriticalMapCrossing> crossings_of(const MapScene &map, const model::Bearing &bearing,
+                                              int direction, std::size_t across, double highest,
+                                              std::vector<std::string> &notes) {
+    const std::vector<double> k = direct_stiffness(bearing, direction);
+    const assembly::Discretization d(
+        model::with_support_stiffness(map.rotor, map.varied, k, bearing.speeds), map.order);
+    const SynchronousModes found = synchronous::all_synchronous_modes(
+        d, map.form, static_cast<int>(2 * map.kept()), highest, map.symmetric);
+    for (const auto &[from, to] : found.doubtful)
+        notes.push_back(fmt::format(
+            "critical speed map: crossings between {:.6g} and {:.6g} rad/s may be missing", from,
+            to));
+    const auto errors =
+        synchronous::errors_by_finer_model(d, map.form, found, map.symmetric, notes);
+    std::vector<CriticalMapCrossing> out;
+    for (std::size_t i = 0; i < found.modes.size(); ++i) {
+        const double speed = found.modes[i].eigenvalue.imag();
+        out.push_back({across, direction == 0 ? "kxx" : "kyy", speed,
+                       bearing.at(speed).k(direction, direction), found.modes[i].whirl, 1,
+                       errors[i].sum()});
+    }
+    return out;
+}
+
+/// Adds a crossing that lies on the map and on one of its curves.
+void keep(CriticalMapCrossing crossing, const MapScene &map, const CurveOf &curve_of,
+          CriticalMap &out, std::vector<std::string> &notes) {
+    if (crossing.stiffness < out.stiffness.front() || crossing.stiffness > out.stiffness.back())
+        return;
+    const auto on =
+        curve_through(map, curve_of, crossing.stiffness, crossing.whirl, crossing.speed);
+    if (!on)
+        return;
+    constexpr double same_root = 1e-8; // far above rounding, far below any two curves' distance
+    if (on->difference > same_root)
+        notes.push_back(fmt::format(
+            "critical speed map: the crossing at {:.6g} rad/s misses its curve by {:.1e} of it",
+            crossing.speed, on->difference));
+    crossing.number = out.curves[on->curve].number;
+    const bool second_direction =
+        !out.crossings.empty() && out.crossings.back().bearing == crossing.bearing &&
+        out.crossings.back().of == crossing.of && out.crossings.back().whirl == crossing.whirl &&
+        out.crossings.back().number == crossing.number &&
+        std::abs(out.crossings.back().speed - crossing.speed) <= 1e-9 * crossing.speed;
+    if (!second_direction)
+        out.crossings.push_back(std::move(crossing));
+}
+
+/// Adds where the stiffnesses of the bearings meet the curves of the map.
+/// @param rotor    as the case has it
+/// @param highest  speed of the map, rad/s
+void add_crossings(const MapScene &map, const CurveOf &curve_of, const model::Rotor &rotor,
+                   double highest, CriticalMap &out, std::vector<std::string> &notes) {
+    for (std::size_t i = 0; i < out.bearings.size(); ++i) {
+        const bool isotropic = out.bearings[i].isotropic;
+        const model::Bearing &bearing = rotor.bearings[out.bearings[i].bearings.front()];
+        for (int direction = 0; direction < (isotropic ? 1 : 2); ++direction)
+            for (CriticalMapCrossing &crossing :
+                 crossings_of(map, bearing, direction, i, highest, notes)) {
+                if (isotropic)
+                    crossing.of = "k";
+                keep(std::move(crossing), map, curve_of, out, notes);
+            }
     }
 }
 
@@ -220,17 +366,14 @@ CriticalMap critical_map(const model::Case &scene, results::ModelSummary &model)
         return out;
     const CurveOf curve_of = add_curves(map, points, out);
     add_shapes(map, curve_of, out);
-    double low = std::numeric_limits<double>::infinity();
-    double high = 0;
+    std::vector<double> speeds;
     for (const CriticalMapCurve &curve : out.curves)
-        for (const double speed : curve.speed)
-            if (!std::isnan(speed)) {
-                low = std::min(low, speed);
-                high = std::max(high, speed);
-            }
-    if (high > 0) {
-        out.bearings = bearings_across(scene.rotor, settings.bearing, low, high);
-        add_crossings(map, curve_of, scene.rotor, out, model.notes);
+        std::ranges::remove_copy_if(curve.speed, std::back_inserter(speeds),
+                                    [](double speed) { return std::isnan(speed); });
+    if (const double high = speeds.empty() ? 0 : std::ranges::max(speeds); high > 0) {
+        out.bearings =
+            bearings_across(scene.rotor, settings.bearing, std::ranges::min(speeds), high);
+        add_crossings(map, curve_of, scene.rotor, high, out, model.notes);
     }
     add_notes(scene.rotor, map, out, model.notes);
     return out;

@@ -3,7 +3,6 @@
 #include "model/variants.h"
 #include "synchronous/critical_error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -30,28 +29,24 @@ std::vector<std::size_t> of_sense(const SynchronousModes &list, results::Whirl w
 
 SynchronousModes lowest_of_each(const MapScene &map, const assembly::Discretization &d) {
     const std::size_t keep = map.kept();
-    const bool both = map.form != results::Form::rotating;
     // The planar form looks for each sense by itself; of others more are asked for until there
     // are enough of each.
     int ask = map.form == results::Form::planar ? map.wanted : 2 * static_cast<int>(keep);
     SynchronousModes found;
+    const auto enough = [&](results::Whirl whirl) { return of_sense(found, whirl).size() >= keep; };
     for (int attempts = 0; attempts < 4; ++attempts, ask *= 2) {
         found = synchronous::all_synchronous_modes(d, map.form, ask, 0, map.symmetric);
         if (std::isinf(found.complete_to) ||
-            (of_sense(found, results::Whirl::forward).size() >= keep &&
-             (!both || of_sense(found, results::Whirl::backward).size() >= keep)))
+            (enough(results::Whirl::forward) &&
+             (map.form == results::Form::rotating || enough(results::Whirl::backward))))
             break;
     }
-    std::vector<std::size_t> places;
-    for (const results::Whirl whirl : map_senses) {
-        std::vector<std::size_t> of = of_sense(found, whirl);
-        of.resize(std::min(of.size(), keep));
-        places.insert(places.end(), of.begin(), of.end());
-    }
-    std::ranges::sort(places);
     SynchronousModes out;
-    out.complete_to = found.complete_to;
-    for (const std::size_t i : places) {
+    std::map<results::Whirl, std::size_t> count;
+    for (std::size_t i = 0; i < found.modes.size(); ++i) {
+        const results::Whirl whirl = found.modes[i].whirl;
+        if (whirl == results::Whirl::mixed || ++count[whirl] > keep)
+            continue;
         out.modes.push_back(found.modes[i]);
         if (!found.branches.empty())
             out.branches.push_back(found.branches[i]);

@@ -1,7 +1,5 @@
 #include "analyses/notes/growth.h"
 
-#include "linalg/check.h"
-#include "model/errors.h"
 #include "modes/formulation.h"
 #include "modes/spectrum.h"
 
@@ -9,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace whirl::analyses {
@@ -82,9 +81,7 @@ void note_growing_motions(const model::Case &scene, results::ModelSummary &model
                 worst = speed;
             }
         }
-    } catch (const model::AnalysisFailure &) { // no more than a note
-        return;
-    } catch (const linalg::SolverError &) {
+    } catch (const std::runtime_error &) { // no more than a note
         return;
     }
     if (growing.empty())

@@ -1,9 +1,10 @@
-#include "analyses/notes/resolved_ends.h"
+#include "analyses/notes/driven_motions.h"
 
 #include "analyses/stability_ends.h"
 #include "balancers/arrangement.h"
 #include "ends/band_ends.h"
 #include "ends/finer_ends.h"
+#include "stability/motions.h"
 #include "stability/unstable_bands.h"
 
 #include <fmt/format.h>
@@ -13,11 +14,26 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace whirl::analyses {
 
 namespace {
+
+/// A bearing or seal has negative damping, at some speed.
+bool has_negative_damping(const model::Rotor &rotor) {
+    return !rotor.every_row(
+        [](const model::BearingCoefficients &at) { return !model::pushes_away(at.c); });
+}
+
+/// Something drives motions of every frequency: an axial torque without a potential, which does
+/// work on every shape whose ends tilt, or negative damping in a bearing. The number of motions
+/// that grow is then that of the unknowns, and the fast ones are not those of the shaft.
+bool drives_every_frequency(const model::Rotor &rotor) {
+    return !rotor.shaft.rigid &&
+           (!rotor.shaft.torque_has_potential() || has_negative_damping(rotor));
+}
 
 /// By finer elements, of ends that are roots.
 void add_errors(const ends::AllMotions &motions, const stability::StabilityModel &model,
@@ -63,32 +79,26 @@ struct FasterBands {
 FasterBands faster_bands(const ends::AllMotions &motions, double top,
                          const results::StabilityResult &result) {
     const std::vector<double> &speeds = result.speeds;
-    const auto grows = [](double growth) { return growth > 0; };
-    const std::vector<double> &at = result.unresolved_growth;
     FasterBands out;
+    bool before = false;
     for (std::size_t i = 0; i < speeds.size(); ++i) {
-        if (i > 0 && grows(at[i]) != grows(at[i - 1])) {
-            double low = speeds[i - 1];
-            double high = speeds[i];
-            constexpr int halvings = 10;
-            for (int k = 0; k < halvings; ++k) {
-                const double middle = (low + high) / 2;
-                (grows(motions.fastest_growing(middle, top).value.real()) == grows(at[i]) ? high
-                                                                                          : low) =
-                    middle;
-            }
-            const double end = (low + high) / 2;
-            const double error = (high - low) / 2;
-            if (grows(at[i])) {
-                out.bands.emplace_back(end, speeds.back());
-                out.errors.emplace_back(error, 0);
-            } else {
-                out.bands.back().second = end;
-                out.errors.back().second = error;
-            }
-        } else if (i == 0 && grows(at[i])) {
-            out.bands.emplace_back(speeds.front(), speeds.back());
-            out.errors.emplace_back(0, 0);
+        const bool here = result.unresolved_growth[i] > 0;
+        if (here == std::exchange(before, here))
+            continue;
+        double low = i == 0 ? speeds.front() : speeds[i - 1];
+        double high = speeds[i];
+        constexpr int halvings = 10;
+        for (int k = 0; k < halvings && low < high; ++k) {
+            const double middle = (low + high) / 2;
+            const bool grows = motions.fastest_growing(middle, top).value.real() > 0;
+            (grows == here ? high : low) = middle;
+        }
+        if (here) {
+            out.bands.emplace_back((low + high) / 2, speeds.back());
+            out.errors.emplace_back((high - low) / 2, 0);
+        } else {
+            out.bands.back().second = (low + high) / 2;
+            out.errors.back().second = (high - low) / 2;
         }
     }
     return out;
@@ -144,17 +154,53 @@ void note_resolved(results::StabilityResult &result) {
                                 ends == 1 ? "is" : "are")));
 }
 
+void note_negative_damping(const model::Rotor &rotor, results::StabilityResult &result) {
+    const bool grows = std::ranges::any_of(result.growth, [](double value) { return value > 0; });
+    if (grows && !rotor.shaft.rigid && has_negative_damping(rotor))
+        result.model.notes.emplace_back(
+            "a bearing or seal has negative damping, which drives motions of every frequency: "
+            "growth can be that of a motion as fast as the elements resolve, and rises with their "
+            "number and order; campbell has the growth of the slow modes");
+}
+
+/// Growth at a speed, 1/s.
+double growth_at(const stability::StabilityModel &model, double speed) {
+    const auto arrangement = balancers::arrangement_at_balance(model.rotor);
+    if (model.form == results::Form::hill)
+        return stability::growth_of(stability::MotionSolver(model, arrangement).at(speed));
+    const assembly::Discretization d(model.rotor, model.order);
+    return ends::AllMotions(d, model.form, arrangement, nullptr, speed, speed)
+        .fastest_growing(speed)
+        .value.real();
+}
+
+void note_torque(const stability::StabilityModel &model, results::StabilityResult &result) {
+    const auto fastest = std::ranges::max_element(result.growth);
+    if (model.rotor.shaft.torque_has_potential() || fastest == result.growth.end() ||
+        !(*fastest > 0))
+        return;
+    const double speed = result.speeds[static_cast<std::size_t>(fastest - result.growth.begin())];
+    stability::StabilityModel other = model;
+    other.rotor.shaft.torque_kind = model::TorqueKind::semitangential;
+    other.top = std::abs(speed);
+    try {
+        const double left = std::max(0.0, growth_at(other, speed));
+        if (left > 0.9 * *fastest)
+            return;
+        result.model.notes.push_back(fmt::format(
+            "an axial torque of this kind has no potential and does work on a shaft whose ends "
+            "tilt: it drives motions that grow by {:.4g} 1/s at {:.6g} rad/s; with torque_kind = "
+            "\"semitangential\", which has a potential, {}. Damping of the shaft (beta, "
+            "internal_damping) holds fast motions; without it how many grow, and ends of growth of "
+            "motions as fast as the elements resolve, change with their number and order: campbell "
+            "has the slow modes",
+            *fastest, speed,
+            left > 0 ? fmt::format("{:.4g} 1/s are left there", left) : "none grows there"));
+    } catch (const std::runtime_error &) { // no more than a note
+    }
+}
+
 } // namespace
-
-bool has_negative_damping(const model::Rotor &rotor) {
-    return !rotor.every_row(
-        [](const model::BearingCoefficients &at) { return !model::pushes_away(at.c); });
-}
-
-bool drives_every_frequency(const model::Rotor &rotor) {
-    return !rotor.shaft.rigid &&
-           (!rotor.shaft.torque_has_potential() || has_negative_damping(rotor));
-}
 
 void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rotor) {
     if (drives_every_frequency(rotor))
@@ -185,6 +231,11 @@ void tell_resolved_apart(const ends::AllMotions &motions, const stability::Stabi
     settle_rounding({result.resolved_growth, result.resolved_verdict}, result.speeds,
                     result.resolved_unstable, model.rotor.damped());
     note_resolved(result);
+}
+
+void note_drives(const stability::StabilityModel &model, results::StabilityResult &result) {
+    note_negative_damping(model.rotor, result);
+    note_torque(model, result);
 }
 
 } // namespace whirl::analyses

@@ -9,15 +9,8 @@
 
 namespace whirl::analyses {
 
-/// A bearing or seal has negative damping, at some speed.
-[[nodiscard]] bool has_negative_damping(const model::Rotor &rotor);
-
-/// Something drives motions of every frequency: an axial torque without a potential, which does
-/// work on every shape whose ends tilt, or negative damping in a bearing. The number of motions
-/// that grow is then that of the unknowns, and the fast ones are not those of the shaft.
-[[nodiscard]] bool drives_every_frequency(const model::Rotor &rotor);
-
-/// AllMotions::count_resolved of such a rotor.
+/// AllMotions::count_resolved of a rotor in which something drives motions of every frequency: an
+/// axial torque without a potential or negative damping in a bearing.
 void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rotor);
 
 /// Where motions are counted up to a frequency (AllMotions::count_resolved): moves the ends of
@@ -27,5 +20,9 @@ void count_resolved_if_driven(ends::AllMotions &motions, const model::Rotor &rot
 void tell_resolved_apart(const ends::AllMotions &motions, const stability::StabilityModel &model,
                          const std::vector<ends::WholeMotion> &roots,
                          results::StabilityResult &result);
+
+/// Notes on what drives the motions that grow, where it drives fast ones: an axial torque that has
+/// no potential (how much is left where it has one), a bearing with negative damping.
+void note_drives(const stability::StabilityModel &model, results::StabilityResult &result);
 
 } // namespace whirl::analyses

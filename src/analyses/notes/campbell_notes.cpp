@@ -1,0 +1,256 @@
+#include "analyses/notes/campbell_notes.h"
+
+#include "results/formulation.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <set>
+
+namespace whirl::analyses {
+
+namespace {
+
+/// What the absence of modes at some speeds means.
+std::string absence_note(tracking::Absence why, const std::string &labels, bool several) {
+    const std::string who = (several ? "modes " : "mode ") + labels;
+    const std::string they = several ? "they" : "it";
+    const auto verb = [several](const char *one, const char *more) { return several ? more : one; };
+    switch (why) {
+    case tracking::Absence::overdamped:
+        return fmt::format("{} {} overdamped at some speeds and {} no whirl frequency there", who,
+                           verb("is", "are"), verb("has", "have"));
+    case tracking::Absence::divergent:
+        return fmt::format("{} {} at some speeds: the eigenvalue is real and positive there, {} {} "
+                           "without whirling",
+                           who, verb("diverges", "diverge"), they, verb("grows", "grow"));
+    case tracking::Absence::beyond:
+        return fmt::format("{} {} beyond the computed modes at some speeds", who,
+                           verb("lies", "lie"));
+    default:
+        return fmt::format("{} could not be followed to some speeds; {} {} on there as {}", who,
+                           they, verb("goes", "go"), verb("another line", "other lines"));
+    }
+}
+
+void note_absent(results::CampbellResult &result, const std::vector<tracking::Line> &lines) {
+    for (const tracking::Absence why : {tracking::Absence::overdamped, tracking::Absence::divergent,
+                                        tracking::Absence::beyond, tracking::Absence::lost}) {
+        std::string labels;
+        int count = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            if (std::ranges::count(lines[i].absence, why) > 0)
+                labels += (count++ > 0 ? ", " : "") + result.modes[i].label;
+        if (count > 0)
+            result.model.notes.push_back(absence_note(why, labels, count > 1));
+    }
+}
+
+/// Lines on which motion grows, in one note.
+void note_growing(results::CampbellResult &result) {
+    std::vector<std::string> lines;
+    for (const results::CampbellMode &mode : result.modes) {
+        std::vector<double> at;
+        for (std::size_t k = 0; k < mode.real.size(); ++k) {
+            constexpr double always = 1e-9; // of the frequency: rounding
+            if (!mode.real[k] || !mode.frequency[k])
+                continue;
+            const double noise = (always + 10 * mode.residual[k].value_or(0)) *
+                                 std::max(*mode.frequency[k], std::abs(result.speeds[k]));
+            if (*mode.real[k] > noise)
+                at.push_back(result.speeds[k]);
+        }
+        if (!at.empty())
+            lines.push_back(
+                fmt::format("{} ({:.6g} to {:.6g} rad/s)", mode.label, at.front(), at.back()));
+    }
+    constexpr std::size_t listed = 4;
+    if (lines.empty())
+        return;
+    const std::size_t more = lines.size() - std::min(listed, lines.size());
+    lines.resize(std::min(listed, lines.size()));
+    result.model.notes.push_back(fmt::format(
+        "unstable: motion grows (negative damping) at speeds of {}{}; `stability` finds where it "
+        "begins",
+        fmt::join(lines, ", "), more > 0 ? fmt::format(" and {} more modes", more) : ""));
+}
+
+/// `critical` has no answer where the equations stay periodic.
+bool critical_knows(const results::CampbellResult &result) {
+    return result.model.formulation.form != results::Form::hill;
+}
+
+/// Speeds so far apart that lines exchange their places between them.
+void note_far_apart(results::CampbellResult &result) {
+    constexpr int most = 4; // of two pairs of modes
+    int largest = 0;
+    std::size_t at = 0;
+    for (std::size_t k = 1; k < result.speeds.size(); ++k) {
+        const auto inside = static_cast<int>(
+            std::ranges::count_if(result.crossings, [&](const results::Crossing &c) {
+                return c.multiple == result.crossings.front().multiple &&
+                       c.speed > result.speeds[k - 1] && c.speed <= result.speeds[k];
+            }));
+        if (inside > largest) {
+            largest = inside;
+            at = k;
+        }
+    }
+    if (largest > most)
+        result.model.notes.push_back(fmt::format(
+            "{} crossings lie between {:.6g} and {:.6g} rad/s, two neighbours of the speeds: modes "
+            "that exchange their places in between can cross unseen; take more speeds{}",
+            largest, result.speeds[at - 1], result.speeds[at],
+            critical_knows(result) ? ", or `critical`, which needs none" : ""));
+}
+
+/// Real eigenvalues: those that die out are overdamped motion, those that grow are divergence.
+void note_real(results::CampbellResult &result, const std::vector<modes::Spectrum> &spectra) {
+    const auto &divergence = result.divergence;
+    const auto diverging = std::ranges::count_if(divergence, &std::optional<double>::has_value);
+    if (diverging > 0) {
+        const auto worst = std::ranges::max_element(divergence); // none is less than any
+        result.model.notes.push_back(
+            fmt::format("divergence (static instability) at {} of {} speeds: a real eigenvalue of "
+                        "{:+.6g} 1/s at {:.6g} rad/s, motion grows without whirling",
+                        diverging, spectra.size(), **worst,
+                        result.speeds[static_cast<std::size_t>(worst - divergence.begin())]));
+    }
+    std::size_t overdamped = 0;
+    for (const modes::Spectrum &spectrum : spectra)
+        overdamped = std::max(overdamped, spectrum.overdamped.size() - spectrum.growing.size());
+    if (overdamped > 0)
+        result.model.notes.push_back(
+            fmt::format("up to {} overdamped motions, which do not whirl, lie among the ones "
+                        "computed at a speed: real eigenvalues, and pairs with a damping ratio "
+                        "above {:.4f}; they have no line and no crossings",
+                        overdamped, modes::overdamped_ratio));
+}
+
+/// Crossings that are no critical speeds: the damping of these beats every peak.
+void note_no_peaks(results::CampbellResult &result) {
+    std::vector<double> speeds;
+    for (const results::Crossing &c : result.crossings)
+        if (c.multiple == 1 && c.damping.ratio && *c.damping.ratio > 1 / std::numbers::sqrt2)
+            speeds.push_back(c.speed);
+    if (!speeds.empty())
+        result.model.notes.push_back(fmt::format(
+            "crossings of 1x with a damping ratio above 1/sqrt(2), at {:.6g} rad/s, "
+            "make no peak in a response{}",
+            fmt::join(speeds, ", "), critical_knows(result) ? "; `critical` leaves them out" : ""));
+}
+
+/// Of a Hill series at every speed ends of such intervals are looked for in the steps that show a
+/// change; by monodromy matrices all of 1x are searched for.
+/// @param by_steps  as the first
+void note_short_bands(results::ModelSummary &model, bool by_steps,
+                      const std::vector<double> &multiples) {
+    if (model.formulation.form != results::Form::hill)
+        return;
+    if (by_steps)
+        model.notes.push_back("a motion that comes to stay on a multiple of the spin speed and "
+                              "leaves it again within one step of the speeds may not be listed");
+    else if (std::ranges::any_of(multiples, [](double m) { return m != 1; }))
+        model.notes.push_back("a motion that comes to stay on another multiple of the spin speed "
+                              "than 1x and leaves it again within a 200th of the range may not be "
+                              "listed");
+}
+
+void note_few(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
+              int wanted) {
+    const bool few = std::ranges::any_of(spectra, [wanted](const modes::Spectrum &s) {
+        return static_cast<int>(s.modes.size()) < wanted;
+    });
+    if (few)
+        model.notes.push_back(
+            fmt::format("at some speed there are fewer than the {} whirl modes asked for, or no "
+                        "more that double "
+                        "precision resolves beside the others: all found are listed",
+                        wanted));
+}
+
+/// Stretches of speed in which something was not found, each by itself while they are few.
+void note_gaps(results::ModelSummary &model, const std::vector<tracking::Gap> &gaps,
+               const std::string &what) {
+    using tracking::Gap;
+    constexpr std::size_t few = 3;
+    if (gaps.size() <= few) {
+        for (const Gap &gap : gaps)
+            model.notes.push_back(
+                fmt::format("between {:.6g} and {:.6g} rad/s {} (frequency near {:.6g} rad/s)",
+                            gap.from, gap.to, what, gap.frequency));
+        return;
+    }
+    const auto [lowest, highest] = std::ranges::minmax(gaps, {}, &Gap::frequency);
+    model.notes.push_back(fmt::format(
+        "in {} short stretches between {:.6g} and {:.6g} rad/s {} (frequencies from {:.6g} to "
+        "{:.6g} rad/s)",
+        gaps.size(), std::ranges::min(gaps, {}, &Gap::from).from,
+        std::ranges::max(gaps, {}, &Gap::to).to, what, lowest.frequency, highest.frequency));
+}
+
+/// Whirl modes of a rotor whose equations stay periodic in time that are not confirmed
+/// (modes::WhirlMode), next to rest.
+/// @param few_shapes  they are those of the rotor on few shapes, else of a series cut off
+void note_unconfirmed(results::ModelSummary &model, const std::vector<modes::Spectrum> &spectra,
+                      bool few_shapes) {
+    std::vector<double> speeds;
+    for (const modes::Spectrum &spectrum : spectra)
+        if (std::ranges::any_of(spectrum.modes,
+                                [](const modes::WhirlMode &mode) { return !mode.confirmed; }))
+            speeds.push_back(std::abs(spectrum.speed));
+    if (speeds.empty())
+        return;
+    model.notes.push_back(fmt::format(
+        "at {} of {} speeds, up to {:.6g} rad/s, but not at rest, frequencies change by far more "
+        "than the spin speed within a turn: whirl speeds without an error bar there are those of "
+        "{}, and may be wrong; other modes may be missing at these speeds, with faster ones in "
+        "their place",
+        speeds.size(), spectra.size(), *std::ranges::max_element(speeds),
+        few_shapes ? "the rotor on few shapes, not confirmed by the one with all unknowns"
+                   : "a series with too few harmonics"));
+}
+
+/// Crossings and intervals that are listed at some of these speeds (Crossings::unconfirmed).
+void note_unconfirmed(results::CampbellResult &result, const std::vector<double> &speeds) {
+    std::set<double> listed;
+    const auto is = [&speeds](double speed) { return std::ranges::count(speeds, speed) > 0; };
+    for (const results::Crossing &crossing : result.crossings)
+        if (is(crossing.speed))
+            listed.insert(crossing.speed);
+    for (const results::Locked &band : result.locked)
+        for (const double end : {band.from, band.to})
+            if (is(end))
+                listed.insert(end);
+    if (!listed.empty())
+        result.model.notes.push_back(
+            fmt::format("crossings and ends of intervals at {:.10g} rad/s are those of the rotor "
+                        "on few shapes, not confirmed by the one with all unknowns",
+                        fmt::join(listed, ", ")));
+}
+
+} // namespace
+
+void add_campbell_notes(const model::CampbellSettings &settings,
+                        const tracking::FollowedLines &found, const tracking::Crossings &crossed,
+                        bool periodic, results::CampbellResult &result) {
+    note_absent(result, found.tracking.lines);
+    note_growing(result);
+    note_far_apart(result);
+    note_real(result, found.spectra);
+    note_no_peaks(result);
+    note_short_bands(result.model, !periodic, settings.multiples);
+    note_few(result.model, found.spectra, settings.modes);
+    note_gaps(result.model, found.tracking.gaps, "a mode could not be followed");
+    note_gaps(result.model, crossed.unsettled,
+              "a frequency changes sides of a multiple of the spin speed without a crossing that "
+              "could be verified");
+    note_unconfirmed(result.model, found.spectra, periodic);
+    note_unconfirmed(result, crossed.unconfirmed);
+}
+
+} // namespace whirl::analyses
