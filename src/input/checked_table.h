@@ -25,7 +25,6 @@ struct Range {
     /// " greater than 0", " in [0, 0.5)", or nothing for all numbers.
     [[nodiscard]] std::string words() const;
 
-    static Range any() { return {}; }
     static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
     static Range not_negative() { return {0, std::numeric_limits<double>::infinity()}; }
     static Range inside(double low, double high) { return {low, high, true, true}; }
