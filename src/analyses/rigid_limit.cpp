@@ -203,9 +203,9 @@ void add_stiffness_rows(results::RigidLimitResult &result,
 }
 
 /// Mass, centre, inertias of the model on rigid motions, against the sum over the parts.
-void add_inertia_rows(results::RigidLimitResult &result, const rigid::RigidInertia &exact,
-                      double length, const std::vector<model::Rotor> &meshes, int order) {
-    std::vector<rigid::RigidInertia> found;
+void add_inertia_rows(results::RigidLimitResult &result, const rigid::Inertia &exact, double length,
+                      const std::vector<model::Rotor> &meshes, int order) {
+    std::vector<rigid::Inertia> found;
     for (const model::Rotor &mesh : meshes)
         found.push_back(rigid::model_inertia(mesh, order));
     const auto add = [&](const char *name, const char *unit, double scale, auto number) {
@@ -225,14 +225,14 @@ void add_inertia_rows(results::RigidLimitResult &result, const rigid::RigidInert
         }
         result.rows.push_back(row);
     };
-    add("mass", "kg", exact.mass, [](const rigid::RigidInertia &r) { return r.mass; });
-    add("centre of mass", "m", length, [](const rigid::RigidInertia &r) { return r.center; });
-    add("mean diametral inertia", "kg m2", exact.A,
-        [](const rigid::RigidInertia &r) { return r.A; });
-    add("polar inertia", "kg m2", exact.C, [](const rigid::RigidInertia &r) { return r.C; });
+    add("mass", "kg", exact.mass, [](const rigid::Inertia &r) { return r.mass; });
+    add("centre of mass", "m", length, [](const rigid::Inertia &r) { return r.center(); });
+    add("mean diametral inertia", "kg m2", exact.diametral(),
+        [](const rigid::Inertia &r) { return r.diametral(); });
+    add("polar inertia", "kg m2", exact.polar, [](const rigid::Inertia &r) { return r.polar; });
     if (meshes.front().rotating_anisotropy())
-        add("anisotropy", "kg m2", std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.A,
-            [](const rigid::RigidInertia &r) { return std::abs(r.a); });
+        add("anisotropy", "kg m2", std::abs(exact.a) > 0 ? std::abs(exact.a) : exact.diametral(),
+            [](const rigid::Inertia &r) { return std::abs(r.a); });
 }
 
 void add_mesh_rows(results::RigidLimitResult &result, const model::Rotor &rotor,

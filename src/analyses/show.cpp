@@ -25,15 +25,6 @@ namespace whirl::analyses {
 
 namespace {
 
-rigid::Inertia whole_inertia(const model::Rotor &rotor, const rigid::Inertia &shaft) {
-    rigid::Inertia sum = shaft;
-    for (const model::Disc &disc : rotor.discs)
-        sum += rigid::inertia_of(disc);
-    for (const model::Balancer &balancer : rotor.balancers)
-        sum += rigid::inertia_of(balancer);
-    return sum;
-}
-
 const char *name_of(model::TorqueKind kind) {
     switch (kind) {
     case model::TorqueKind::semitangential:
@@ -101,16 +92,14 @@ void add_static_sag(results::ShowResult &result, const model::Case &scene,
 
 results::ShowResult show(const model::Case &scene) {
     const model::Rotor &rotor = scene.rotor;
-    const mesh::ShaftMesh mesh = mesh::make_mesh(rotor);
-    const rigid::Inertia shaft = rigid::inertia_of(rotor.shaft, mesh);
-    const rigid::Inertia all = whole_inertia(rotor, shaft);
+    const rigid::Inertia all = rigid::inertia_of(rotor);
     results::ShowResult result;
     result.mass = all.mass;
     result.center_of_mass = all.center();
     result.Id = all.diametral();
     result.Ip = all.polar;
     result.type = rigid::rigid_type(result.Id, result.Ip);
-    result.shaft_mass = shaft.mass;
+    result.shaft_mass = rigid::inertia_of(rotor.shaft, mesh::make_mesh(rotor)).mass;
     result.length = rotor.shaft.length();
     note_shaft(rotor.shaft, result.model.notes);
     note_bearings(rotor.supports(), "bearing", result.model.notes);

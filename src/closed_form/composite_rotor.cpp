@@ -16,11 +16,6 @@ double CompositeRotor::inertia_about(double angle) const {
     return mean_inertia() - (anisotropy() * std::polar(1.0, -2.0 * angle)).real();
 }
 
-PrincipalInertias CompositeRotor::principal_inertias() const {
-    const std::complex<double> a = anisotropy();
-    return {mean_inertia() - std::abs(a), mean_inertia() + std::abs(a), 0.5 * std::arg(a)};
-}
-
 CompositeRotor CompositeRotor::with_unsigned_harmonic() const {
     CompositeRotor other = *this;
     other.second_harmonic = std::abs(second_harmonic);

@@ -37,9 +37,9 @@ std::optional<results::RigidEquivalent> rigid_equivalent(const rigid::RigidRotor
     out.type = rigid::rigid_type(out.diametral, out.polar);
     if (out.type == "spherical")
         out.polar = out.diametral;
-    out.k11 = body.k11;
-    out.k14 = body.k14;
-    out.k33 = body.k33;
+    out.k11 = body.supports.c_x;
+    out.k14 = body.supports.c_y;
+    out.k33 = body.supports.c_beta;
     const double determinant = out.k11 * out.k33 - out.k14 * out.k14;
     if (!(out.k11 > 0) || !(determinant > 1e-12 * out.k11 * out.k33))
         return std::nullopt;

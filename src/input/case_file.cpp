@@ -1,13 +1,11 @@
 #include "input/case_file.h"
 
 #include "input/overrides.h"
-#include "input/plausibility.h"
 #include "input/sections.h"
 #include "input/toml_text.h"
 #include "input/validate.h"
 #include "model/errors.h"
 
-#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -51,15 +49,22 @@ void read_format(CheckedTable &root) {
         root.fail("format", "expected 1, got " + shown(*format));
 }
 
+/// Reads [key] where the case has it.
+void read_section(CheckedTable &root, const std::string &key,
+                  void (*read)(CheckedTable &table, model::Case &scene), model::Case &scene) {
+    auto table = root.table(key);
+    if (!table)
+        return;
+    read(*table, scene);
+    table->refuse_unknown();
+}
+
 model::Case read_case(CheckedTable &root) {
     model::Case scene;
     read_format(root);
     scene.title = root.text("title").value_or("");
-    constexpr std::array forms{model::FormChoice::automatic,  model::FormChoice::planar,
-                               model::FormChoice::hyperbolic, model::FormChoice::general,
-                               model::FormChoice::rotating,   model::FormChoice::hill};
-    scene.formulation = forms[root.choice(
-        "formulation", {"auto", "planar", "hyperbolic", "general", "rotating", "hill"}, 0)];
+    scene.formulation = static_cast<model::FormChoice>(root.choice(
+        "formulation", {"auto", "planar", "hyperbolic", "general", "rotating", "hill"}, 0));
     scene.reduction = root.choice("reduction", {"auto", "off"}, 0) == 0;
     const Materials materials = read_materials(root);
     scene.rotor.shaft = read_shaft(root, materials);
@@ -70,18 +75,19 @@ model::Case read_case(CheckedTable &root) {
     read_balancers(root, scene.rotor);
     read_planes(root, scene.rotor);
     read_probes(root, scene.rotor);
-    read_speeds(root, scene);
-    read_operation(root, scene);
+    read_section(root, "speeds", read_speeds, scene);
+    read_section(root, "operation", read_operation, scene);
+    read_section(root, "level1", read_level1, scene);
     read_imbalances(root, scene);
-    read_campbell(root, scene);
-    read_modes(root, scene);
-    read_critical_map(root, scene);
-    read_units(root, scene);
-    read_response(root, scene);
-    read_simulate(root, scene);
-    read_balance(root, scene);
-    read_map(root, scene);
-    read_samples(root, scene);
+    read_section(root, "campbell", read_campbell, scene);
+    read_section(root, "modes", read_modes, scene);
+    read_section(root, "critical_map", read_critical_map, scene);
+    read_section(root, "units", read_units, scene);
+    read_section(root, "response", read_response, scene);
+    read_section(root, "simulate", read_simulate, scene);
+    read_section(root, "balance", read_balance, scene);
+    read_section(root, "map", read_map, scene);
+    read_section(root, "samples", read_samples, scene);
     root.refuse_unknown();
     return scene;
 }
@@ -91,14 +97,14 @@ model::Case read_case(CheckedTable &root) {
 model::Case load_case(const fs::path &folder_or_file, const std::vector<std::string> &overrides) {
     const fs::path file = find_file(folder_or_file);
     Node tree = parse_toml(read_text(file), file.generic_string());
-    ReadContext context;
+    ReadContext context(tree);
     context.folder = file.parent_path();
     apply_overrides(tree, overrides, context.problems);
-    CheckedTable root(tree, "", context);
+    CheckedTable root({tree, "", context});
     model::Case scene = read_case(root);
     scene.file = file;
     scene.name = case_name(file);
-    validate(scene, tree, context.problems);
+    validate(scene, {tree, context.problems});
     context.problems.throw_if_any();
     scene.remarks = std::move(context.remarks);
     add_remarks(scene, tree);
@@ -107,11 +113,11 @@ model::Case load_case(const fs::path &folder_or_file, const std::vector<std::str
 
 model::OutputUnits output_units(const std::vector<std::string> &overrides) {
     Node tree = parse_toml("", "");
-    ReadContext context;
+    ReadContext context(tree);
     apply_overrides(tree, overrides, context.problems);
-    CheckedTable root(tree, "", context);
+    CheckedTable root({tree, "", context});
     model::Case scene;
-    read_units(root, scene);
+    read_section(root, "units", read_units, scene);
     context.problems.throw_if_any();
     return scene.units;
 }

@@ -8,17 +8,6 @@
 
 namespace whirl::input {
 
-namespace {
-
-/// What may have been meant by a text that is no number.
-std::string hint_for(const Node &node, Quantity quantity) {
-    return node.kind == Node::Kind::text
-               ? decimal_comma_hint(node.text) + spaced_unit_hint(node.text, quantity)
-               : "";
-}
-
-} // namespace
-
 bool Range::contains(double value) const {
     return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
 }
@@ -38,75 +27,88 @@ std::string ReadContext::elsewhere(const std::string &key) const {
     return "";
 }
 
-double ReadContext::number(const Node &node, const std::string &path, Quantity quantity,
-                           Range range) {
-    numeric.insert_or_assign(path, quantity);
-    std::optional<double> value;
+std::optional<double> number_of(const Node &node, Quantity quantity) {
     if (node.is_number() && std::isfinite(node.number))
-        value = node.number;
-    else if (node.kind == Node::Kind::text)
-        value = parse_quantity(node.text, quantity);
+        return node.number;
+    return parse_quantity(node.text, quantity);
+}
+
+double CheckedEntry::number(Quantity quantity, Range range) const {
+    context.numeric.insert_or_assign(path, quantity);
+    const std::optional<double> value = number_of(node, quantity);
     if (value && range.contains(*value))
         return *value;
-    problems.add(node.origin, path,
-                 fmt::format("expected {}{}{}, got {}{}", describe(quantity), range.words(),
-                             node.is_number() && !value ? ", finite" : "", shown(node),
-                             hint_for(node, quantity)));
+    fail(fmt::format("expected {}{}{}, got {}{}{}", describe(quantity), range.words(),
+                     node.is_number() && !value ? ", finite" : "", shown(node),
+                     decimal_comma_hint(node.text), spaced_unit_hint(node.text, quantity)));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-int ReadContext::whole(const Node &node, const std::string &path, int low, int high) {
-    numeric.insert_or_assign(path, Quantity::dimensionless);
+int CheckedEntry::whole(int low, int high) const {
+    context.numeric.insert_or_assign(path, Quantity::dimensionless);
     if (node.is_number() && node.number == std::floor(node.number) && node.number >= low &&
         node.number <= high)
         return static_cast<int>(node.number);
-    problems.add(
-        node.origin, path,
-        fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(node)));
+    fail(fmt::format("expected a whole number from {} to {}, got {}", low, high, shown(node)));
     return low;
 }
 
+std::vector<CheckedEntry> CheckedEntry::items() const {
+    std::vector<CheckedEntry> out;
+    if (node.is_list())
+        for (const Node &item : node.items)
+            out.push_back({item, fmt::format("{}[{}]", path, out.size()), context});
+    return out;
+}
+
+std::vector<double> CheckedEntry::numbers(Quantity quantity, Range range) const {
+    std::vector<double> values;
+    for (const CheckedEntry &item : items())
+        values.push_back(item.number(quantity, range));
+    return values;
+}
+
+void CheckedEntry::fail(std::string text) const {
+    context.problems.add(node.origin, path, std::move(text));
+}
+
 std::string one_of(const std::vector<std::string> &words, const Node &node) {
-    const std::string best = node.kind == Node::Kind::text ? nearest(node.text, words) : "";
     return fmt::format("expected \"{}\", got {}{}", fmt::join(words, "\" or \""), shown(node),
-                       best.empty() ? "" : fmt::format(", did you mean \"{}\"?", best));
+                       did_you_mean(node.text, words));
 }
 
 const Node *CheckedTable::find(const std::string &key) {
     if (std::ranges::find(_known, key) == _known.end())
         _known.push_back(key);
-    return _node->find(key);
+    return node().find(key);
+}
+
+std::optional<CheckedEntry> CheckedTable::entry(const std::string &key) {
+    const Node *found = find(key);
+    return found ? std::optional(CheckedEntry{*found, path_of(key), context()}) : std::nullopt;
 }
 
 double CheckedTable::number(const std::string &key, Quantity quantity, Range range) {
-    if (const Node *entry = find(key))
-        return _context->number(*entry, path_of(key), quantity, range);
+    if (const auto own = entry(key))
+        return own->number(quantity, range);
     fail(key, fmt::format("missing, expected {}{}", describe(quantity), range.words()));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::optional<double> CheckedTable::optional_number(const std::string &key, Quantity quantity,
                                                     Range range) {
-    const Node *entry = find(key);
-    if (!entry)
-        return std::nullopt;
-    return _context->number(*entry, path_of(key), quantity, range);
+    const auto own = entry(key);
+    return own ? std::optional(own->number(quantity, range)) : std::nullopt;
 }
 
 std::vector<double> CheckedTable::numbers(const std::string &key, Quantity quantity, Range range) {
-    const Node *entry = find(key);
-    if (!entry)
+    const auto list = entry(key);
+    if (!list)
         return {};
-    if (entry->kind != Node::Kind::list) {
-        fail(key, fmt::format("expected a list, each {}{}, got {}", describe(quantity),
-                              range.words(), shown(*entry)));
-        return {};
-    }
-    std::vector<double> values;
-    for (const Node &item : entry->items)
-        values.push_back(_context->number(item, fmt::format("{}[{}]", path_of(key), values.size()),
-                                          quantity, range));
-    return values;
+    if (!list->node.is_list())
+        list->fail(fmt::format("expected a list, each {}{}, got {}", describe(quantity),
+                               range.words(), shown(list->node)));
+    return list->numbers(quantity, range);
 }
 
 int CheckedTable::whole(const std::string &key, int low, int high) {
@@ -116,87 +118,81 @@ int CheckedTable::whole(const std::string &key, int low, int high) {
 }
 
 int CheckedTable::whole_or(const std::string &key, int fallback, int low, int high) {
-    const Node *entry = find(key);
-    return entry ? _context->whole(*entry, path_of(key), low, high) : fallback;
+    const auto own = entry(key);
+    return own ? own->whole(low, high) : fallback;
 }
 
 bool CheckedTable::flag_or(const std::string &key, bool fallback) {
-    const Node *entry = find(key);
-    if (!entry)
+    const Node *own = find(key);
+    if (!own)
         return fallback;
-    if (entry->kind != Node::Kind::boolean)
-        fail(key, "expected true or false, got " + shown(*entry));
-    return entry->flag;
+    if (own->kind != Node::Kind::boolean)
+        fail(key, "expected true or false, got " + shown(*own));
+    return own->flag;
 }
 
 std::optional<std::string> CheckedTable::text(const std::string &key) {
-    const Node *entry = find(key);
-    if (!entry)
+    const Node *own = find(key);
+    if (!own)
         return std::nullopt;
-    if (entry->kind != Node::Kind::text) {
-        fail(key, "expected a text, got " + shown(*entry));
+    if (own->kind != Node::Kind::text) {
+        fail(key, "expected a text, got " + shown(*own));
         return std::nullopt;
     }
-    return entry->text;
+    return own->text;
 }
 
 std::size_t CheckedTable::choice(const std::string &key, const std::vector<std::string> &choices,
                                  std::size_t fallback) {
-    const Node *entry = find(key);
-    if (!entry)
+    const Node *own = find(key);
+    if (!own)
         return fallback;
-    const auto found = std::ranges::find(choices, entry->text);
-    if (entry->kind == Node::Kind::text && found != choices.end())
+    const auto found = std::ranges::find(choices, own->text);
+    if (found != choices.end())
         return static_cast<std::size_t>(found - choices.begin());
-    fail(key, one_of(choices, *entry));
+    fail(key, one_of(choices, *own));
     return fallback;
 }
 
 std::optional<CheckedTable> CheckedTable::table(const std::string &key) {
-    const Node *entry = find(key);
-    if (!entry)
+    auto own = entry(key);
+    if (!own)
         return std::nullopt;
-    if (entry->kind != Node::Kind::table) {
-        fail(key, fmt::format("expected a table, got {}{}", shown(*entry),
-                              entry->is_number() ? _context->elsewhere(key) : ""));
+    if (own->node.kind != Node::Kind::table) {
+        own->fail(fmt::format("expected a table, got {}{}", shown(own->node),
+                              own->node.is_number() ? context().elsewhere(key) : ""));
         return std::nullopt;
     }
-    return CheckedTable(*entry, path_of(key), *_context);
+    return CheckedTable(std::move(*own));
 }
 
 std::vector<CheckedTable> CheckedTable::tables(const std::string &key) {
-    const Node *entry = find(key);
-    if (!entry)
+    const auto list = entry(key);
+    if (!list)
         return {};
-    if (entry->kind != Node::Kind::list) {
-        fail(key, fmt::format("expected a list of tables, [[{}]], got {}", key, shown(*entry)));
-        return {};
-    }
+    if (!list->node.is_list())
+        list->fail(
+            fmt::format("expected a list of tables, [[{}]], got {}", key, shown(list->node)));
     std::vector<CheckedTable> tables;
-    for (std::size_t i = 0; i < entry->items.size(); ++i) {
-        const std::string item_path = fmt::format("{}[{}]", path_of(key), i);
-        const Node &item = entry->items[i];
-        if (item.kind == Node::Kind::table)
-            tables.emplace_back(item, item_path, *_context);
+    for (const CheckedEntry &item : list->items())
+        if (item.node.kind == Node::Kind::table)
+            tables.emplace_back(item);
         else
-            _context->problems.add(item.origin, item_path, "expected a table, got " + shown(item));
-    }
+            item.fail("expected a table, got " + shown(item.node));
     return tables;
 }
 
-void CheckedTable::fail(const std::string &key, std::string text) {
-    const Node *entry = _node->find(key);
-    _context->problems.add(entry ? entry->origin : _node->origin, path_of(key), std::move(text));
+void CheckedTable::fail(const std::string &key, std::string text) const {
+    const Node *own = node().find(key);
+    context().problems.add((own ? *own : node()).origin, path_of(key), std::move(text));
 }
 
 void CheckedTable::refuse_unknown() {
-    for (const Node &entry : _node->items)
-        if (std::ranges::find(_known, entry.key) == _known.end()) {
+    for (const Node &own : node().items)
+        if (std::ranges::find(_known, own.key) == _known.end()) {
             // At the root of the case a number stands in none of its tables: it was meant in one.
-            const std::string table = _path.empty() ? _context->elsewhere(entry.key) : "";
-            _context->problems.add(entry.origin, path_of(entry.key),
-                                   "unknown key" +
-                                       (table.empty() ? suggestion(entry.key, _known) : table));
+            const std::string table = path().empty() ? context().elsewhere(own.key) : "";
+            fail(own.key, "unknown key" + (table.empty() ? suggestion(own.key, _known) : table));
         }
 }
 

@@ -25,7 +25,6 @@ struct Range {
     /// " greater than 0", " in [0, 0.5)", or nothing for all numbers.
     [[nodiscard]] std::string words() const;
 
-    static Range any() { return {}; }
     static Range positive() { return {0, std::numeric_limits<double>::infinity(), true, true}; }
     static Range not_negative() { return {0, std::numeric_limits<double>::infinity()}; }
     static Range inside(double low, double high) { return {low, high, true, true}; }
@@ -33,18 +32,38 @@ struct Range {
 
 /// What reading a case shares: the mistakes found, and which entries are numbers of which kind.
 struct ReadContext {
+    explicit ReadContext(const Node &whole) : tree(whole) {}
+
+    const Node &tree; ///< the case
     Problems problems;
     std::map<std::string, Quantity> numeric; ///< path of an entry, its quantity
     std::vector<std::string> remarks;        ///< what is no mistake and looks like one
     std::filesystem::path folder;            ///< of the case file; paths in it start here
 
-    /// The number of a node in SI. A mistake is collected and gives nan, which no comparison of a
-    /// later check holds for, so that one mistake is reported once.
-    double number(const Node &node, const std::string &path, Quantity quantity, Range range);
-    /// The same for a whole number; a mistake gives `low`.
-    int whole(const Node &node, const std::string &path, int low, int high);
     /// `, did you mean "material.steel.E"?` for E: a number of that key read in some table.
     [[nodiscard]] std::string elsewhere(const std::string &key) const;
+};
+
+/// A number or a text with its unit in SI; empty where it is none or not finite.
+[[nodiscard]] std::optional<double> number_of(const Node &node, Quantity quantity);
+
+/// An entry of a case file, or an item of a list there.
+struct CheckedEntry {
+    const Node &node;
+    std::string path;
+    ReadContext &context;
+
+    /// In SI. A mistake is collected and gives nan, which no comparison of a later check holds for,
+    /// so that one mistake is reported once.
+    [[nodiscard]] double number(Quantity quantity, Range range = {}) const;
+    /// The same for a whole number; a mistake gives `low`.
+    [[nodiscard]] int whole(int low, int high) const;
+    /// Items of a list; none of anything else.
+    [[nodiscard]] std::vector<CheckedEntry> items() const;
+    /// All of them as numbers.
+    [[nodiscard]] std::vector<double> numbers(Quantity quantity, Range range = {}) const;
+    /// Collects a mistake.
+    void fail(std::string text) const;
 };
 
 /// What to say of a node that is none of some words: `expected "a" or "b", got "c", did you mean
@@ -55,15 +74,16 @@ struct ReadContext {
 /// keys. Mistakes are collected with line and path.
 class CheckedTable {
   public:
-    /// `node` is a table; it and the context must outlive this.
-    CheckedTable(const Node &node, std::string path, ReadContext &context)
-        : _node(&node), _path(std::move(path)), _context(&context) {}
+    /// @param own  a table; its node and context must outlive this
+    explicit CheckedTable(CheckedEntry own) : _own(std::move(own)) {}
 
-    /// The entry or null; makes the key known.
+    /// The node of an entry or null; makes the key known.
     const Node *find(const std::string &key);
+    /// The same with its path.
+    std::optional<CheckedEntry> entry(const std::string &key);
     bool has(const std::string &key) { return find(key) != nullptr; }
 
-    /// A required number in SI; nan where it is missing or wrong (see ReadContext::number).
+    /// A required number in SI; nan where it is missing or wrong (see CheckedEntry::number).
     double number(const std::string &key, Quantity quantity, Range range = {});
     /// A number that may be missing.
     std::optional<double> optional_number(const std::string &key, Quantity quantity,
@@ -87,22 +107,23 @@ class CheckedTable {
     std::vector<CheckedTable> tables(const std::string &key);
 
     /// Collects a mistake at the entry `key`, or at the table where it has no such entry.
-    void fail(const std::string &key, std::string text);
+    void fail(const std::string &key, std::string text) const;
+    /// Collects a mistake of the table itself.
+    void fail(std::string text) const { _own.fail(std::move(text)); }
     /// Collects a mistake for each entry that was never asked for. Call last.
     void refuse_unknown();
 
-    [[nodiscard]] const Node &node() const { return *_node; }
-    [[nodiscard]] std::string path_of(const std::string &key) const {
-        return _path.empty() ? key : _path + "." + key;
-    }
-    [[nodiscard]] const std::string &path() const { return _path; }
-    [[nodiscard]] ReadContext &context() { return *_context; }
+    [[nodiscard]] const Node &node() const { return _own.node; }
+    [[nodiscard]] const std::string &path() const { return _own.path; }
+    [[nodiscard]] ReadContext &context() const { return _own.context; }
 
   private:
-    const Node *_node;
-    std::string _path;
-    ReadContext *_context;
+    CheckedEntry _own;
     std::vector<std::string> _known;
+
+    [[nodiscard]] std::string path_of(const std::string &key) const {
+        return path().empty() ? key : path() + "." + key;
+    }
 };
 
 /// `name` and `z`, which all that sits on a shaft has.

@@ -29,14 +29,14 @@ std::optional<std::string> take_quoted(std::string_view &rest) {
     return std::string(trimmed(cell));
 }
 
-struct Line {
+struct Cells {
     std::vector<std::string> cells;
     const char *mistake = nullptr; ///< what is wrong with its quotation marks
 };
 
 /// Cells of a line without white space and quotation marks around them, up to a comment.
-Line split(std::string_view rest) {
-    Line line;
+Cells split(std::string_view rest) {
+    Cells line;
     while (true) {
         rest = trimmed(rest);
         if (rest.starts_with('"')) {
@@ -91,7 +91,8 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
             header = false;
             _header_line = number;
             _usable = true;
-            read_header(cells, rules);
+            for (const std::string &cell : cells)
+                read_column(cell, rules);
         } else if (cells.size() != _columns.size()) {
             problems.add({_file, number}, "",
                          fmt::format("expected {} cells as in the header, got {}{}",
@@ -101,30 +102,22 @@ CsvTable::CsvTable(const std::filesystem::path &file, const std::vector<CsvRule>
                                          : ""));
             _usable = false;
         } else {
-            _rows.push_back({number, std::move(cells)});
+            _lines.push_back({number, std::move(cells)});
         }
     }
     if (header)
-        problems.add(header_origin(), "", "expected a header line, the table is empty");
-    else if (_usable && _rows.empty())
-        problems.add(header_origin(), "", "expected rows below the header, there are none");
-    _usable = _usable && !_rows.empty();
+        fail("", "expected a header line, the table is empty");
+    else if (_usable && _lines.empty())
+        fail("", "expected rows below the header, there are none");
+    _usable = _usable && !_lines.empty();
 }
 
-void CsvTable::read_header(const std::vector<std::string> &cells,
-                           const std::vector<CsvRule> &rules) {
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        read_column(cells[i], i, rules);
-}
-
-void CsvTable::read_column(const std::string &cell, std::size_t index,
-                           const std::vector<CsvRule> &rules) {
+void CsvTable::read_column(const std::string &cell, const std::vector<CsvRule> &rules) {
     const std::size_t bracket = std::min(cell.find('['), cell.size());
     Column column;
     column.name = trimmed(std::string_view(cell).substr(0, bracket));
-    column.index = index;
-    const auto fail = [&](const std::string &text) {
-        _problems->add(header_origin(), column.name, text);
+    const auto refuse = [&](const std::string &text) {
+        fail(column.name, text);
         _usable = false;
     };
     const auto rule = std::ranges::find(rules, column.name, &CsvRule::name);
@@ -132,24 +125,21 @@ void CsvTable::read_column(const std::string &cell, std::size_t index,
         std::vector<std::string> names;
         for (const CsvRule &known : rules)
             names.push_back(known.name);
-        fail("unknown column" + suggestion(column.name, names));
+        refuse("unknown column" + suggestion(column.name, names));
     } else if (has(column.name)) {
-        fail("expected each column once, got it twice");
+        refuse("expected each column once, got it twice");
     } else if (bracket < cell.size()) {
-        column.quantity = rule->quantity;
         std::string_view unit = std::string_view(cell).substr(bracket + 1);
         unit = unit.substr(0, unit.find(']'));
         const auto factor =
             rule->quantity ? unit_factor(unit, *rule->quantity) : std::optional<double>();
         column.unit = factor.has_value();
-        if (factor)
-            column.factor = *factor;
-        else
-            fail(fmt::format("expected {} in the header, got {}",
-                             rule->quantity ? "a unit of " + describe(*rule->quantity) : "no unit",
-                             in_quotes(unit)));
-    } else {
-        column.quantity = rule->quantity;
+        column.factor = factor.value_or(1);
+        if (!factor)
+            refuse(
+                fmt::format("expected {} in the header, got {}",
+                            rule->quantity ? "a unit of " + describe(*rule->quantity) : "no unit",
+                            in_quotes(unit)));
     }
     _columns.push_back(column);
 }
@@ -159,41 +149,69 @@ const CsvTable::Column *CsvTable::find(const std::string &name) const {
     return found == _columns.end() ? nullptr : &*found;
 }
 
-std::string CsvTable::text(std::size_t row, const std::string &column) const {
-    const Column *found = find(column);
-    return found ? _rows[row].cells[found->index] : "";
+const std::string &CsvTable::cell(const Line &line, const Column &column) const {
+    return line.cells[static_cast<std::size_t>(&column - _columns.data())];
 }
 
 bool CsvTable::has_unit(const std::string &column) const {
     const Column *found = find(column);
-    return found && (found->unit || std::ranges::none_of(_rows, [&](const Row &row) {
-                         return parse_number(row.cells[found->index]).has_value();
+    return found && (found->unit || std::ranges::none_of(_lines, [&](const Line &line) {
+                         return parse_number(cell(line, *found)).has_value();
                      }));
 }
 
-double CsvTable::number(std::size_t row, const std::string &column, Range range) {
-    const Column *found = find(column);
-    const Quantity quantity = found && found->quantity ? *found->quantity : Quantity::dimensionless;
-    const std::string cell = text(row, column);
+void CsvTable::fail(const std::string &column, std::string text) const {
+    _problems->add({_file, _header_line}, column, std::move(text));
+}
+
+std::vector<CsvRow> CsvTable::rows() const {
+    std::vector<CsvRow> rows;
+    for (const Line &line : _lines)
+        rows.emplace_back(*this, line);
+    return rows;
+}
+
+std::optional<std::string> CsvRow::text(const std::string &column) const {
+    const CsvTable::Column *found = _table->find(column);
+    if (!found || _table->cell(*_line, *found).empty())
+        return std::nullopt;
+    return _table->cell(*_line, *found);
+}
+
+double CsvRow::number(const std::string &column, Quantity quantity, Range range) const {
+    const auto cell = text(column);
     // A plain number has the unit of the header; one with a unit is in SI when it is parsed.
-    std::optional<double> value = parse_number(cell);
+    std::optional<double> value = parse_number(cell.value_or(""));
     if (value)
-        value = scaled(*value, found->factor);
-    else
-        value = parse_quantity(cell, quantity);
+        value = scaled(*value, _table->find(column)->factor);
+    else if (cell)
+        value = parse_quantity(*cell, quantity);
     if (value && std::isfinite(*value) && range.contains(*value))
         return *value;
-    _problems->add(origin(row), column,
-                   fmt::format("expected {}{}, got {}", describe(quantity), range.words(),
-                               cell.empty() ? "an empty cell" : in_quotes(cell)));
+    fail(column, fmt::format("expected {}{}, got {}", describe(quantity), range.words(),
+                             cell ? in_quotes(*cell) : "an empty cell"));
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::optional<double> CsvTable::optional_number(std::size_t row, const std::string &column,
-                                                Range range) {
-    if (text(row, column).empty())
-        return std::nullopt;
-    return number(row, column, range);
+std::optional<double> CsvRow::optional_number(const std::string &column, Quantity quantity,
+                                              Range range) const {
+    return text(column) ? std::optional(number(column, quantity, range)) : std::nullopt;
+}
+
+int CsvRow::whole_or(const std::string &column, int fallback, int low, int high) const {
+    const double least = low;
+    const auto number =
+        optional_number(column, Quantity::dimensionless, {least, static_cast<double>(high)});
+    if (!number)
+        return fallback;
+    const int whole = static_cast<int>(std::max(least, *number)); // the least of nan
+    if (whole < *number)
+        fail(column, fmt::format("expected a whole number, got {}", *number));
+    return whole;
+}
+
+void CsvRow::fail(const std::string &column, std::string text) const {
+    _table->_problems->add({_table->_file, _line->number}, column, std::move(text));
 }
 
 } // namespace whirl::input

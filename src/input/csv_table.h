@@ -15,6 +15,8 @@ struct CsvRule {
     std::optional<Quantity> quantity;
 };
 
+class CsvRow;
+
 /// A table of numbers with a header line. Header cells may carry a unit ("length [mm]") that holds
 /// for the plain numbers below it, cells may carry their own ("25 mm"). A cell in
 /// quotation marks may hold commas and '#', and "" for one of them. Blank lines and what else
@@ -28,43 +30,60 @@ class CsvTable {
 
     /// False where the file or its header was wrong or it has no rows; the problem is collected.
     [[nodiscard]] bool usable() const { return _usable; }
-    [[nodiscard]] std::size_t rows() const { return _rows.size(); }
+    /// Rows below the header; the table must outlive them.
+    [[nodiscard]] std::vector<CsvRow> rows() const;
     [[nodiscard]] bool has(const std::string &column) const { return find(column) != nullptr; }
     /// Whether the header of the column or all its cells say in which unit they are.
     [[nodiscard]] bool has_unit(const std::string &column) const;
-    [[nodiscard]] Origin origin(std::size_t row) const { return {_file, _rows[row].line}; }
-    [[nodiscard]] Origin header_origin() const { return {_file, _header_line}; }
-
-    /// Text of a cell; empty where the column is missing.
-    [[nodiscard]] std::string text(std::size_t row, const std::string &column) const;
-    /// Number of a cell in SI; nan and a problem where it is missing, wrong or out of range.
-    double number(std::size_t row, const std::string &column, Range range);
-    /// The same, but empty where the cell or the whole column is.
-    std::optional<double> optional_number(std::size_t row, const std::string &column, Range range);
+    /// Collects a mistake at the header.
+    void fail(const std::string &column, std::string text) const;
 
   private:
+    friend CsvRow;
     struct Column {
         std::string name;
-        std::optional<Quantity> quantity;
         double factor = 1; ///< of its unit to SI
         bool unit = false; ///< given in the header
-        std::size_t index = 0;
     };
-    struct Row {
-        int line = 0;
+    struct Line {
+        int number = 0;
         std::vector<std::string> cells;
     };
 
-    void read_header(const std::vector<std::string> &cells, const std::vector<CsvRule> &rules);
-    void read_column(const std::string &cell, std::size_t index, const std::vector<CsvRule> &rules);
+    void read_column(const std::string &cell, const std::vector<CsvRule> &rules);
     [[nodiscard]] const Column *find(const std::string &name) const;
+    /// Of the line; the table must have the column.
+    [[nodiscard]] const std::string &cell(const Line &line, const Column &column) const;
 
     Problems *_problems;
     std::string _file;
     int _header_line = 1;
     std::vector<Column> _columns;
-    std::vector<Row> _rows;
+    std::vector<Line> _lines;
     bool _usable = false;
+};
+
+/// A row, read as a CheckedTable is: its entries are the cells that are not empty.
+class CsvRow {
+  public:
+    CsvRow(const CsvTable &table, const CsvTable::Line &line) : _table(&table), _line(&line) {}
+
+    [[nodiscard]] std::optional<std::string> text(const std::string &column) const;
+    /// In SI; nan and a problem where it is missing, wrong or out of range.
+    [[nodiscard]] double number(const std::string &column, Quantity quantity,
+                                Range range = {}) const;
+    [[nodiscard]] std::optional<double> optional_number(const std::string &column,
+                                                        Quantity quantity, Range range = {}) const;
+    [[nodiscard]] double number_or(const std::string &column, double fallback, Quantity quantity,
+                                   Range range = {}) const {
+        return optional_number(column, quantity, range).value_or(fallback);
+    }
+    [[nodiscard]] int whole_or(const std::string &column, int fallback, int low, int high) const;
+    void fail(const std::string &column, std::string text) const;
+
+  private:
+    const CsvTable *_table;
+    const CsvTable::Line *_line;
 };
 
 } // namespace whirl::input

@@ -11,11 +11,10 @@ namespace whirl::input {
 namespace {
 
 const Node *follow(const Node &node, const PathStep &step) {
-    if (const auto *name = std::get_if<std::string>(&step))
-        return node.find(*name);
-    const auto *index = std::get_if<std::size_t>(&step);
-    return index && node.kind == Node::Kind::list && *index < node.items.size()
-               ? &node.items[*index]
+    if (!step.key.empty())
+        return node.find(step.key);
+    return step.index && node.is_list() && *step.index < node.items.size()
+               ? &node.items[*step.index]
                : nullptr;
 }
 
@@ -25,12 +24,12 @@ PathStep items_of(std::string_view text) {
     const char *end = text.data() + text.size();
     const auto [next, error] = std::from_chars(text.data(), end, index);
     if (error == std::errc() && next == end)
-        return index;
+        return {"", index, {}};
     if (text == "*")
-        return EveryItem{};
+        return {};
     if (text.size() > 2 && text.front() == '"' && text.back() == '"')
         text = text.substr(1, text.size() - 2);
-    return ItemsNamed{std::string(text)};
+    return {"", {}, std::string(text)};
 }
 
 /// Reads "[3][0]" from the front of `text`; false where it is malformed.
@@ -97,7 +96,7 @@ std::vector<PathStep> parse_path(std::string_view text) {
         const std::size_t end = std::min(text.find_first_of(".[]"), text.size());
         if (end == 0)
             return {};
-        steps.emplace_back(std::string(text.substr(0, end)));
+        steps.push_back({std::string(text.substr(0, end)), {}, {}});
         text.remove_prefix(end);
         if (!parse_indices(text, steps))
             return {};

@@ -3,9 +3,9 @@
 #include "input/problems.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace whirl::input {
@@ -18,11 +18,12 @@ struct Node {
     Origin origin;
     std::string key;         ///< its name in the table above; empty in lists
     std::vector<Node> items; ///< entries of a table, or items of a list
-    std::string text;        ///< of Kind::text
+    std::string text;        ///< of Kind::text; else empty
     double number = 0;       ///< of Kind::integer and Kind::real
     bool flag = false;       ///< of Kind::boolean
 
     [[nodiscard]] bool is_number() const { return kind == Kind::integer || kind == Kind::real; }
+    [[nodiscard]] bool is_list() const { return kind == Kind::list; }
 
     /// The entry of that name, or null.
     [[nodiscard]] const Node *find(std::string_view name) const;
@@ -38,14 +39,12 @@ struct Node {
 /// `text` in quotation marks, cut where it is long, control characters replaced.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// Every item of a list, "[*]".
-struct EveryItem {};
-/// The items of a list that have this `name`, "[left]".
-struct ItemsNamed {
-    std::string name;
+/// A key, or which items of a list: one, those that have a `name`, or (without either) every one.
+struct PathStep {
+    std::string key;                  ///< empty: items
+    std::optional<std::size_t> index; ///< "[1]"
+    std::optional<std::string> name;  ///< "[left]"
 };
-/// A key, or which items of a list.
-using PathStep = std::variant<std::string, std::size_t, EveryItem, ItemsNamed>;
 
 /// Steps of "shaft.segments[1].outer", "bearing[*].k" or "bearing[left].k"; empty where the text is
 /// no path.

@@ -15,7 +15,7 @@ using Nodes = std::vector<Node *>;
 /// The entry `name` of a table; where it is missing it is made as an empty table, but not if
 /// `list_wanted`. Null where there is none or `node` is no table.
 Node *entry(Node &node, const std::string &name, bool list_wanted, const Origin &origin) {
-    if (node.kind == Node::Kind::list && node.items.size() == 1) // bearing.k of the only bearing
+    if (node.is_list() && node.items.size() == 1) // bearing.k of the only bearing
         return entry(node.items.front(), name, list_wanted, origin);
     if (node.kind != Node::Kind::table)
         return nullptr;
@@ -33,55 +33,46 @@ Node *entry(Node &node, const std::string &name, bool list_wanted, const Origin 
 /// Items of a list that a step speaks of.
 Nodes items(Node &node, const PathStep &step) {
     Nodes out;
-    if (node.kind != Node::Kind::list)
-        return out;
-    const auto *index = std::get_if<std::size_t>(&step);
-    const auto *named = std::get_if<ItemsNamed>(&step);
-    for (std::size_t i = 0; i < node.items.size(); ++i)
-        if (index ? i == *index : !named || is_named(node.items[i], named->name))
+    for (std::size_t i = 0; node.is_list() && i < node.items.size(); ++i)
+        if (step.index ? i == *step.index : !step.name || is_named(node.items[i], *step.name))
             out.push_back(&node.items[i]);
     return out;
 }
 
 Nodes followed(Node &node, const PathStep &step, bool list_wanted, const Origin &origin) {
-    const auto *name = std::get_if<std::string>(&step);
-    if (!name)
+    if (step.key.empty())
         return items(node, step);
-    Node *found = entry(node, *name, list_wanted, origin);
+    Node *found = entry(node, step.key, list_wanted, origin);
     return found ? Nodes{found} : Nodes{};
 }
 
 std::string step_text(const PathStep &step) {
-    if (const auto *index = std::get_if<std::size_t>(&step))
-        return fmt::format("[{}]", *index);
-    if (const auto *named = std::get_if<ItemsNamed>(&step))
-        return fmt::format("[{}]", named->name);
-    return "[*]";
+    return step.index ? fmt::format("[{}]", *step.index)
+                      : fmt::format("[{}]", step.name.value_or("*"));
 }
 
 /// What stands in the way of the step, for the message.
 std::string obstacle(const Node &node, const PathStep &step, const std::string &walked) {
     const std::string where = walked.empty() ? "the case" : walked;
-    const auto *name = std::get_if<std::string>(&step);
-    if (name && node.kind == Node::Kind::list)
+    const bool key = !step.key.empty();
+    if (key && node.is_list())
         return fmt::format("expected which of the {1} items of {0} is meant: {0}[0].{2}, or all of "
                            "them: {0}[*].{2}",
-                           where, node.items.size(), *name);
-    if (name && node.kind == Node::Kind::table) {
+                           where, node.items.size(), step.key);
+    if (key && node.kind == Node::Kind::table) {
         std::vector<std::string> keys;
         for (const Node &item : node.items)
             keys.push_back(item.key);
-        const std::string best = nearest(*name, keys);
-        return fmt::format("expected a list of the case, there is no {} in {}{}", *name, where,
-                           best.empty() ? "" : ", did you mean \"" + best + "\"?");
+        return fmt::format("expected a list of the case, there is no {} in {}{}", step.key, where,
+                           did_you_mean(step.key, keys));
     }
-    if (name)
+    if (key)
         return fmt::format("expected a table at {}, got {}", where, shown(node));
-    if (node.kind != Node::Kind::list)
+    if (!node.is_list())
         return fmt::format("expected a list at {}, got {}", where, shown(node));
-    if (const auto *index = std::get_if<std::size_t>(&step))
+    if (step.index)
         return fmt::format("expected an index below {}, got {}: {} has {} item{}",
-                           node.items.size(), *index, where, node.items.size(),
+                           node.items.size(), *step.index, where, node.items.size(),
                            node.items.size() == 1 ? "" : "s");
     return fmt::format("expected the name of an item of {}, there is no {}{}", where, where,
                        step_text(step));
@@ -89,12 +80,9 @@ std::string obstacle(const Node &node, const PathStep &step, const std::string &
 
 /// Takes what the step speaks of out of a table or list. @returns whether there was anything
 bool remove(Node &node, const PathStep &step) {
-    const auto *name = std::get_if<std::string>(&step);
-    if (name && node.kind == Node::Kind::list && node.items.size() == 1)
+    if (!step.key.empty() && node.is_list() && node.items.size() == 1)
         return remove(node.items.front(), step);
-    if (name ? node.kind != Node::Kind::table : node.kind != Node::Kind::list)
-        return false;
-    const Nodes gone = name ? Nodes{node.find(*name)} : items(node, step);
+    const Nodes gone = step.key.empty() ? items(node, step) : Nodes{node.find(step.key)};
     return std::erase_if(node.items, [&](const Node &item) {
                return std::ranges::find(gone, &item) != gone.end();
            }) > 0;
@@ -114,8 +102,10 @@ struct Walk {
                 return obstacle(*node, step, walked);
             next.insert(next.end(), found.begin(), found.end());
         }
-        const auto *name = std::get_if<std::string>(&step);
-        walked += name ? (walked.empty() ? *name : "." + *name) : step_text(step);
+        if (step.key.empty())
+            walked += step_text(step);
+        else
+            walked += walked.empty() ? step.key : "." + step.key;
         nodes = std::move(next);
         return {};
     }
@@ -131,8 +121,7 @@ void apply(Node &root, const std::string &path, std::string_view value, const Or
     const bool removes = trimmed(value).empty();
     Walk walk{{&root}, ""};
     for (std::size_t i = 0; i + (removes ? 1 : 0) < steps.size(); ++i) {
-        const bool list_wanted =
-            i + 1 < steps.size() && !std::holds_alternative<std::string>(steps[i + 1]);
+        const bool list_wanted = i + 1 < steps.size() && steps[i + 1].key.empty();
         const std::string way = walk.go(steps[i], list_wanted || removes, origin);
         if (!way.empty()) {
             problems.add(origin, path, way);

@@ -1,4 +1,4 @@
-#include "input/plausibility.h"
+#include "input/validate.h"
 #include "model/mass.h"
 #include "model/rpm.h"
 
@@ -86,15 +86,15 @@ void check_rolling(const model::Rotor &rotor, Remarks &remarks) {
                 remarks.check("a lever arm of the resistance to rolling", row.rolling, of_rolling);
 }
 
-/// Speed of the surface of the thickest segment and of discs, as wide as their inertia says, m/s.
-double surface_speed(const model::Rotor &rotor, double speed) {
+/// Of the thickest segment and of discs, as wide as their inertia says, m.
+double largest_radius(const model::Rotor &rotor) {
     double radius = 0;
     for (const model::Segment &segment : rotor.shaft.segments)
         radius = std::max({radius, segment.outer_start / 2, segment.outer_end / 2});
     for (const model::Disc &disc : rotor.discs)
         if (disc.mass > 0)
             radius = std::max(radius, std::sqrt(2 * disc.Ip / disc.mass));
-    return radius * speed;
+    return radius;
 }
 
 /// Whether a speed is given with a unit, and another one than rad/s.
@@ -127,7 +127,7 @@ void check_speeds(const model::Case &scene, const Node &tree, Remarks &remarks) 
         speeds.emplace_back("modes.speed", *scene.modes.speed);
     for (const auto &[key, speed] : speeds) {
         const Node *node = find_path(tree, key);
-        const double surface = surface_speed(scene.rotor, std::abs(speed));
+        const double surface = largest_radius(scene.rotor) * std::abs(speed);
         if (node && node->is_number() && surface > fastest)
             remarks.add(fmt::format("{} = {:.6g} is in rad/s, {:.6g} rpm: the rotor's surface "
                                     "moves at {:.0f} m/s; with "
@@ -189,8 +189,6 @@ void check_tables(const model::Case &scene, Remarks &remarks) {
                                 bearing.speeds.back()));
     }
 }
-
-double largest_radius(const model::Rotor &rotor) { return surface_speed(rotor, 1); }
 
 /// Imbalances that are all nothing; one that puts the centre of mass outside of the rotor: one in g
 /// mm without its unit.

@@ -79,10 +79,15 @@ std::string nearest(std::string_view word, const std::vector<std::string> &candi
     return best;
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string> &candidates) {
+std::string did_you_mean(std::string_view word, const std::vector<std::string> &candidates) {
     const std::string best = nearest(word, candidates);
+    return best.empty() ? "" : fmt::format(", did you mean \"{}\"?", best);
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string> &candidates) {
+    std::string best = did_you_mean(word, candidates);
     if (!best.empty())
-        return fmt::format(", did you mean \"{}\"?", best);
+        return best;
     return candidates.empty() ? "" : fmt::format(", known are {}", fmt::join(candidates, ", "));
 }
 

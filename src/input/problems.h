@@ -41,7 +41,11 @@ class Problems {
 [[nodiscard]] std::string nearest(std::string_view word,
                                   const std::vector<std::string> &candidates);
 
-/// `, did you mean "x"?` for the nearest candidate, else `, known are a, b, c`.
+/// `, did you mean "x"?` for the nearest candidate, or nothing.
+[[nodiscard]] std::string did_you_mean(std::string_view word,
+                                       const std::vector<std::string> &candidates);
+
+/// The same, but `, known are a, b, c` where none is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      const std::vector<std::string> &candidates);
 

@@ -23,14 +23,14 @@ model::Disc read_disc_of_geometry(CheckedTable &table, const Materials &material
     const double outer = table.number("outer", Quantity::length, Range::positive());
     const double inner = table.number_or("inner", 0, Quantity::length, Range::not_negative());
     const double width = table.number("width", Quantity::length, Range::positive());
-    const auto material = material_of(table, materials);
+    const double rho = material_of(table, materials).rho;
     if (inner >= outer) {
         table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} m, "
                                         "got {:.6g} m",
                                         outer, inner));
         return {};
     }
-    return model::disc_from_geometry(z, outer, inner, width, material ? material->rho : 0);
+    return model::disc_from_geometry(z, outer, inner, width, rho);
 }
 
 model::Disc read_disc_of_inertias(CheckedTable &table) {
@@ -82,20 +82,18 @@ namespace {
 
 /// Grade of a text such as "G 2.5" or of a number, mm/s; empty with a mistake.
 std::optional<double> read_grade(CheckedTable &table) {
-    const Node &node = *table.find("grade");
-    std::optional<double> value;
-    if (node.is_number()) {
-        table.context().numeric.insert_or_assign(table.path_of("grade"), Quantity::dimensionless);
-        value = node.number;
-    } else if (node.kind == Node::Kind::text) {
-        std::string_view text = trimmed(node.text);
-        if (text.starts_with('G') || text.starts_with('g'))
-            text.remove_prefix(1);
-        value = parse_number(trimmed(text));
+    const CheckedEntry grade = *table.entry("grade");
+    std::string_view text = trimmed(grade.node.text);
+    if (text.starts_with('G') || text.starts_with('g'))
+        text.remove_prefix(1);
+    std::optional<double> value = parse_number(trimmed(text));
+    if (grade.node.is_number()) {
+        table.context().numeric.insert_or_assign(grade.path, Quantity::dimensionless);
+        value = grade.node.number;
     }
     if (value && *value > 0 && std::isfinite(*value))
         return value;
-    table.fail("grade", "expected a balance quality grade such as \"G 2.5\", got " + shown(node));
+    grade.fail("expected a balance quality grade such as \"G 2.5\", got " + shown(grade.node));
     return std::nullopt;
 }
 

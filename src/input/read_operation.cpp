@@ -5,7 +5,39 @@
 namespace whirl::input {
 namespace {
 
-void read_operating_speeds(CheckedTable &table, model::Case &scene) {
+/// The support that an entry names by its place (from 0) or its name.
+std::optional<std::size_t> support_of(const CheckedEntry &entry, const model::Rotor &rotor) {
+    const auto supports = rotor.supports();
+    if (supports.empty()) {
+        entry.fail("expected a bearing, the case has none");
+        return std::nullopt;
+    }
+    const Node &node = entry.node;
+    std::vector<std::string> names;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < supports.size(); ++i) {
+        if (!supports[i].name.empty())
+            names.push_back(supports[i].name);
+        if (node.kind == Node::Kind::text
+                ? supports[i].name == node.text
+                : node.kind == Node::Kind::integer && node.number == static_cast<double>(i))
+            places.push_back(i);
+    }
+    if (places.size() == 1)
+        return places.front();
+    if (places.size() > 1)
+        entry.fail(fmt::format("expected the name of one bearing, got {} of {}; give its place, "
+                               "from 0",
+                               shown(node), places.size()));
+    else
+        entry.fail(fmt::format("expected the name of a bearing or its place, 0 to {}, got {}{}",
+                               supports.size() - 1, shown(node), did_you_mean(node.text, names)));
+    return std::nullopt;
+}
+
+} // namespace
+
+void read_operation(CheckedTable &table, model::Case &scene) {
     model::Operation operation;
     operation.from = table.number("from", Quantity::angular_speed, Range::not_negative());
     operation.to = table.number("to", Quantity::angular_speed, Range::positive());
@@ -20,7 +52,6 @@ void read_operating_speeds(CheckedTable &table, model::Case &scene) {
         table.fail("trip",
                    fmt::format("expected at least to = {}, got {}", written("to", operation.to),
                                written("trip", *operation.trip)));
-    table.refuse_unknown();
     scene.operation = operation;
 }
 
@@ -31,74 +62,22 @@ void read_level1(CheckedTable &table, model::Case &scene) {
     level1.count = table.whole_or("count", level1.count, 2, 10000);
     level1.anticipated =
         table.optional_number("anticipated", Quantity::stiffness, Range::positive());
-    table.refuse_unknown();
     scene.level1 = level1;
+    if (!table.context().tree.find("operation"))
+        table.fail("expected a section [operation], at whose highest speed cross coupling is "
+                   "added, got none");
 }
 
-/// The support that an entry names by its place (from 0) or its name.
-std::optional<std::size_t> support_of(const Node &node, CheckedTable &table,
-                                      const model::Rotor &rotor) {
-    const auto supports = rotor.supports();
-    if (supports.empty()) {
-        table.fail("bearing", "expected a bearing, the case has none");
-        return std::nullopt;
-    }
-    std::vector<std::string> names;
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < supports.size(); ++i) {
-        if (!supports[i].name.empty())
-            names.push_back(supports[i].name);
-        if (node.kind == Node::Kind::text
-                ? supports[i].name == node.text
-                : node.kind == Node::Kind::integer && node.number == static_cast<double>(i))
-            places.push_back(i);
-    }
-    if (places.size() == 1)
-        return places.front();
-    if (places.size() > 1) {
-        table.fail("bearing",
-                   fmt::format("expected the name of one bearing, got {} of {}; give its "
-                               "place, from 0",
-                               shown(node), places.size()));
-        return std::nullopt;
-    }
-    const std::string best = node.kind == Node::Kind::text ? nearest(node.text, names) : "";
-    table.fail("bearing",
-               fmt::format("expected the name of a bearing or its place, 0 to {}, got {}{}",
-                           supports.size() - 1, shown(node),
-                           best.empty() ? "" : ", did you mean \"" + best + "\"?"));
-    return std::nullopt;
-}
-
-} // namespace
-
-void read_operation(CheckedTable &root, model::Case &scene) {
-    if (auto table = root.table("operation"))
-        read_operating_speeds(*table, scene);
-    auto table = root.table("level1");
-    if (!table)
-        return;
-    read_level1(*table, scene);
-    if (!root.has("operation"))
-        table->context().problems.add(table->node().origin, table->path(),
-                                      "expected a section [operation], at whose highest speed "
-                                      "cross coupling is added, got none");
-}
-
-void read_critical_map(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("critical_map");
-    if (!table)
-        return;
+void read_critical_map(CheckedTable &table, model::Case &scene) {
     model::CriticalMapSettings map;
-    map.from = table->optional_number("from", Quantity::stiffness, Range::positive());
-    map.to = table->optional_number("to", Quantity::stiffness, Range::positive());
-    map.points = table->whole_or("points", map.points, 2, 10000);
+    map.from = table.optional_number("from", Quantity::stiffness, Range::positive());
+    map.to = table.optional_number("to", Quantity::stiffness, Range::positive());
+    map.points = table.whole_or("points", map.points, 2, 10000);
     if (map.from && map.to && *map.to <= *map.from)
-        table->fail(
-            "to", fmt::format("expected more than from = {} N/m, got {} N/m", *map.from, *map.to));
-    if (const Node *bearing = table->find("bearing"))
-        map.bearing = support_of(*bearing, *table, scene.rotor);
-    table->refuse_unknown();
+        table.fail("to",
+                   fmt::format("expected more than from = {} N/m, got {} N/m", *map.from, *map.to));
+    if (const auto bearing = table.entry("bearing"))
+        map.bearing = support_of(*bearing, scene.rotor);
     scene.critical_map = map;
 }
 

@@ -63,8 +63,7 @@ void read_written(CheckedTable &table, const char *key, Quantity quantity,
     const Node *node = table.find(key);
     if (!node)
         return;
-    const auto factor =
-        node->kind == Node::Kind::text ? unit_factor(node->text, quantity) : std::nullopt;
+    const auto factor = unit_factor(node->text, quantity);
     if (!factor)
         table.fail(key, "expected the unit of " + describe(quantity) + " or another one, got " +
                             shown(*node));
@@ -85,116 +84,87 @@ std::optional<Quantity> quantity_of_entry(CheckedTable &table, const std::string
         paths.push_back(besides);
     for (const auto &entry : entries)
         paths.push_back(entry.first);
-    const std::string best = nearest(path, paths);
     table.fail("path", "expected " + (besides.empty() ? "" : in_quotes(besides) + " or ") +
                            "a numeric entry of the case, got " + in_quotes(path) +
-                           (best.empty() ? "" : ", did you mean \"" + best + "\"?"));
+                           did_you_mean(path, paths));
     return std::nullopt;
 }
 
-void read_speeds(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("speeds");
-    if (!table)
-        return;
+void read_speeds(CheckedTable &table, model::Case &scene) {
     model::SpeedRange speeds;
-    speeds.from = table->number_or("from", 0, Quantity::angular_speed);
-    const auto to = table->optional_number("to", Quantity::angular_speed);
+    speeds.from = table.number_or("from", 0, Quantity::angular_speed);
+    const auto to = table.optional_number("to", Quantity::angular_speed);
     speeds.to = to.value_or(speeds.from);
-    speeds.count = table->whole_or("count", to ? 101 : 1, 1, largest_count);
+    speeds.count = table.whole_or("count", to ? 101 : 1, 1, largest_count);
     if (speeds.to < speeds.from || (to && speeds.count > 1 && speeds.to == speeds.from))
-        table->fail("to", fmt::format("expected {} from = {}, got {}",
-                                      speeds.count > 1 ? "more than" : "at least",
-                                      as_written(table->find("from"), speeds.from, "rad/s"),
-                                      as_written(table->find("to"), speeds.to, "rad/s")));
-    if (!table->has("to") && speeds.count > 1)
-        table->fail("to", "missing, expected an angular speed in rad/s where count is above 1");
-    table->refuse_unknown();
+        table.fail("to", fmt::format("expected {} from = {}, got {}",
+                                     speeds.count > 1 ? "more than" : "at least",
+                                     as_written(table.find("from"), speeds.from, "rad/s"),
+                                     as_written(table.find("to"), speeds.to, "rad/s")));
+    if (!table.has("to") && speeds.count > 1)
+        table.fail("to", "missing, expected an angular speed in rad/s where count is above 1");
     scene.speeds = speeds;
 }
 
-void read_campbell(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("campbell");
-    if (!table)
-        return;
-    scene.campbell.modes = table->whole_or("modes", scene.campbell.modes, 1, 1000);
-    if (table->has("multiples"))
+void read_campbell(CheckedTable &table, model::Case &scene) {
+    scene.campbell.modes = table.whole_or("modes", scene.campbell.modes, 1, 1000);
+    if (table.has("multiples"))
         scene.campbell.multiples =
-            table->numbers("multiples", Quantity::dimensionless, Range::positive());
-    table->refuse_unknown();
+            table.numbers("multiples", Quantity::dimensionless, Range::positive());
 }
 
-void read_modes(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("modes");
-    if (!table)
-        return;
-    scene.modes.speed = table->optional_number("speed", Quantity::angular_speed);
-    table->refuse_unknown();
+void read_modes(CheckedTable &table, model::Case &scene) {
+    scene.modes.speed = table.optional_number("speed", Quantity::angular_speed);
 }
 
-void read_response(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("response");
-    if (!table)
-        return;
-    scene.response.gravity = table->number_or("gravity", 0, Quantity::acceleration);
-    scene.response.orbits_at = table->numbers("orbits_at", Quantity::angular_speed);
-    scene.response.shape_at = table->numbers("shape_at", Quantity::angular_speed);
-    table->refuse_unknown();
+void read_response(CheckedTable &table, model::Case &scene) {
+    scene.response.gravity = table.number_or("gravity", 0, Quantity::acceleration);
+    scene.response.orbits_at = table.numbers("orbits_at", Quantity::angular_speed);
+    scene.response.shape_at = table.numbers("shape_at", Quantity::angular_speed);
 }
 
-void read_balance(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("balance");
-    if (!table)
-        return;
-    scene.balance.balanced_position = table->flag_or("balanced_position", true);
-    scene.balance.simulated = table->whole_or("simulated", 0, 0, 1000);
-    if (scene.balance.simulated > 0 && !root.has("simulate"))
-        table->fail("simulated", "expected a section [simulate] that says how long the motions "
-                                 "are, got none");
-    read_each(*table, "designs", scene.balance.designs,
+void read_balance(CheckedTable &table, model::Case &scene) {
+    scene.balance.balanced_position = table.flag_or("balanced_position", true);
+    scene.balance.simulated = table.whole_or("simulated", 0, 0, 1000);
+    if (scene.balance.simulated > 0 && !table.context().tree.find("simulate"))
+        table.fail("simulated", "expected a section [simulate] that says how long the motions "
+                                "are, got none");
+    read_each(table, "designs", scene.balance.designs,
               [](CheckedTable &entry, model::PendulumDesign &design) {
                   design.arm = entry.number("arm", Quantity::length, Range::positive());
                   design.pivot = entry.number("pivot", Quantity::length, Range::positive());
               });
-    if (table->has("external_damping"))
+    if (table.has("external_damping"))
         scene.balance.external_damping =
-            table->numbers("external_damping", Quantity::dimensionless, Range::not_negative());
+            table.numbers("external_damping", Quantity::dimensionless, Range::not_negative());
     const bool pendulums = !balancers::pendulums_in(scene.rotor).empty();
     for (const char *key : {"designs", "external_damping"})
-        if (table->has(key) && !pendulums)
-            table->fail(key, "expected only with a balancer of kind = \"pendulum4\", got none");
-    table->refuse_unknown();
+        if (table.has(key) && !pendulums)
+            table.fail(key, "expected only with a balancer of kind = \"pendulum4\", got none");
 }
 
-void read_map(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("map");
-    if (!table)
-        return;
+void read_map(CheckedTable &table, model::Case &scene) {
     // Taken before the axes are read: their own numbers are no entries to vary.
-    const std::map<std::string, Quantity> entries = root.context().numeric;
+    const std::map<std::string, Quantity> entries = table.context().numeric;
     model::MapSettings map;
-    map.x = read_axis(*table, "x", entries);
-    map.y = read_axis(*table, "y", entries);
+    map.x = read_axis(table, "x", entries);
+    map.y = read_axis(table, "y", entries);
     if (map.x.path == "speed" && map.y.path == "speed")
-        table->fail("y", "expected another entry than x, got " + in_quotes(map.y.path) + " twice");
-    table->refuse_unknown();
+        table.fail("y", "expected another entry than x, got " + in_quotes(map.y.path) + " twice");
     scene.map = map;
 }
 
-void read_units(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("units");
-    if (!table)
-        return;
-    const std::size_t chosen = table->choice("preset", presets, 0);
+void read_units(CheckedTable &table, model::Case &scene) {
+    const std::size_t chosen = table.choice("preset", presets, 0);
     for (const auto &[key, quantity, units] : written) {
         if (chosen > 0) {
             const char *unit = units.at(chosen - 1);
             scene.units.of[key] = {unit, unit_factor(unit, quantity).value()};
         }
-        read_written(*table, key, quantity, scene.units);
+        read_written(table, key, quantity, scene.units);
     }
-    scene.units.peak_to_peak = table->flag_or("peak_to_peak", false);
-    scene.units.json = table->flag_or("json", false);
-    table->refuse_unknown();
+    scene.units.peak_to_peak = table.flag_or("peak_to_peak", false);
+    scene.units.json = table.flag_or("json", false);
 }
 
 } // namespace whirl::input

@@ -1,13 +1,28 @@
 #include "input/csv_table.h"
 #include "input/sections.h"
-#include "input/validate.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::input {
 namespace {
+
+/// The shear modulus belongs to 0 <= nu < 0.5, nu = E/(2G) - 1, and to `nu` within 1e-3 if given.
+void check_shear_modulus(const model::Material &material, std::optional<double> nu,
+                         const CheckedTable &table) {
+    const double derived = material.poisson_ratio();
+    constexpr double round_off = 1e-12; // G = E/2 as printed by a program
+    if (derived < -round_off || derived >= 0.5 - round_off)
+        table.fail("G", fmt::format("expected a shear modulus above E/3 = {:.6g} Pa and up to E/2 "
+                                    "= {:.6g} Pa (0 <= nu < 0.5), got {:.6g} Pa (nu = {:.6g})",
+                                    material.E / 3, material.E / 2, material.G, derived));
+    else if (nu && std::abs(*nu - derived) > 1e-3)
+        table.fail("G", fmt::format("expected a shear modulus that agrees with nu within 1e-3, "
+                                    "E/(2 (1 + nu)) = {:.6g} Pa, got {:.6g} Pa (nu = {:.6g})",
+                                    material.E / (2 * (1 + *nu)), material.G, derived));
+}
 
 model::Material read_material(CheckedTable table, const std::string &name) {
     model::Material material;
@@ -20,8 +35,7 @@ model::Material read_material(CheckedTable table, const std::string &name) {
         table.fail("G", "missing, expected a pressure in Pa greater than 0, or nu");
     material.G = shear.value_or(material.E / (2 * (1 + nu.value_or(0))));
     if (shear)
-        check_shear_modulus(material, nu, origin_of(table.node(), "G"), table.path_of("G"),
-                            table.context().problems);
+        check_shear_modulus(material, nu, table);
     table.refuse_unknown();
     return material;
 }
@@ -45,78 +59,86 @@ void check_free(const model::Layer &layer, const std::vector<Ring> &taken, Check
 }
 
 /// Tubes given without an inner diameter sit on what lies inside of them.
-std::vector<model::Layer> read_layers(CheckedTable &table_of_segment, const model::Segment &segment,
-                                      const Materials &materials) {
-    std::vector<model::Layer> layers;
+void read_layers(CheckedTable &table_of_segment, const Materials &materials,
+                 model::Segment &segment) {
     std::vector<Ring> taken{{std::min(segment.inner_start, segment.inner_end),
                              std::max(segment.outer_start, segment.outer_end)}};
-    double inside = taken.front().outer;
-    for (CheckedTable &table : table_of_segment.tables("layers")) {
-        model::Layer layer;
-        table.text("name");
-        layer.outer = table.number("outer", Quantity::length, Range::positive());
-        layer.inner = table.number_or("inner", inside, Quantity::length, Range::not_negative());
-        if (layer.inner >= layer.outer)
-            table.fail("outer",
-                       fmt::format("expected a diameter above the inner one, {:.6g} m, got "
-                                   "{:.6g} m",
-                                   layer.inner, layer.outer));
-        else
-            check_free(layer, taken, table);
-        layer.material = material_of(table, materials).value_or(model::Material{});
-        table.refuse_unknown();
-        inside = layer.outer;
-        taken.push_back({layer.inner, layer.outer});
-        layers.push_back(layer);
-    }
-    return layers;
+    read_each(table_of_segment, "layers", segment.layers,
+              [&](CheckedTable &table, model::Layer &layer) {
+                  table.text("name");
+                  layer.outer = table.number("outer", Quantity::length, Range::positive());
+                  layer.inner = table.number_or("inner", taken.back().outer, Quantity::length,
+                                                Range::not_negative());
+                  if (layer.inner >= layer.outer)
+                      table.fail("outer", fmt::format("expected a diameter above the inner one, "
+                                                      "{:.6g} m, got {:.6g} m",
+                                                      layer.inner, layer.outer));
+                  else
+                      check_free(layer, taken, table);
+                  layer.material = material_of(table, materials);
+                  taken.push_back({layer.inner, layer.outer});
+              });
 }
 
-/// What a segment has mass for, where that is not what carries load, and its shear coefficient.
-/// @param number  (name, range), empty for what is not given
-template <class Number> void read_departures(const Number &number, model::Segment &segment) {
-    segment.shear_coefficient = number("shear", Range::positive()).value_or(0);
-    const std::optional<double> inner = number("mass_inner", Range::not_negative());
+/// @param table  with an entry `material`
+template <class Table> model::Material pick_material(Table &table, const Materials &materials) {
+    const std::optional<std::string> name = table.text("material");
+    if (!name && materials.size() == 1)
+        return materials.begin()->second;
+    std::vector<std::string> names;
+    for (const auto &entry : materials)
+        names.push_back(entry.first);
+    const auto found = materials.find(name.value_or(""));
+    if (name && found != materials.end())
+        return found->second;
+    table.fail(
+        "material",
+        name ? "expected the name of a material, got " + in_quotes(*name) + suggestion(*name, names)
+        : materials.empty() ? "missing, expected a section [material.NAME]"
+                            : "missing, expected the name of a material" + suggestion("", names));
+    return {};
+}
+
+/// The bore is smaller than the outer diameter at both ends, and what has mass is not empty.
+template <class Table> void check_diameters(const model::Segment &segment, Table &table) {
+    const bool start = segment.inner_start >= segment.outer_start;
+    if (start || segment.inner_end >= segment.outer_end)
+        table.fail("inner", fmt::format("expected an inner diameter below the outer one, {:.6g} "
+                                        "m, got {:.6g} m{}",
+                                        start ? segment.outer_start : segment.outer_end,
+                                        start ? segment.inner_start : segment.inner_end,
+                                        start ? "" : " (at the end of the segment)"));
+    if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
+        table.fail("mass_inner", fmt::format("expected mass_inner below mass_outer, {:.6g} m "
+                                             "(which a cone must be given), got {:.6g} m",
+                                             segment.mass_outer, segment.mass_inner));
+}
+
+/// A segment, from a table of the case or a row of a station table.
+template <class Table>
+model::Segment read_segment(Table &table, const Materials &materials, int elements) {
+    model::Segment segment;
+    segment.length = table.number("length", Quantity::length, Range::positive());
+    segment.outer_start = table.number("outer", Quantity::length, Range::positive());
+    segment.inner_start = table.number_or("inner", 0, Quantity::length, Range::not_negative());
+    segment.outer_end =
+        table.number_or("outer_end", segment.outer_start, Quantity::length, Range::positive());
+    segment.inner_end =
+        table.number_or("inner_end", segment.inner_start, Quantity::length, Range::not_negative());
+    segment.elements = table.whole_or("elements", elements, 1, largest_count);
+    segment.asymmetry =
+        table.number_or("asymmetry", 0, Quantity::dimensionless, Range::inside(-1, 1));
+    segment.asymmetry_angle = table.number_or("asymmetry_angle", 0, Quantity::angle);
+    segment.material = pick_material(table, materials);
+    segment.shear_coefficient =
+        table.number_or("shear", 0, Quantity::dimensionless, Range::positive());
+    const auto inner = table.optional_number("mass_inner", Quantity::length, Range::not_negative());
     const bool cylinder = segment.outer_start == segment.outer_end; // a cone has no one diameter
     segment.mass_inner = inner.value_or(0);
-    segment.mass_outer = number("mass_outer", Range::positive())
-                             .value_or(inner && cylinder ? segment.outer_start : 0);
-}
-
-std::vector<model::Segment> read_segments(CheckedTable &shaft, const Materials &materials,
-                                          int elements) {
-    std::vector<model::Segment> segments;
-    ReadContext &context = shaft.context();
-    for (CheckedTable &table : shaft.tables("segments")) {
-        model::Segment segment;
-        table.text("name");
-        segment.length = table.number("length", Quantity::length, Range::positive());
-        segment.outer_start = table.number("outer", Quantity::length, Range::positive());
-        segment.inner_start = table.number_or("inner", 0, Quantity::length, Range::not_negative());
-        segment.outer_end =
-            table.number_or("outer_end", segment.outer_start, Quantity::length, Range::positive());
-        segment.inner_end = table.number_or("inner_end", segment.inner_start, Quantity::length,
-                                            Range::not_negative());
-        segment.elements = table.whole_or("elements", elements, 1, largest_count);
-        segment.asymmetry =
-            table.number_or("asymmetry", 0, Quantity::dimensionless, Range::inside(-1, 1));
-        segment.asymmetry_angle = table.number_or("asymmetry_angle", 0, Quantity::angle);
-        segment.material = material_of(table, materials).value_or(model::Material{});
-        read_departures(
-            [&table](const std::string &name, Range range) {
-                return table.optional_number(
-                    name, name == "shear" ? Quantity::dimensionless : Quantity::length, range);
-            },
-            segment);
-        segment.layers = read_layers(table, segment, materials);
-        table.refuse_unknown();
-        check_mass_diameters(segment, origin_of(table.node(), "mass_inner"),
-                             table.path_of("mass_inner"), context.problems);
-        check_segment(segment, origin_of(table.node(), "inner"), table.path_of("inner"),
-                      context.problems);
-        segments.push_back(segment);
-    }
-    return segments;
+    segment.mass_outer = table.number_or("mass_outer", inner && cylinder ? segment.outer_start : 0,
+                                         Quantity::length, Range::positive());
+    check_diameters(segment, table);
+    return segment;
 }
 
 const std::vector<CsvRule> station_columns{
@@ -127,38 +149,6 @@ const std::vector<CsvRule> station_columns{
     {"asymmetry_angle", Quantity::angle},  {"shear", Quantity::dimensionless},
     {"mass_outer", Quantity::length},      {"mass_inner", Quantity::length}};
 
-model::Segment read_station(CsvTable &table, std::size_t row, const Materials &materials,
-                            int elements, ReadContext &context) {
-    model::Segment segment;
-    segment.length = table.number(row, "length", Range::positive());
-    segment.outer_start = table.number(row, "outer", Range::positive());
-    segment.inner_start = table.optional_number(row, "inner", Range::not_negative()).value_or(0);
-    segment.outer_end =
-        table.optional_number(row, "outer_end", Range::positive()).value_or(segment.outer_start);
-    segment.inner_end = table.optional_number(row, "inner_end", Range::not_negative())
-                            .value_or(segment.inner_start);
-    segment.asymmetry = table.optional_number(row, "asymmetry", Range::inside(-1, 1)).value_or(0);
-    segment.asymmetry_angle =
-        table.optional_number(row, "asymmetry_angle", Range::any()).value_or(0);
-    const std::string name = table.text(row, "material");
-    segment.material = pick_material(materials, name.empty() ? std::nullopt : std::optional(name),
-                                     table.origin(row), "material", context.problems)
-                           .value_or(model::Material{});
-    read_departures([&](const std::string &column,
-                        Range range) { return table.optional_number(row, column, range); },
-                    segment);
-    segment.elements = elements;
-    if (const auto count = table.optional_number(row, "elements", {1, largest_count})) {
-        segment.elements = static_cast<int>(std::max(1.0, *count));
-        if (segment.elements < *count)
-            context.problems.add(table.origin(row), "elements",
-                                 fmt::format("expected a whole number, got {}", *count));
-    }
-    check_segment(segment, table.origin(row), "inner", context.problems);
-    check_mass_diameters(segment, table.origin(row), "mass_inner", context.problems);
-    return segment;
-}
-
 std::vector<model::Segment> read_stations(const std::string &path, const Materials &materials,
                                           int elements, ReadContext &context) {
     const auto file = (context.folder / path).lexically_normal();
@@ -167,20 +157,20 @@ std::vector<model::Segment> read_stations(const std::string &path, const Materia
     bool complete = table.usable();
     for (const std::string column : {"length", "outer"})
         if (complete && !table.has(column)) {
-            context.problems.add(table.header_origin(), column,
-                                 "missing, expected a column of lengths");
+            table.fail(column, "missing, expected a column of lengths");
             complete = false;
         }
-    for (std::size_t row = 0; complete && row < table.rows(); ++row)
-        segments.push_back(read_station(table, row, materials, elements, context));
+    if (complete)
+        for (const CsvRow &row : table.rows())
+            segments.push_back(read_segment(row, materials, elements));
     return segments;
 }
 
 void read_shear(CheckedTable &table, model::Shaft &shaft) {
     const Node *entry = table.find("shear");
-    if (!entry || (entry->kind == Node::Kind::text && entry->text == "cowper"))
+    if (!entry || entry->text == "cowper")
         return;
-    if (entry->kind == Node::Kind::text && entry->text == "hutchinson") {
+    if (entry->text == "hutchinson") {
         shaft.shear = model::ShearFormula::hutchinson;
     } else if (entry->is_number()) {
         shaft.shear = model::ShearFormula::given;
@@ -194,7 +184,7 @@ void read_shear(CheckedTable &table, model::Shaft &shaft) {
 
 void read_order(CheckedTable &table, model::Shaft &shaft) {
     const Node *entry = table.find("order");
-    shaft.order_auto = entry && entry->kind == Node::Kind::text && entry->text == "auto";
+    shaft.order_auto = entry && entry->text == "auto";
     if (entry && entry->kind == Node::Kind::text && !shaft.order_auto)
         table.fail("order",
                    "expected a whole number from 1 to 30 or \"auto\", got " + shown(*entry));
@@ -215,34 +205,8 @@ Materials read_materials(CheckedTable &root) {
     return materials;
 }
 
-std::optional<model::Material> pick_material(const Materials &materials,
-                                             const std::optional<std::string> &name,
-                                             const Origin &origin, const std::string &key,
-                                             Problems &problems) {
-    if (!name && materials.size() == 1)
-        return materials.begin()->second;
-    std::vector<std::string> names;
-    for (const auto &entry : materials)
-        names.push_back(entry.first);
-    if (!name) {
-        problems.add(origin, key,
-                     materials.empty()
-                         ? "missing, expected a section [material.NAME]"
-                         : "missing, expected the name of a material" + suggestion("", names));
-        return std::nullopt;
-    }
-    const auto found = materials.find(*name);
-    if (found != materials.end())
-        return found->second;
-    problems.add(origin, key,
-                 "expected the name of a material, got " + in_quotes(*name) +
-                     suggestion(*name, names));
-    return std::nullopt;
-}
-
-std::optional<model::Material> material_of(CheckedTable &table, const Materials &materials) {
-    return pick_material(materials, table.text("material"), origin_of(table.node(), "material"),
-                         table.path_of("material"), table.context().problems);
+model::Material material_of(CheckedTable &table, const Materials &materials) {
+    return pick_material(table, materials);
 }
 
 model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
@@ -279,9 +243,14 @@ model::Shaft read_shaft(CheckedTable &root, const Materials &materials) {
     else if (path)
         shaft.segments = read_stations(*path, materials, elements, table->context());
     else
-        shaft.segments = read_segments(*table, materials, elements);
+        read_each(*table, "segments", shaft.segments,
+                  [&](CheckedTable &of, model::Segment &segment) {
+                      of.text("name");
+                      segment = read_segment(of, materials, elements);
+                      read_layers(of, materials, segment);
+                  });
     const Node *list = table->find("segments");
-    if (list && list->kind == Node::Kind::list && list->items.empty())
+    if (list && list->is_list() && list->items.empty())
         table->fail("segments", "expected at least one segment, got none");
     table->refuse_unknown();
     return shaft;

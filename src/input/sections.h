@@ -16,15 +16,9 @@ using Materials = std::map<std::string, model::Material>;
 /// Reads [material.*]: E, rho, and G or nu (both: they must agree within 1e-3, and G counts).
 [[nodiscard]] Materials read_materials(CheckedTable &root);
 
-/// The material called `name`, or where no name is given the only one there is. Collects a problem
-/// at `origin`, `key` and gives an empty result where that does not say which.
-[[nodiscard]] std::optional<model::Material>
-pick_material(const Materials &materials, const std::optional<std::string> &name,
-              const Origin &origin, const std::string &key, Problems &problems);
-
-/// The one that the entry `material` of a table names.
-[[nodiscard]] std::optional<model::Material> material_of(CheckedTable &table,
-                                                         const Materials &materials);
+/// The one that the entry `material` of a table names, or without that entry the only one there
+/// is; an empty one and a mistake where that does not say which.
+[[nodiscard]] model::Material material_of(CheckedTable &table, const Materials &materials);
 
 /// Reads [shaft] with its segments or its station table. A shaft without segments is one that had
 /// mistakes, which are collected.
@@ -41,22 +35,20 @@ void read_planes(CheckedTable &root, model::Rotor &rotor);
 void read_imbalances(CheckedTable &root, model::Case &scene);
 void read_probes(CheckedTable &root, model::Rotor &rotor);
 
-/// Reads [speeds], [campbell], [modes], [response], [simulate]; last [map] and [samples], which may
-/// name any numeric entry read before.
-void read_speeds(CheckedTable &root, model::Case &scene);
-/// [units]: of what is written.
-void read_units(CheckedTable &root, model::Case &scene);
-/// [critical_map]; the bearings must be there.
-void read_critical_map(CheckedTable &root, model::Case &scene);
-/// [operation] and [level1].
-void read_operation(CheckedTable &root, model::Case &scene);
-void read_campbell(CheckedTable &root, model::Case &scene);
-void read_modes(CheckedTable &root, model::Case &scene);
-void read_response(CheckedTable &root, model::Case &scene);
-void read_simulate(CheckedTable &root, model::Case &scene);
-void read_balance(CheckedTable &root, model::Case &scene);
-void read_map(CheckedTable &root, model::Case &scene);
-void read_samples(CheckedTable &root, model::Case &scene);
+/// Read a section of that name; last [map] and [samples], which may name any numeric entry read
+/// before.
+void read_speeds(CheckedTable &table, model::Case &scene);
+void read_units(CheckedTable &table, model::Case &scene);
+void read_critical_map(CheckedTable &table, model::Case &scene); ///< the bearings must be there
+void read_operation(CheckedTable &table, model::Case &scene);
+void read_level1(CheckedTable &table, model::Case &scene);
+void read_campbell(CheckedTable &table, model::Case &scene);
+void read_modes(CheckedTable &table, model::Case &scene);
+void read_response(CheckedTable &table, model::Case &scene);
+void read_simulate(CheckedTable &table, model::Case &scene);
+void read_balance(CheckedTable &table, model::Case &scene);
+void read_map(CheckedTable &table, model::Case &scene);
+void read_samples(CheckedTable &table, model::Case &scene);
 
 /// Reads of [simulate] what acts on the rotor from outside, and how it starts: start,
 /// [[simulate.imbalance]], [[simulate.force]], [simulate.base]. The rotor must be there already.

@@ -113,10 +113,12 @@ bool contains_angle(const ut_unit *unit) {
 } // namespace
 
 std::string describe(Quantity quantity) {
-    const QuantityInfo &entry = info(quantity);
-    if (quantity == Quantity::dimensionless)
-        return entry.name;
-    return std::string(entry.name) + " in " + entry.unit;
+    const std::string unit = unit_of(quantity);
+    return info(quantity).name + (unit.empty() ? "" : " in " + unit);
+}
+
+std::string unit_of(Quantity quantity) {
+    return quantity == Quantity::dimensionless ? "" : info(quantity).unit;
 }
 
 std::string_view trimmed(std::string_view text) {

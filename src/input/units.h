@@ -31,6 +31,9 @@ enum class Quantity {
 /// The quantity with its article and SI unit, for messages: "a stiffness in N/m".
 [[nodiscard]] std::string describe(Quantity quantity);
 
+/// Its SI unit alone, "N/m"; nothing for a pure number.
+[[nodiscard]] std::string unit_of(Quantity quantity);
+
 /// Multiplier that turns a value in `unit` ("mm", "lbf/in", "rpm") into the SI unit.
 ///
 /// The unit language is that of UDUNITS-2, with deg, rev, RPM, thou, lbm, Nm and Ns added, and

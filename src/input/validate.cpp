@@ -11,22 +11,12 @@
 namespace whirl::input {
 namespace {
 
-/// Where the scene's entries stand and where mistakes go.
-struct Check {
-    const Node &root;
-    Problems &problems;
-
-    void fail(const std::string &path, std::string text) const {
-        problems.add(origin_of(root, path), path, std::move(text));
-    }
-};
-
 /// Moves a position onto the shaft that misses an end by rounding only, refuses others.
 void check_position(double &z, const std::string &path, double length, const Check &check) {
     const double margin = 1e-9 * length;
     if (z < -margin || z > length + margin)
         check.fail(path, fmt::format("expected a place on the shaft, 0 to {:.6g} m, got {}", length,
-                                     as_written(find_path(check.root, path), z, "m")));
+                                     as_written(find_path(check.tree, path), z, "m")));
     else if (!std::isnan(z))
         z = std::clamp(z, 0.0, length);
 }
@@ -96,48 +86,7 @@ void check_modal_damping(const model::Rotor &rotor, const Check &check) {
 
 } // namespace
 
-void check_shear_modulus(const model::Material &material, std::optional<double> nu,
-                         const Origin &origin, const std::string &key, Problems &problems) {
-    const double derived = material.poisson_ratio();
-    constexpr double round_off = 1e-12; // G = E/2 as printed by a program
-    if (derived < -round_off || derived >= 0.5 - round_off)
-        problems.add(
-            origin, key,
-            fmt::format("expected a shear modulus above E/3 = {:.6g} Pa and up to E/2 = {:.6g} Pa "
-                        "(0 <= nu < 0.5), got {:.6g} Pa (nu = {:.6g})",
-                        material.E / 3, material.E / 2, material.G, derived));
-    else if (nu && std::abs(*nu - derived) > 1e-3)
-        problems.add(origin, key,
-                     fmt::format("expected a shear modulus that agrees with nu within 1e-3, "
-                                 "E/(2 (1 + nu)) = {:.6g} Pa, got {:.6g} Pa (nu = {:.6g})",
-                                 material.E / (2 * (1 + *nu)), material.G, derived));
-}
-
-void check_mass_diameters(const model::Segment &segment, const Origin &origin,
-                          const std::string &key, Problems &problems) {
-    if (segment.mass_inner > 0 && segment.mass_inner >= segment.mass_outer)
-        problems.add(
-            origin, key,
-            fmt::format("expected mass_inner below mass_outer, {:.6g} m (which a cone must be "
-                        "given), got {:.6g} m",
-                        segment.mass_outer, segment.mass_inner));
-}
-
-void check_segment(const model::Segment &segment, const Origin &origin, const std::string &key,
-                   Problems &problems) {
-    const bool start = segment.inner_start >= segment.outer_start;
-    const bool end = segment.inner_end >= segment.outer_end;
-    if (start || end)
-        problems.add(
-            origin, key,
-            fmt::format("expected an inner diameter below the outer one, {:.6g} m, got {:.6g} m{}",
-                        start ? segment.outer_start : segment.outer_end,
-                        start ? segment.inner_start : segment.inner_end,
-                        start ? "" : " (at the end of the segment)"));
-}
-
-void validate(model::Case &scene, const Node &root, Problems &problems) {
-    const Check check{root, problems};
+void validate(model::Case &scene, const Check &check) {
     model::Rotor &rotor = scene.rotor;
     const double length = rotor.shaft.length();
     if (std::isinf(length))
@@ -162,8 +111,8 @@ void validate(model::Case &scene, const Node &root, Problems &problems) {
     for (std::size_t i = 0; i < rotor.discs.size(); ++i)
         check_disc(rotor.discs[i], fmt::format("disc[{}]", i), check);
     check_modal_damping(rotor, check);
-    check_anisotropies(rotor, root, problems);
-    check_ball_positions(rotor, root, problems);
+    check_anisotropies(rotor, check);
+    check_ball_positions(rotor, check);
     check_ball_angles(scene, scene.simulate.ball_angles, "simulate.ball_angles", check);
     for (std::size_t i = 0; i < scene.simulate.other_starts.size(); ++i) {
         const std::string path = fmt::format("simulate.other_starts[{}]", i);

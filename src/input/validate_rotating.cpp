@@ -76,7 +76,7 @@ std::string amount(const Place &place) {
     return text;
 }
 
-void check_place(const Place &place, double whole_Ip, const Node &root, Problems &problems) {
+void check_place(const Place &place, double whole_Ip, const Check &check) {
     const double size = std::abs(place.a);
     std::string limit;
     if (!place.has_disc) {
@@ -93,8 +93,7 @@ void check_place(const Place &place, double whole_Ip, const Node &root, Problems
     if (limit.empty())
         return;
     const std::string path = fmt::format("anisotropy[{}].dI", place.anisotropies.front());
-    problems.add(origin_of(root, path), path,
-                 fmt::format("expected at most {}, got {}", limit, amount(place)));
+    check.fail(path, fmt::format("expected at most {}, got {}", limit, amount(place)));
 }
 
 /// The case asks for one ball or ring; a count that was refused also reads as 1.
@@ -105,13 +104,13 @@ bool asks_for_one(const std::string &path, const Node &root) {
 
 } // namespace
 
-void check_anisotropies(const model::Rotor &rotor, const Node &root, Problems &problems) {
+void check_anisotropies(const model::Rotor &rotor, const Check &check) {
     const double Ip = polar_inertia(rotor);
     for (const Place &place : places_with_anisotropy(rotor))
-        check_place(place, Ip, root, problems);
+        check_place(place, Ip, check);
 }
 
-void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems &problems) {
+void check_ball_positions(const model::Rotor &rotor, const Check &check) {
     constexpr double tolerance = 1e-6; // angles as printed with six or seven digits
     for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
         const model::Balancer &balancer = rotor.balancers[i];
@@ -121,12 +120,12 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
             continue;
         const double inverse = balancer.imbalance / kind->reach().imbalance; // 1/E
         const std::string count = fmt::format("balancer[{}].n", i);
-        if (masses.size() == 1 && asks_for_one(count, root) && std::abs(inverse - 1) > rounding) {
-            problems.add(origin_of(root, count), count,
-                         fmt::format("expected 2 {} or more, or a capacity E = {} of exactly 1 for "
-                                     "one {}, got E = {}",
-                                     kind->parts(), kind->reach().formula, kind->name(),
-                                     1 / inverse));
+        if (masses.size() == 1 && asks_for_one(count, check.tree) &&
+            std::abs(inverse - 1) > rounding) {
+            check.fail(count, fmt::format(
+                                  "expected 2 {} or more, or a capacity E = {} of exactly 1 for "
+                                  "one {}, got E = {}",
+                                  kind->parts(), kind->reach().formula, kind->name(), 1 / inverse));
             continue;
         }
         if (balancer.position.empty() || balancer.position.size() != masses.size())
@@ -139,11 +138,11 @@ void check_ball_positions(const model::Rotor &rotor, const Node &root, Problems 
             continue;
         const std::string path = fmt::format("balancer[{}].position", i);
         const std::complex<double> mean = defect - inverse;
-        problems.add(origin_of(root, path), path,
-                     fmt::format("expected {} angles that balance the imbalance: mean of cosines "
-                                 "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
-                                 "{:.8g}",
-                                 kind->name(), 0 - inverse, mean.real(), mean.imag()));
+        check.fail(path,
+                   fmt::format("expected {} angles that balance the imbalance: mean of cosines "
+                               "-1/E = {:.8g} and mean of sines 0 within 1e-6, got {:.8g} and "
+                               "{:.8g}",
+                               kind->name(), 0 - inverse, mean.real(), mean.imag()));
     }
 }
 

@@ -15,11 +15,6 @@ namespace {
 constexpr int speed_steps = 400;
 constexpr int polar_steps = 600;
 
-/// Positions and coefficients are inputs with seven digits or more.
-bool vanishes(double cross, double translation, double tilt) {
-    return std::abs(cross) <= 1e-6 * std::sqrt(translation * tilt);
-}
-
 std::string reason_against(const model::Rotor &rotor, const Inertia &whole,
                            closed_form::ReducedSupports &supports) {
     if (!rotor.balancers.empty())
@@ -29,8 +24,7 @@ std::string reason_against(const model::Rotor &rotor, const Inertia &whole,
     if (!reduced)
         return why;
     supports = *reduced;
-    if (!vanishes(supports.c_y, supports.c_x, supports.c_beta) ||
-        !vanishes(supports.h_y, supports.h_x, supports.h_beta))
+    if (!tilts_alone(supports, 1e-6)) // positions and coefficients are inputs with seven digits
         return "the bearings are not symmetric about the centre of mass";
     if (!(supports.c_beta > 0))
         return "no bearing resists tilting";
@@ -117,17 +111,11 @@ std::optional<double> rigid_permissible_anisotropy(const model::Rotor &rotor, do
         rotor.bearings_depend_on_speed())
         return std::nullopt;
     const std::optional<RigidRotor> body = rigid_projection(rotor);
-    if (!body || body->k33 <= 0)
+    if (!body || body->supports.c_beta <= 0 || !tilts_alone(body->supports, 1e-9))
         return std::nullopt;
-    // Tilt must not move the centre of mass.
-    constexpr double rounding = 1e-9;
-    if (std::abs(body->k14) > rounding * std::sqrt(body->k11 * body->k33) ||
-        std::abs(body->h14) > rounding * std::sqrt(body->h11 * body->h33))
-        return std::nullopt;
-    closed_form::AnisotropicRotor tilt;
-    tilt.polar_inertia = body->C / body->A;
-    tilt.frequency = std::sqrt(body->k33 / body->A);
-    tilt.damping = body->h33 / body->A;
+    const closed_form::AnisotropicRotor tilt{body->C / body->A, 0,
+                                             std::sqrt(body->supports.c_beta / body->A),
+                                             body->supports.h_beta / body->A};
     const auto [least, largest] = model::range_of_moduli(from, to);
     return body->A * closed_form::permissible_anisotropy(tilt, least, largest).anisotropy;
 }

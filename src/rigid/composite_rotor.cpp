@@ -2,7 +2,6 @@
 
 #include "balancers/balanced_position.h"
 #include "balancers/kind.h"
-#include "closed_form/composite_rotor_parameters.h"
 #include "model/errors.h"
 #include "rigid/projection.h"
 
@@ -33,51 +32,56 @@ struct Parts {
 };
 
 Parts parts_of(const model::Balancer &balancer, const Inertia &whole) {
-    const auto kind = balancers::kind_of(balancer);
-    const balancers::PartsInertia masses = kind->inertia();
+    const balancers::PartsInertia masses = balancers::kind_of(balancer)->inertia();
     Inertia rest = whole;
     rest -= inertia_of(balancer);
     if (balancer.tilt_inertia) // of bodies about axes of their own: the closed forms know points
-        rest += {0, 0, masses.own / 2, masses.own};
+        rest += {0, 0, masses.own / 2, masses.own, 0};
     Parts parts;
     parts.center = whole.center();
     parts.rest = {rest.mass, rest.diametral(), rest.polar, balancer.z - rest.center()};
     // One ball that stands for all of them.
-    parts.balls = {1, masses.mass, std::sqrt(masses.on_circle / masses.mass),
-                   kind->rate().value_or(0) * masses.mass};
+    parts.balls = {1, masses.mass, std::sqrt(masses.on_circle / masses.mass)};
     parts.imbalance = {balancer.imbalance, balancers::imbalance_mass(balancer)};
     return parts;
 }
 
+/// Anisotropy over the mean inertia, with another second harmonic.
+double relative_anisotropy(closed_form::CompositeRotor composite, std::complex<double> D) {
+    composite.second_harmonic = D;
+    const double terms = composite.ball_inertia + composite.imbalance_inertia;
+    return without_rounding(std::abs(composite.anisotropy()), terms) / composite.mean_inertia();
+}
+
+/// Unit of time sqrt(M_s/c_x), of mass M_s, of length rho = sqrt(A_Sigma/M_s).
 results::DimensionlessNumbers dimensionless_numbers(const Parts &parts,
                                                     const model::Balancer &balancer,
                                                     std::optional<std::complex<double>> D,
                                                     const model::Rotor &rotor, std::string &why) {
-    const auto found = reduced_supports(rotor, parts.center, why);
-    // Masses and inertias do not ask for the supports, nor for D: any will do.
-    const closed_form::ReducedSupports supports =
-        found.value_or(closed_form::ReducedSupports{1, 1, 0, 0, 0, 0});
-    const closed_form::PhysicalParameters physical = closed_form::physical_parameters(
-        parts.rest, parts.balls, parts.imbalance, D.value_or(0), supports, 0);
-    const closed_form::DimensionlessParameters d = closed_form::to_dimensionless(physical);
+    // Masses and inertias do not ask for D: any will do.
+    const auto composite = composite_rotor(parts.rest, parts.balls, parts.imbalance, D.value_or(0));
+    const double M = composite.mass;
+    const double A = composite.mean_inertia();
     results::DimensionlessNumbers numbers;
-    numbers.C = d.polar_inertia;
+    numbers.C = composite.polar_inertia / A;
     if (D)
-        numbers.A =
-            without_rounding(std::abs(d.anisotropy()), d.ball_inertia + d.imbalance_inertia);
-    numbers.A_m = d.ball_inertia;
-    numbers.A_m0 = d.imbalance_inertia;
-    numbers.m = d.ball_mass;
-    numbers.z_A = d.balancer_position;
-    if (!found)
+        numbers.A = relative_anisotropy(composite, *D);
+    numbers.A_m = composite.ball_inertia / A;
+    numbers.A_m0 = composite.imbalance_inertia / A;
+    numbers.m = parts.balls.count * parts.balls.mass / M;
+    numbers.z_A = composite.balancer_position / std::sqrt(A / M);
+    const auto supports = reduced_supports(rotor, parts.center, why);
+    if (!supports)
         return numbers;
-    numbers.p2 = d.p * d.p;
-    numbers.c_y = d.c_y;
-    numbers.h_x = d.h_x;
-    numbers.h_beta = d.h_beta;
-    numbers.h_y = d.h_y;
-    if (balancers::kind_of(balancer)->rate())
-        numbers.h_s = d.h_s;
+    const double w0 = std::sqrt(supports->c_x / M);
+    const double cross = std::sqrt(M * A);
+    numbers.p2 = supports->c_beta / A / (w0 * w0);
+    numbers.c_y = supports->c_y / (cross * w0 * w0);
+    numbers.h_x = supports->h_x / (M * w0);
+    numbers.h_beta = supports->h_beta / (A * w0);
+    numbers.h_y = supports->h_y / (cross * w0);
+    if (const auto rate = balancers::kind_of(balancer)->rate())
+        numbers.h_s = *rate / w0;
     return numbers;
 }
 
@@ -87,15 +91,8 @@ results::Interval diametral_pair(const closed_form::CompositeRotor &composite) {
     const double mean = composite.mean_inertia();
     if (std::abs(composite.second_harmonic.imag()) < 1e-12)
         return {composite.inertia_about(0) / mean, composite.inertia_about(pi / 2) / mean};
-    const closed_form::PrincipalInertias principal = composite.principal_inertias();
-    return {principal.smaller / mean, principal.larger / mean};
-}
-
-/// Anisotropy over the mean inertia, with another second harmonic.
-double relative_anisotropy(closed_form::CompositeRotor composite, std::complex<double> D) {
-    composite.second_harmonic = D;
-    const double terms = composite.ball_inertia + composite.imbalance_inertia;
-    return without_rounding(std::abs(composite.anisotropy()), terms) / composite.mean_inertia();
+    const double size = std::abs(composite.anisotropy());
+    return {(mean - size) / mean, (mean + size) / mean};
 }
 
 void add_point(results::CompositeCurves &curves, const closed_form::CompositeRotor &composite,

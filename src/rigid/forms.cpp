@@ -1,16 +1,10 @@
 #include "rigid/forms.h"
 
 #include "balancers/arrangement.h"
-#include "balancers/balanced_position.h"
 #include "closed_form/composite_rotor_equations.h"
 #include "closed_form/rigid_rotor_criterion.h"
-#include "elements/quadrature.h"
-#include "elements/section.h"
-#include "model/case.h"
 #include "model/errors.h"
-#include "process/parallel.h"
 #include "rigid/anisotropy.h"
-#include "rigid/inertia.h"
 #include "rigid/projection.h"
 
 #include <fmt/format.h>
@@ -23,58 +17,34 @@ namespace whirl::rigid {
 
 namespace {
 
-/// int rho I asymmetry exp(2 i angle) dz of segments with two bending stiffnesses: their rotary
-/// inertia shares the asymmetry. A cone's rho I has degree 4 in z: three Gauss points are exact.
-std::complex<double> shaft_anisotropy(const model::Shaft &shaft, const mesh::ShaftMesh &mesh) {
-    const elements::Quadrature &rule = elements::gauss_legendre(3);
-    std::complex<double> sum = 0;
-    for (const mesh::Span &span : mesh.spans) {
-        const auto &segment = shaft.segments[static_cast<std::size_t>(span.segment)];
-        const elements::Beam beam = elements::beam_of(shaft, span);
-        for (std::size_t q = 0; q < rule.points.size(); ++q)
-            sum += std::polar(segment.asymmetry, 2 * segment.asymmetry_angle) *
-                   (beam.at(rule.points[q]).rhoI * rule.weights[q] * span.length);
-    }
-    return sum;
-}
-
-RigidInertia inertia_of_all(const model::Rotor &rotor) {
-    const mesh::ShaftMesh mesh = mesh::make_mesh(rotor);
-    Inertia sum = inertia_of(rotor.shaft, mesh);
-    std::complex<double> a = shaft_anisotropy(rotor.shaft, mesh);
-    for (const model::Disc &disc : rotor.discs)
-        sum += inertia_of(disc);
-    for (const model::Anisotropy &anisotropy : rotor.anisotropies)
-        a += anisotropy.dI * std::polar(1.0, 2 * anisotropy.angle);
-    const balancers::Arrangement arrangement = balancers::arrangement_at_balance(rotor);
-    for (std::size_t i = 0; i < rotor.balancers.size(); ++i) {
-        sum += inertia_of(rotor.balancers[i]);
-        const balancers::AddedInertias own = balancers::added_inertias(rotor.balancers[i]);
-        a += own.parts / 2 * balancers::second_harmonic_of(rotor.balancers[i], arrangement[i]);
-        a += std::polar(own.imbalance / 2, 2 * rotor.balancers[i].imbalance_phase);
-    }
+/// Of the composite rotor, balancers at their balanced position.
+Inertia inertia_at_balance(const model::Rotor &rotor) {
+    Inertia sum = inertia_of(rotor);
+    for (const balancers::BalancerElement &element :
+         balancers::balancer_elements(rotor, balancers::arrangement_at_balance(rotor)))
+        sum.a += element.anisotropy;
     // What balls and imbalance leave of each other by rounding is no anisotropy.
-    if (std::abs(a) < 1e-14 * sum.polar)
-        a = 0;
-    return {sum.mass, sum.center(), sum.diametral(), sum.polar, a};
+    if (std::abs(sum.a) < 1e-14 * sum.polar)
+        sum.a = 0;
+    return sum;
 }
 
 /// Bearings about the centre of mass of the whole: the projection is about that of the rotor
 /// without balancers.
-closed_form::RotatingCoefficients coefficients_of(const RigidInertia &whole,
-                                                  const RigidRotor &body) {
-    const double shift = body.center - whole.center; // w_body = w + shift phi
+closed_form::RotatingCoefficients coefficients_of(const Inertia &whole, const RigidRotor &body) {
+    const double shift = body.center - whole.center(); // w_body = w + shift phi
     closed_form::RotatingCoefficients c;
     c.mass = whole.mass;
-    c.mean_inertia = whole.A;
-    c.polar_inertia = whole.C;
+    c.mean_inertia = whole.diametral();
+    c.polar_inertia = whole.polar;
     c.anisotropy = whole.a;
-    c.supports.c_x = body.k11;
-    c.supports.c_y = body.k14 + shift * body.k11;
-    c.supports.c_beta = body.k33 + 2 * shift * body.k14 + shift * shift * body.k11;
-    c.supports.h_x = body.h11;
-    c.supports.h_y = body.h14 + shift * body.h11;
-    c.supports.h_beta = body.h33 + 2 * shift * body.h14 + shift * shift * body.h11;
+    const closed_form::ReducedSupports &s = body.supports;
+    c.supports.c_x = s.c_x;
+    c.supports.c_y = s.c_y + shift * s.c_x;
+    c.supports.c_beta = s.c_beta + 2 * shift * s.c_y + shift * shift * s.c_x;
+    c.supports.h_x = s.h_x;
+    c.supports.h_y = s.h_y + shift * s.h_x;
+    c.supports.h_beta = s.h_beta + 2 * shift * s.h_y + shift * shift * s.h_x;
     return c;
 }
 
@@ -122,9 +92,9 @@ std::vector<std::pair<std::string, double>> planes_of(const model::Rotor &rotor)
 }
 
 void add_additional(std::vector<RigidTarget> &targets, closed_form::RotatingCoefficients c,
-                    const RigidInertia &whole, const model::Rotor &rotor) {
+                    const Inertia &whole, const model::Rotor &rotor) {
     for (const auto &[name, z] : planes_of(rotor)) {
-        c.balancer_position = z - whole.center;
+        c.balancer_position = z - whole.center();
         RigidTarget target;
         target.kind = RigidQuantity::additional;
         target.quantity = "additional speed, pinned at " + name;
@@ -149,8 +119,7 @@ int place_of(double value, const std::vector<double> &ascending) {
 /// Ends of the unstable range of a rotor whose tilt does not move its centre of mass.
 void add_unstable(RigidForms &forms, const closed_form::RotatingCoefficients &c) {
     constexpr double rounding = 1e-9;
-    if (std::abs(c.supports.c_y) > rounding * std::sqrt(c.supports.c_x * c.supports.c_beta) ||
-        std::abs(c.supports.h_y) > rounding * std::sqrt(c.supports.h_x * c.supports.h_beta)) {
+    if (!tilts_alone(c.supports, rounding)) {
         forms.notes.emplace_back("no closed form of the unstable range: the bearings are not "
                                  "symmetric about the centre of mass");
         return;
@@ -184,7 +153,7 @@ void add_permissible(RigidForms &forms, const model::Case &scene) {
     if (!scene.speeds || scene.speeds->count < 2)
         return;
     const auto dI = rigid_permissible_anisotropy(scene.rotor, scene.speeds->from, scene.speeds->to);
-    if (!dI || !std::isfinite(*dI) || !(*dI > 1e-9 * forms.inertia.A))
+    if (!dI || !std::isfinite(*dI) || !(*dI > 1e-9 * forms.inertia.diametral()))
         return;
     RigidTarget target;
     target.kind = RigidQuantity::permissible;
@@ -240,8 +209,8 @@ RigidForms rigid_forms(const model::Case &scene) {
     if (!body)
         throw model::AnalysisFailure("the rigid rotor has no closed form with these bearings");
     RigidForms forms;
-    forms.inertia = inertia_of_all(rotor);
-    forms.bearing_stiffness = body->k11;
+    forms.inertia = inertia_at_balance(rotor);
+    forms.bearing_stiffness = body->supports.c_x;
     const closed_form::RotatingCoefficients c = coefficients_of(forms.inertia, *body);
     const auto &s = c.supports;
     if (!(s.c_x > 0) || !(s.c_beta > 0) ||

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "model/case.h"
+#include "rigid/inertia.h"
 
-#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,17 +31,8 @@ struct RigidTarget {
     [[nodiscard]] bool speed() const { return kind != RigidQuantity::permissible; }
 };
 
-/// Inertia of the composite rotor, balancers at their balanced position.
-struct RigidInertia {
-    double mass = 0;        ///< kg
-    double center = 0;      ///< m
-    double A = 0;           ///< mean diametral, about the centre of mass, kg m2
-    double C = 0;           ///< polar, kg m2
-    std::complex<double> a; ///< anisotropy: modulus, twice the direction; kg m2
-};
-
 struct RigidForms {
-    RigidInertia inertia;
+    Inertia inertia;              ///< balancers at their balanced position
     double bearing_stiffness = 0; ///< sum, N/m
     std::vector<RigidTarget> targets;
     std::vector<std::string> notes;

@@ -3,6 +3,7 @@
 #include "mesh/shaft_mesh.h"
 #include "model/rotor.h"
 
+#include <complex>
 #include <string>
 
 namespace whirl::rigid {
@@ -14,6 +15,8 @@ struct Inertia {
     double first = 0;  ///< sum of m z, kg m
     double second = 0; ///< sum of m z^2 + own mean diametral inertia, kg m2
     double polar = 0;  ///< kg m2
+    /// Anisotropy: modulus (half the difference of the diametral inertias), twice the direction.
+    std::complex<double> a; ///< kg m2
 
     Inertia &operator+=(const Inertia &other);
     Inertia &operator-=(const Inertia &other);
@@ -24,9 +27,11 @@ struct Inertia {
 };
 
 [[nodiscard]] Inertia inertia_of(const model::Shaft &shaft, const mesh::ShaftMesh &mesh);
-[[nodiscard]] Inertia inertia_of(const model::Disc &disc);
-/// Balls, or pendulums at rest, with the imbalance where it is a point mass.
+/// Balls, or pendulums at rest, with the imbalance where it is a point mass. Their anisotropy,
+/// which depends on the position, is left out.
 [[nodiscard]] Inertia inertia_of(const model::Balancer &balancer);
+/// All that turns.
+[[nodiscard]] Inertia inertia_of(const model::Rotor &rotor);
 
 /// "long", "spherical" or "short", by diametral and polar inertia (kg m2); equal within 1e-9.
 [[nodiscard]] std::string rigid_type(double Id, double Ip);

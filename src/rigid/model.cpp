@@ -229,7 +229,7 @@ std::vector<std::optional<ModelValue>> model_values(const model::Rotor &rotor, i
     return out;
 }
 
-RigidInertia model_inertia(const model::Rotor &rotor, int order) {
+Inertia model_inertia(const model::Rotor &rotor, int order) {
     const Discretization d(rotor, order);
     const auto motion = [&d](bool tilt, int plane, int planes) {
         const std::vector<double> planar = d.rigid_motion(tilt);
@@ -239,20 +239,18 @@ RigidInertia model_inertia(const model::Rotor &rotor, int order) {
         return out;
     };
     const auto assembled = [&](const Sparse &M, const Sparse &polar, int planes) {
-        RigidInertia sum;
+        Inertia sum;
         Eigen::Matrix2d about_zero = Eigen::Matrix2d::Zero();
         for (int plane = 0; plane < planes; ++plane) {
             const Eigen::VectorXd w = motion(false, plane, planes);
             const Eigen::VectorXd phi = motion(true, plane, planes);
             sum.mass += w.dot(M * w) / planes;
-            sum.center += w.dot(M * phi) / planes;
-            sum.A += phi.dot(M * phi) / planes;
-            sum.C += phi.dot(polar * phi) / planes;
+            sum.first += w.dot(M * phi) / planes;
+            sum.second += phi.dot(M * phi) / planes;
+            sum.polar += phi.dot(polar * phi) / planes;
             for (int other = 0; other < planes; ++other)
                 about_zero(plane, other) = phi.dot(M * motion(true, other, planes));
         }
-        sum.center /= sum.mass;
-        sum.A -= sum.mass * sum.center * sum.center;
         if (planes == 2)
             sum.a = {(about_zero(0, 0) - about_zero(1, 1)) / 2, about_zero(0, 1)};
         return sum;

@@ -28,6 +28,6 @@ struct ModelValue {
 model_values(const model::Rotor &rotor, int order, const std::vector<RigidTarget> &targets);
 
 /// Mass, centre and inertias of the model's own mass and gyroscopic matrices on rigid motions.
-[[nodiscard]] RigidInertia model_inertia(const model::Rotor &rotor, int order);
+[[nodiscard]] Inertia model_inertia(const model::Rotor &rotor, int order);
 
 } // namespace whirl::rigid

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 
 namespace whirl::rigid {
 
@@ -38,11 +39,16 @@ RigidRotor rigid_body(const model::Rotor &rotor, double bearing_speed) {
     const Eigen::Matrix2d K = T.transpose() * condensed(system.K.view()) * T;
     const Eigen::Matrix2d H =
         T.transpose() * Eigen::MatrixXd(system.C.view()).topLeftCorner<2, 2>() * T;
-    return {inertia(0, 0), rotor.shaft.length() / 2 + offset,
-            inertia(1, 1), Eigen::MatrixXd(system.G.view())(1, 1),
-            K(0, 0),       K(0, 1),
-            K(1, 1),       H(0, 0),
-            H(0, 1),       H(1, 1)};
+    return {inertia(0, 0),
+            rotor.shaft.length() / 2 + offset,
+            inertia(1, 1),
+            Eigen::MatrixXd(system.G.view())(1, 1),
+            {K(0, 0), K(1, 1), K(0, 1), H(0, 0), H(1, 1), H(0, 1)}};
+}
+
+bool tilts_alone(const closed_form::ReducedSupports &s, double rounding) {
+    return std::abs(s.c_y) <= rounding * std::sqrt(s.c_x * s.c_beta) &&
+           std::abs(s.h_y) <= rounding * std::sqrt(s.h_x * s.h_beta);
 }
 
 std::optional<RigidRotor> rigid_projection(const model::Rotor &rotor) {

@@ -8,7 +8,6 @@ namespace whirl::tests {
 namespace {
 
 using input::Quantity;
-using input::Range;
 
 const std::vector<input::CsvRule> rules{
     {"speed", Quantity::angular_speed}, {"k", Quantity::stiffness}, {"label", {}}};
@@ -33,24 +32,28 @@ TEST(CsvTable, UnitsOfHeaderAndCell) {
     auto table =
         read("label , k [kN/mm],speed [rpm]\na,2,60\n\n# note\nb,3 N/m,2 rad/s\n", problems);
     ASSERT_TRUE(table.usable()) << message(problems);
-    ASSERT_EQ(table.rows(), 2U);
-    EXPECT_EQ(table.text(1, "label"), "b");
-    EXPECT_EQ(table.number(0, "k", Range::any()), 2e6);
-    EXPECT_DOUBLE_EQ(table.number(0, "speed", Range::any()), 2 * M_PI);
-    EXPECT_EQ(table.number(1, "k", Range::any()), 3);
-    EXPECT_EQ(table.number(1, "speed", Range::any()), 2);
-    EXPECT_EQ(table.origin(1).line, 5);
+    const std::vector<input::CsvRow> rows = table.rows();
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1].text("label"), "b");
+    EXPECT_EQ(rows[0].number("k", Quantity::stiffness), 2e6);
+    EXPECT_DOUBLE_EQ(rows[0].number("speed", Quantity::angular_speed), 2 * M_PI);
+    EXPECT_EQ(rows[1].number("k", Quantity::stiffness), 3);
+    EXPECT_EQ(rows[1].number("speed", Quantity::angular_speed), 2);
     EXPECT_TRUE(problems.empty());
+    rows[1].fail("label", "wrong");
+    EXPECT_NE(message(problems).find("t.csv:5: label: wrong"), std::string::npos)
+        << message(problems);
 }
 
 TEST(CsvTable, MissingColumnsAndCellsAreEmpty) {
     input::Problems problems;
     auto table = read("speed,k\n1,\n", problems);
     EXPECT_FALSE(table.has("label"));
-    EXPECT_EQ(table.text(0, "label"), "");
-    EXPECT_FALSE(table.optional_number(0, "k", Range::any()));
+    const std::vector<input::CsvRow> rows = table.rows();
+    EXPECT_FALSE(rows[0].text("label"));
+    EXPECT_FALSE(rows[0].optional_number("k", Quantity::stiffness));
     EXPECT_TRUE(problems.empty());
-    EXPECT_TRUE(std::isnan(table.number(0, "k", Range::any())));
+    EXPECT_TRUE(std::isnan(rows[0].number("k", Quantity::stiffness)));
     EXPECT_NE(message(problems).find("t.csv:2: k: expected a stiffness in N/m, got an empty cell"),
               std::string::npos)
         << message(problems);
@@ -66,12 +69,13 @@ TEST(CsvTable, QuotationMarksHoldCommasCommentsAndTheirLike) {
                       "\"\",10\n",
                       problems);
     ASSERT_TRUE(table.usable()) << message(problems);
-    ASSERT_EQ(table.rows(), 5U);
+    const std::vector<input::CsvRow> rows = table.rows();
+    ASSERT_EQ(rows.size(), 5U);
     const std::vector<std::string> labels{"a, b", "2\" bore, #4", "\"", "12\" disc", ""};
     const std::vector<double> k{3, 5000, 7, 9, 10};
     for (std::size_t row = 0; row < 5; ++row) {
-        EXPECT_EQ(table.text(row, "label"), labels[row]);
-        EXPECT_EQ(table.number(row, "k", Range::any()), k[row]);
+        EXPECT_EQ(rows[row].text("label").value_or(""), labels[row]);
+        EXPECT_EQ(rows[row].number("k", Quantity::stiffness), k[row]);
     }
     EXPECT_TRUE(problems.empty());
 }

@@ -173,15 +173,15 @@ TEST(RigidLimitModel, PinnedRotorStandsWhereFreeBallsDo) {
 TEST(RigidLimitModel, InertiaCountsBallsAndImbalance) {
     model::Case scene = balancer_case();
     scene.rotor.shaft.segments[0].material = weightless_steel();
-    const RigidInertia inertia = model_inertia(scene.rotor, 4);
+    const Inertia inertia = model_inertia(scene.rotor, 4);
     const double m0 = 0.4 / 0.3, balls = 2 * 2 * 0.04, A_m0 = m0 * 0.09;
     EXPECT_NEAR(inertia.mass, 57.83 + 4 + m0, 1e-10);
-    EXPECT_NEAR(inertia.C, 0.289 + balls + A_m0, 1e-12);
+    EXPECT_NEAR(inertia.polar, 0.289 + balls + A_m0, 1e-12);
     // E = 4 x 0.2 / 0.4 = 2: D = 2/E^2 - 1 = -1/2
     EXPECT_NEAR(std::abs(inertia.a), (A_m0 - balls / 2) / 2, 1e-12);
     const double center = (57.83 * 0.4 + (4 + m0) * 0.5) / (61.83 + m0);
-    EXPECT_NEAR(inertia.center, center, 1e-12);
-    EXPECT_NEAR(inertia.A,
+    EXPECT_NEAR(inertia.center(), center, 1e-12);
+    EXPECT_NEAR(inertia.diametral(),
                 0.413 + 57.83 * std::pow(0.4 - center, 2) + (4 + m0) * std::pow(0.5 - center, 2) +
                     (balls + A_m0) / 2,
                 1e-11);

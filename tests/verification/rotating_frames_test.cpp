@@ -142,8 +142,9 @@ TEST(RigidLimit, EndsOfTheUnstableBandConvergeAsOneOverTheStiffness) {
     model::Rotor bare = flexible_rotor(1);
     bare.anisotropies.clear();
     const auto body = rigid::rigid_projection(bare).value();
-    const auto exact = closed_form::unstable_band(
-        {body.C / body.A, 0.3 / body.A, std::sqrt(body.k33 / body.A), body.h33 / body.A});
+    const auto exact = closed_form::unstable_band({body.C / body.A, 0.3 / body.A,
+                                                   std::sqrt(body.supports.c_beta / body.A),
+                                                   body.supports.h_beta / body.A});
     ASSERT_TRUE(exact && exact->to);
     const auto ends = [&](double stiffer, bool rigid) {
         model::Rotor rotor = flexible_rotor(stiffer);

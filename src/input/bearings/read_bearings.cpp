@@ -1,25 +1,167 @@
-#include "input/bearings/coefficients.h"
+#include "input/bearings/spline.h"
+#include "input/csv_table.h"
 #include "input/sections.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace whirl::input {
 namespace {
 
+using model::BearingCoefficients;
+
+/// A coefficient of a bearing: its name and its place in one of the 2x2 matrices. Without a place
+/// it stands for both entries of the diagonal, alike.
+struct Coefficient {
+    const char *name;
+    Quantity quantity;
+    CoefficientMatrix matrix;
+    int row = -1;
+    int column = -1;
+
+    [[nodiscard]] bool on_diagonal() const { return row < 0; }
+    /// Range of those that are the same in x and y.
+    [[nodiscard]] Range range() const { return on_diagonal() ? Range::not_negative() : Range{}; }
+};
+
+/// What a table over the speed may have; of each matrix what stands for the diagonal first.
+constexpr std::array<Coefficient, 15> coefficients = [] {
+    constexpr auto k = &BearingCoefficients::k;
+    constexpr auto c = &BearingCoefficients::c;
+    constexpr auto m = &BearingCoefficients::m;
+    return std::array<Coefficient, 15>{{{"k", Quantity::stiffness, k},
+                                        {"kxx", Quantity::stiffness, k, 0, 0},
+                                        {"kxy", Quantity::stiffness, k, 0, 1},
+                                        {"kyx", Quantity::stiffness, k, 1, 0},
+                                        {"kyy", Quantity::stiffness, k, 1, 1},
+                                        {"c", Quantity::damping, c},
+                                        {"cxx", Quantity::damping, c, 0, 0},
+                                        {"cxy", Quantity::damping, c, 0, 1},
+                                        {"cyx", Quantity::damping, c, 1, 0},
+                                        {"cyy", Quantity::damping, c, 1, 1},
+                                        {"m", Quantity::mass, m},
+                                        {"mxx", Quantity::mass, m, 0, 0},
+                                        {"mxy", Quantity::mass, m, 0, 1},
+                                        {"myx", Quantity::mass, m, 1, 0},
+                                        {"myy", Quantity::mass, m, 1, 1}}};
+}();
+
+/// @param number  of a coefficient; empty where it is not given
+/// @param seal    the same from every direction unless it says otherwise: kyx = -kxy, cyx = -cxy
+template <class Number> BearingCoefficients read_coefficients(const Number &number, bool seal) {
+    BearingCoefficients row;
+    for (const Coefficient &entry : coefficients) {
+        Eigen::Matrix2d &matrix = row.*entry.matrix;
+        if (const std::optional<double> value = number(entry)) {
+            if (entry.on_diagonal())
+                matrix.diagonal().setConstant(*value);
+            else
+                matrix(entry.row, entry.column) = *value;
+        } else if (seal && entry.row > entry.column) { // read after its opposite
+            matrix(1, 0) = 0 - matrix(0, 1);
+        }
+    }
+    return row;
+}
+
+/// Collects a mistake where k stands beside kxx and so on (that of a seal goes with the coupling).
+template <class Table> void refuse_mixed(Table &table, bool seal) {
+    const char *both = nullptr;
+    for (const Coefficient &entry : coefficients) {
+        const bool coupling = seal && entry.row < entry.column;
+        if (entry.on_diagonal()) {
+            both = entry.name;
+        } else if (!coupling && table.has(both) && table.has(entry.name)) {
+            table.fail(both, fmt::format("expected either {0}{1} or {0}xx, {0}xy, {0}yx, {0}yy, "
+                                         "got both",
+                                         both, seal ? fmt::format(" (and {}xy)", both) : ""));
+            return;
+        }
+    }
+}
+
+/// Collects a mistake where mass coefficients would push as if there were less than no mass.
+/// @param isotropic  given as m
+/// @returns whether they do
+template <class Table>
+bool refuse_negative(const Eigen::Matrix2d &m, bool isotropic, const Table &table) {
+    const double coupling = (m(0, 1) + m(1, 0)) / 2;
+    const double least = m.trace() / 2 - std::hypot((m(0, 0) - m(1, 1)) / 2, coupling);
+    constexpr double rounding = 1e-12; // of products of numbers in the file's units
+    if (!(least < -rounding * m.cwiseAbs().maxCoeff()))
+        return false;
+    const char *key = isotropic ? "m" : m(0, 0) >= 0 && m(1, 1) < 0 ? "myy" : "mxx";
+    table.fail(key, fmt::format("expected mass coefficients that resist acceleration in every "
+                                "direction (mxx, myy >= 0, ((mxy + myx)/2)^2 <= mxx myy), got "
+                                "{:.6g} kg in one",
+                                least));
+    return true;
+}
+
+std::vector<CsvRule> table_columns() {
+    std::vector<CsvRule> rules{{"speed", Quantity::angular_speed}};
+    for (const Coefficient &entry : coefficients)
+        rules.push_back({entry.name, entry.quantity});
+    return rules;
+}
+
+void read_table_row(const CsvTable &table, const CsvRow &row, model::Bearing &bearing) {
+    const double speed = row.number("speed", Quantity::angular_speed);
+    if (!bearing.speeds.empty() && speed <= bearing.speeds.back())
+        row.fail("speed", fmt::format("expected speeds that ascend, got {:.6g} rad/s after {:.6g}",
+                                      speed, bearing.speeds.back()));
+    bearing.speeds.push_back(speed);
+    const auto number = [&](const Coefficient &entry) {
+        // An empty cell is a coefficient that was forgotten, not one that is 0.
+        return table.has(entry.name)
+                   ? std::optional(row.number(entry.name, entry.quantity, entry.range()))
+                   : std::nullopt;
+    };
+    bearing.rows.push_back(read_coefficients(number, bearing.seal));
+    const Eigen::Matrix2d &m = bearing.rows.back().m;
+    if (!refuse_negative(m, table.has("m"), row) && m.allFinite() && m != bearing.rows.front().m)
+        row.fail(table.has("m") ? "m" : "mxx",
+                 "expected the same mass coefficients at every speed, got others than in the "
+                 "first row");
+}
+
+/// Reads a bearing table (CSV) into the rows of the bearing.
+void read_bearing_table(const std::string &path, bool spline, model::Bearing &bearing,
+                        ReadContext &context) {
+    const CsvTable table((context.folder / path).lexically_normal(), table_columns(),
+                         context.problems);
+    if (!table.usable())
+        return;
+    if (!table.has("speed")) {
+        table.fail("speed", "missing, expected a column of angular speeds");
+        return;
+    }
+    if (!table.has_unit("speed"))
+        context.remarks.push_back(
+            fmt::format("the speeds of {} have no unit and are taken in rad/s; a header such as "
+                        "\"speed [rpm]\" says which",
+                        path));
+    refuse_mixed(table, bearing.seal);
+    const std::size_t before = context.problems.count();
+    for (const CsvRow &row : table.rows())
+        read_table_row(table, row, bearing);
+    if (spline && context.problems.count() == before && !refine_by_spline(bearing))
+        table.fail("interpolation", "expected a table that a spline follows smoothly, got one that "
+                                    "changes too abruptly: use interpolation = \"linear\"");
+}
+
 /// The coefficients of a bearing: one row from its keys, or those of its table.
 void read_rows(CheckedTable &table, model::Bearing &bearing) {
-    const auto has = [&](const char *name) { return table.has(name); };
     const auto constant = read_coefficients(
         [&](const Coefficient &entry) {
             return table.optional_number(entry.name, entry.quantity, entry.range());
         },
         bearing.seal);
-    if (const auto mixed = mixed_keys(has, bearing.seal))
-        table.fail(mixed->key, mixed->message);
-    if (const auto wrong = against_mass(constant.m, has("m")))
-        table.fail(wrong->key, wrong->message);
+    refuse_mixed(table, bearing.seal);
+    refuse_negative(constant.m, table.has("m"), table);
     constexpr std::size_t none = 2; // said, or none that there is
     const std::size_t between = table.choice("interpolation", {"linear", "spline"}, none);
     const bool spline = between == 1;
@@ -31,8 +173,8 @@ void read_rows(CheckedTable &table, model::Bearing &bearing) {
     }
     bool mass = false;
     bool others = false;
-    for (const Coefficient &entry : bearing_coefficients())
-        (entry.quantity == Quantity::mass ? mass : others) |= has(entry.name);
+    for (const Coefficient &entry : coefficients)
+        (entry.quantity == Quantity::mass ? mass : others) |= table.has(entry.name);
     const auto path = table.text("table");
     if (others)
         table.fail("table", "expected either table or constant coefficients, got both");
@@ -113,7 +255,7 @@ void read_supports(CheckedTable &root, bool seal, const char *expected, model::R
         bearing.clearance = table.optional_number("clearance", Quantity::length, Range::positive());
         table.refuse_unknown();
         if (!bearing.rows.empty() && std::ranges::all_of(bearing.rows, is_zero))
-            table.context().problems.add(table.node().origin, table.path(), expected);
+            table.fail(expected);
         rotor.bearings.push_back(bearing);
     }
 }

@@ -1,4 +1,4 @@
-#include "input/bearings/coefficients.h"
+#include "input/bearings/spline.h"
 
 #include <boost/math/interpolators/cubic_hermite.hpp>
 
@@ -21,14 +21,13 @@ constexpr double departure = 1e-5; ///< of straight lines, of the largest entry 
 /// Slopes at the nodes that make the cubics between them one with continuous second derivative, and
 /// third derivative at the second and the last node but one (not-a-knot): so a cubic is met
 /// exactly. C. de Boor, A Practical Guide to Splines, 1978, ch. IV, eq. (4) and (11).
+/// @param x,y  three or more
 std::vector<double> spline_slopes(const std::vector<double> &x, const std::vector<double> &y) {
-    const auto n = static_cast<Eigen::Index>(x.size());
-    const auto h = [&x](Eigen::Index i) {
-        return x[static_cast<std::size_t>(i) + 1] - x[static_cast<std::size_t>(i)];
-    };
-    const auto secant = [&](Eigen::Index i) {
-        return (y[static_cast<std::size_t>(i) + 1] - y[static_cast<std::size_t>(i)]) / h(i);
-    };
+    const auto n = std::ssize(x);
+    const Eigen::Map<const Eigen::VectorXd> nodes(x.data(), n);
+    const Eigen::Map<const Eigen::VectorXd> values(y.data(), n);
+    const Eigen::VectorXd h = nodes.tail(n - 1) - nodes.head(n - 1);
+    const Eigen::VectorXd secant = (values.tail(n - 1) - values.head(n - 1)).cwiseQuotient(h);
     Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
     Eigen::VectorXd b(n);
     for (Eigen::Index i = 1; i + 1 < n; ++i) { // second derivative
@@ -49,8 +48,6 @@ std::vector<double> spline_slopes(const std::vector<double> &x, const std::vecto
         A.row(row) /= size;
         b(row) /= size;
     };
-    if (n == 2)
-        return std::vector<double>(2, secant(0));
     if (n == 3) { // both ends say the same: a parabola
         const double curvature = (secant(1) - secant(0)) / (h(0) + h(1));
         return {secant(0) - curvature * h(0), secant(0) + curvature * h(0),

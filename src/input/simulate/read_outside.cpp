@@ -43,17 +43,16 @@ std::vector<model::BaseMotion::Row> read_base_table(const std::filesystem::path 
         problems);
     if (!csv.usable())
         return rows;
-    for (std::size_t i = 0; i < csv.rows(); ++i) {
-        const double time = csv.number(i, "time", Range::not_negative());
+    for (const CsvRow &row : csv.rows()) {
+        const double time = row.number("time", Quantity::time, Range::not_negative());
         if (!rows.empty() && time <= rows.back().time)
-            problems.add(csv.origin(i), "time",
-                         fmt::format("expected times that ascend, got {} s after {} s", time,
-                                     rows.back().time));
-        rows.push_back({time, csv.optional_number(i, "x", Range::any()).value_or(0),
-                        csv.optional_number(i, "y", Range::any()).value_or(0)});
+            row.fail("time", fmt::format("expected times that ascend, got {} s after {} s", time,
+                                         rows.back().time));
+        rows.push_back({time, row.number_or("x", 0, Quantity::acceleration),
+                        row.number_or("y", 0, Quantity::acceleration)});
     }
     if (rows.size() == 1)
-        problems.add(csv.origin(0), "time", "expected two rows or more, got one");
+        csv.rows().front().fail("time", "expected two rows or more, got one");
     return rows;
 }
 

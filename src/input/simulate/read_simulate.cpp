@@ -17,83 +17,57 @@ std::vector<std::pair<double, double>> read_ramp(CheckedTable ramp) {
 
 /// Pairs [time, speed] of a run-up.
 std::vector<std::pair<double, double>> read_run_up(CheckedTable &table) {
-    const Node *list = table.find("run_up");
+    const auto list = table.entry("run_up");
     if (!list)
         return {};
-    if (list->kind == Node::Kind::table)
+    if (list->node.kind == Node::Kind::table)
         return read_ramp(*table.table("run_up"));
-    if (list->kind != Node::Kind::list || list->items.empty()) {
-        table.fail("run_up", "expected a list of pairs [time, speed] or {from, to, "
-                             "duration}, got " +
-                                 shown(*list));
-        return {};
-    }
-    ReadContext &context = table.context();
+    if (list->items().empty())
+        list->fail("expected a list of pairs [time, speed] or {from, to, duration}, got " +
+                   shown(list->node));
     std::vector<std::pair<double, double>> points;
-    for (std::size_t i = 0; i < list->items.size(); ++i) {
-        const Node &item = list->items[i];
-        const std::string path = fmt::format("{}[{}]", table.path_of("run_up"), i);
-        if (item.kind != Node::Kind::list || item.items.size() != 2) {
-            context.problems.add(item.origin, path,
-                                 "expected a pair [time, speed], got " + shown(item));
+    for (const CheckedEntry &pair : list->items()) {
+        const std::vector<CheckedEntry> numbers = pair.items();
+        if (numbers.size() != 2) {
+            pair.fail("expected a pair [time, speed], got " + shown(pair.node));
             continue;
         }
-        const double time =
-            context.number(item.items[0], path + "[0]", Quantity::time, Range::not_negative());
-        const double speed =
-            context.number(item.items[1], path + "[1]", Quantity::angular_speed, Range::any());
+        const double time = numbers[0].number(Quantity::time, Range::not_negative());
+        const double speed = numbers[1].number(Quantity::angular_speed);
         if (!points.empty() && time <= points.back().first)
-            context.problems.add(item.origin, path,
-                                 fmt::format("expected times that ascend, got {} s after {} s",
-                                             time, points.back().first));
+            pair.fail(fmt::format("expected times that ascend, got {} s after {} s", time,
+                                  points.back().first));
         points.emplace_back(time, speed);
     }
     return points;
 }
 
 /// Lists of angles, one for each balancer.
-std::vector<std::vector<double>> angles_of(const Node &list, const std::string &of,
-                                           ReadContext &context) {
+std::vector<std::vector<double>> angles_of(const CheckedEntry &list) {
+    if (!list.node.is_list())
+        list.fail("expected a list of angles for each balancer, got " + shown(list.node));
     std::vector<std::vector<double>> angles;
-    if (list.kind != Node::Kind::list) {
-        context.problems.add(list.origin, of,
-                             "expected a list of angles for each balancer, got " + shown(list));
-        return angles;
-    }
-    for (std::size_t i = 0; i < list.items.size(); ++i) {
-        const Node &item = list.items[i];
-        const std::string path = fmt::format("{}[{}]", of, i);
-        angles.emplace_back();
-        if (item.kind != Node::Kind::list) {
-            context.problems.add(item.origin, path,
-                                 "expected a list of angles in rad, got " + shown(item));
-            continue;
-        }
-        for (std::size_t j = 0; j < item.items.size(); ++j)
-            angles.back().push_back(context.number(item.items[j], fmt::format("{}[{}]", path, j),
-                                                   Quantity::angle, Range::any()));
+    for (const CheckedEntry &item : list.items()) {
+        if (!item.node.is_list())
+            item.fail("expected a list of angles in rad, got " + shown(item.node));
+        angles.push_back(item.numbers(Quantity::angle));
     }
     return angles;
 }
 
 void read_starts(CheckedTable &table, model::SimulateSettings &simulate) {
-    ReadContext &context = table.context();
-    if (const Node *angles = table.find("ball_angles"))
-        simulate.ball_angles = angles_of(*angles, table.path_of("ball_angles"), context);
-    const Node *others = table.find("other_starts");
+    if (const auto angles = table.entry("ball_angles"))
+        simulate.ball_angles = angles_of(*angles);
+    const auto others = table.entry("other_starts");
     if (!others)
         return;
-    if (others->kind != Node::Kind::list) {
-        table.fail("other_starts",
-                   "expected a list of starts, each like ball_angles, got " + shown(*others));
-        return;
-    }
-    for (std::size_t i = 0; i < others->items.size(); ++i) {
-        const Node &item = others->items[i];
-        const auto start =
-            angles_of(item, fmt::format("{}[{}]", table.path_of("other_starts"), i), context);
-        if (item.kind == Node::Kind::list)
-            simulate.other_starts.push_back(start);
+    if (!others->node.is_list())
+        others->fail("expected a list of starts, each like ball_angles, got " +
+                     shown(others->node));
+    for (const CheckedEntry &start : others->items()) {
+        const auto angles = angles_of(start);
+        if (start.node.is_list())
+            simulate.other_starts.push_back(angles);
     }
 }
 
@@ -133,20 +107,16 @@ void read_simulate_options(CheckedTable &table, model::Case &scene) {
 
 } // namespace
 
-void read_simulate(CheckedTable &root, model::Case &scene) {
-    auto table = root.table("simulate");
-    if (!table)
-        return;
+void read_simulate(CheckedTable &table, model::Case &scene) {
     model::SimulateSettings &simulate = scene.simulate;
-    simulate.time = table->number("time", Quantity::time, Range::positive());
-    simulate.run_up = read_run_up(*table);
-    read_starts(*table, simulate);
-    simulate.tolerance = table->number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
-                                          Range::inside(0, 1));
-    read_motor(*table, scene.rotor, simulate);
-    read_outside(*table, scene);
-    read_simulate_options(*table, scene);
-    table->refuse_unknown();
+    simulate.time = table.number("time", Quantity::time, Range::positive());
+    simulate.run_up = read_run_up(table);
+    read_starts(table, simulate);
+    simulate.tolerance = table.number_or("tolerance", simulate.tolerance, Quantity::dimensionless,
+                                         Range::inside(0, 1));
+    read_motor(table, scene.rotor, simulate);
+    read_outside(table, scene);
+    read_simulate_options(table, scene);
 }
 
 } // namespace whirl::input

@@ -36,13 +36,6 @@ struct PlaneImbalance {
     [[nodiscard]] double inertia() const { return mass > 0.0 ? moment * moment / mass : 0.0; }
 };
 
-/// Principal diametral inertias and the direction of the axis of the smaller one.
-struct PrincipalInertias {
-    double smaller = 0.0;   ///< kg m2
-    double larger = 0.0;    ///< kg m2
-    double direction = 0.0; ///< rad in the rotor, (-pi/2, pi/2]; axis of the smaller inertia
-};
-
 struct CompositeRotor {
     double mass = 0.0;              ///< kg, M_s = M_r + m0 + n m
     double balancer_position = 0.0; ///< m, z_A of the plane A from the common centre of mass C
@@ -62,7 +55,6 @@ struct CompositeRotor {
     /// kg m2. A_C1 is the value at 0 (the line of the imbalance) and A_C2 the one at pi/2 when D is
     /// real.
     [[nodiscard]] double inertia_about(double angle) const;
-    [[nodiscard]] PrincipalInertias principal_inertias() const;
     /// The same body as the paper describes it, with D_A = |D| in place of D: right only for real D
     /// >= 0.
     [[nodiscard]] CompositeRotor with_unsigned_harmonic() const;
