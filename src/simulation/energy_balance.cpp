@@ -33,13 +33,8 @@ void RotorMotion::keep_energy_balance(const Spin::At &spin, double torque, const
         if (_circulating)
             loss += (v.dot(_stiffness * p) - p.dot(_stiffness * v)) / 2;
     }
-    if (_internal) {
-        Eigen::Matrix<double, Eigen::Dynamic, 2> slip = ConstPair(state + n, r, 2);
-        slip.col(0) += spin.speed * x.col(1);
-        slip.col(1) -= spin.speed * x.col(0);
-        loss += slip.col(0).dot(rotor.internal * slip.col(0)) +
-                slip.col(1).dot(rotor.internal * slip.col(1));
-    }
+    if (_internal)
+        loss += _slip.cwiseProduct(_inner).sum();
     const double *rate = state + n + first_angle();
     for (const balancers::MassEquation &e : _free_equations) { // as at this state
         loss += e.friction * *rate++;
@@ -68,8 +63,6 @@ void RotorMotion::add_outside_work(const Spin::At &spin, const double *state, do
     const ConstPair x(state, r, 2);
     books[0] += _external.dot(ConstMap(state + coordinates(), 2 * r));
     books[2] += x.col(0).dot(_external.tail(r)) - x.col(1).dot(_external.head(r));
-    if (!_parts.excitation.shakes())
-        return;
     const double *rate = state + coordinates() + first_angle();
     for (const balancers::MassEquation &e : _free_equations) {
         const double along = e.u.head<2>().dot(_base);

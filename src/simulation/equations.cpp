@@ -288,15 +288,9 @@ MotionScene motion_scene(const model::Case &scene) {
     goal.speed = motion.fastest;
     goal.tolerance = scene.simulate.reduction_tolerance;
     goal.modes = scene.reduction ? scene.simulate.modes : d.planar_size();
-    for (const model::Balancer &b : scene.rotor.balancers)
-        goal.places.push_back(b.z);
-    for (const model::Imbalance &imbalance : scene.rotor.imbalances)
-        goal.places.push_back(imbalance.z);
-    add_places(scene, goal.places);
+    goal.places = places_of(scene);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         goal.tilted.push_back(anisotropy.z);
-    std::ranges::sort(goal.places);
-    goal.places.erase(std::unique(goal.places.begin(), goal.places.end()), goal.places.end());
     motion.parts.rotor = reduction::reduce(d, goal);
     add_all_masses(scene, d, motion);
     add_notes(scene, motion);

@@ -47,8 +47,6 @@ std::vector<double> Excitation::jumps() const {
 }
 
 Eigen::Vector2d Excitation::base(double t, double piece) const {
-    if (!_base)
-        return {0, 0};
     if (_base->harmonic)
         return value_of(*_base->harmonic, t, piece);
     const auto &table = _base->table;
@@ -62,7 +60,7 @@ Eigen::Vector2d Excitation::base(double t, double piece) const {
     return {a.x + share * (next->x - a.x), a.y + share * (next->y - a.y)};
 }
 
-void Excitation::add_loads(double t, double piece, Eigen::VectorXd &loads) const {
+Eigen::Vector2d Excitation::add_loads(double t, double piece, Eigen::VectorXd &loads) const {
     const Eigen::Index r = loads.size() / 2;
     for (const Force &force : _forces) {
         const Eigen::Vector2d now = value_of(force.force, t, piece);
@@ -70,10 +68,11 @@ void Excitation::add_loads(double t, double piece, Eigen::VectorXd &loads) const
         loads.tail(r) += now(1) * force.row;
     }
     if (!_base)
-        return;
+        return {0, 0};
     const Eigen::Vector2d a = base(t, piece);
     loads.head(r) -= a(0) * _x_load;
     loads.tail(r) -= a(1) * _y_load;
+    return a;
 }
 
 } // namespace whirl::simulation

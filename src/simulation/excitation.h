@@ -21,15 +21,13 @@ class Excitation {
                   const model::BaseMotion &base);
 
     [[nodiscard]] bool none() const { return _forces.empty() && !_base; }
-    [[nodiscard]] bool shakes() const { return _base.has_value(); }
     /// Times at which it jumps or bends, > 0, unordered.
     [[nodiscard]] std::vector<double> jumps() const;
-    /// Acceleration of the foundation, m/s2.
-    /// @param piece  a time inside the piece between two jumps that t belongs to
-    [[nodiscard]] Eigen::Vector2d base(double t, double piece) const;
     /// Adds the loads on (Re p; Im p): forces, and -a on the mass that the rotor's mass matrix
     /// holds.
-    void add_loads(double t, double piece, Eigen::VectorXd &loads) const;
+    /// @param piece  a time inside the piece between two jumps that t belongs to
+    /// @returns the acceleration of the foundation, m/s2
+    Eigen::Vector2d add_loads(double t, double piece, Eigen::VectorXd &loads) const;
 
   private:
     struct Force {
@@ -39,6 +37,8 @@ class Excitation {
     std::vector<Force> _forces;
     std::optional<model::BaseMotion> _base;
     reduction::Row _x_load, _y_load;
+
+    [[nodiscard]] Eigen::Vector2d base(double t, double piece) const;
 };
 
 } // namespace whirl::simulation

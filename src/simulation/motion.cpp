@@ -111,19 +111,18 @@ void RotorMotion::rotor_forces(const Spin::At &spin, const double *p, const doub
     if (_internal) {
         const ConstPair x(p, r, 2);
         const ConstPair u(v, r, 2);
-        Eigen::VectorXd slip = u.col(0) + spin.speed * x.col(1);
-        f.col(0).noalias() -= rotor.internal * slip;
-        slip = u.col(1) - spin.speed * x.col(0);
-        f.col(1).noalias() -= rotor.internal * slip;
+        _slip.col(0) = u.col(0) + spin.speed * x.col(1);
+        _slip.col(1) = u.col(1) - spin.speed * x.col(0);
+        _inner.noalias() = rotor.internal * _slip;
+        f -= _inner;
     }
 }
 
 void RotorMotion::outside_forces(double t) const {
     if (_parts.excitation.none())
         return;
-    _base = _parts.excitation.base(t, _piece);
     _external.setZero();
-    _parts.excitation.add_loads(t, _piece, _external);
+    _base = _parts.excitation.add_loads(t, _piece, _external);
     _forces.col(0) += _external;
 }
 
@@ -236,22 +235,14 @@ void RotorMotion::solve_accelerations(int columns) const {
 }
 
 /// Torque of the drive for no acceleration of the spin, and per unit of it.
-Eigen::Vector2d RotorMotion::torque(const Spin::At &spin, const double *state, int columns) const {
-    const reduction::ReducedRotor &rotor = _parts.rotor;
-    const Index r = rotor.size();
-    const int n = coordinates();
-    const ConstPair x(state, r, 2);
+Eigen::Vector2d RotorMotion::torque(const double *state, int columns) const {
+    const Index r = _parts.rotor.size();
     Eigen::Vector2d torque(0, _parts.polar_inertia);
     const ConstPair turned(_by_place.data() + 2 * r, r, 2);
     for (Index column = 0; column < columns; ++column)
         torque(column) -= turning(turned, ConstPair(_forces.col(column).data(), r, 2)) / 2;
-    if (_internal) {
-        Eigen::MatrixXd slip = ConstPair(state + n, r, 2);
-        slip.col(0) += spin.speed * x.col(1);
-        slip.col(1) -= spin.speed * x.col(0);
-        const Eigen::MatrixXd force = rotor.internal * slip;
-        torque(0) -= turning(x, ConstPair(force.data(), r, 2));
-    }
+    if (_internal)
+        torque(0) -= turning(ConstPair(state, r, 2), ConstPair(_inner.data(), r, 2));
     for (std::size_t i = 0; i < _parts.fixed.size(); ++i) {
         const FixedMass &mass = _parts.fixed[i];
         const balancers::MassEquation &e = _fixed_equations[i];
@@ -270,16 +261,15 @@ Eigen::Vector2d RotorMotion::free_torque(int columns) const {
     Eigen::Vector2d torque(0, 0);
     for (std::size_t i = 0; i < _free_equations.size(); ++i) {
         const balancers::MassEquation &e = _free_equations[i];
-        const bool resists = !_dry.resists.empty() && _dry.resists[i];
-        const double lever = resists ? _dry.slip[i] * e.lever : 0;
+        const double lever = _dry.slip[i] * e.lever;
         Eigen::Vector2d own = e.torque;
         own(0) += _base(1) * e.offset(0) - _base(0) * e.offset(1) + _friction[i].stand;
-        if (resists)
+        if (lever != 0)
             own(0) -= lever * (e.normal + e.normal_y.head<2>().dot(_base));
         for (Index column = 0; column < columns; ++column) {
             const double *y = _planes.col(column).data() + 4 * _plane_of[i];
             own(column) += y[1] * e.offset(0) - y[0] * e.offset(1);
-            if (resists)
+            if (lever != 0)
                 own(column) -= lever * Eigen::Map<const Eigen::Vector4d>(y).dot(e.normal_y);
         }
         torque += own;
@@ -299,7 +289,7 @@ void RotorMotion::rates(double t, const double *state, double *rates) const {
     solve_accelerations(columns + held);
     if (held > 0)
         apply_constraints(now, state, held);
-    const Eigen::Vector2d needed = torque(now, state, columns);
+    const Eigen::Vector2d needed = torque(state, columns);
     if (_parts.motor) {
         const double given = _parts.motor->torque - _parts.motor->slope * now.speed;
         now.acceleration = (given - needed(0)) / needed(1);

@@ -100,6 +100,8 @@ class RotorMotion {
     mutable Eigen::VectorXd _by_place;        ///< of `_of_place`, with constant supports
     mutable Eigen::VectorXd _by_velocity;     ///< of `_of_velocity`, likewise
     mutable Eigen::VectorXd _push;            ///< 2r: K p + C v
+    mutable Eigen::MatrixXd _slip;            ///< r x 2: velocity as seen from the rotor
+    mutable Eigen::MatrixXd _inner;           ///< r x 2: the internal damping times that
     mutable Eigen::VectorXd _external;        ///< 2r: loads from outside
     mutable Eigen::Vector2d _base = Eigen::Vector2d::Zero(); ///< acceleration of the foundation
 
@@ -120,8 +122,7 @@ class RotorMotion {
     }
     void solve_accelerations(int columns) const;
     void gather(Eigen::Index column) const;
-    [[nodiscard]] Eigen::Vector2d torque(const Spin::At &spin, const double *state,
-                                         int columns) const;
+    [[nodiscard]] Eigen::Vector2d torque(const double *state, int columns) const;
     void keep_energy_balance(const Spin::At &spin, double torque, const double *state,
                              double *books) const;
     [[nodiscard]] balancers::PlaneVector at_plane(int plane, const double *p) const;

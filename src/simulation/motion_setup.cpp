@@ -62,6 +62,7 @@ RotorMotion::RotorMotion(MovingParts parts) : _parts(std::move(parts)) {
     _by_place.resize(linalg::whole_vectors(4 * r));
     _by_velocity.resize(linalg::whole_vectors(4 * r));
     _push.resize(2 * r);
+    _slip.resize(r, 2);
     _external.setZero(2 * r);
     for (const FreeParts &free : _parts.free)
         _plane_of.insert(_plane_of.end(), static_cast<std::size_t>(free.motion->size()),

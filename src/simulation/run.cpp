@@ -1,16 +1,18 @@
 #include "simulation/run.h"
 
 #include "linalg/dense/products.h"
+#include "model/errors.h"
 #include "process/interruption.h"
 #include "process/progress.h"
 #include "simulation/dry/dry_state.h"
 #include "simulation/restart.h"
-#include "simulation/steady_start.h"
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace whirl::simulation {
@@ -44,6 +46,47 @@ double fastest_decay(const reduction::ReducedRotor &rotor, double speed) {
     return -A.eigenvalues().real().minCoeff();
 }
 
+/// Deflections and velocities at time 0 of the steady motion under the eccentricities that are
+/// there from the start: (p; p'), 4r entries.
+/// @throws model::AnalysisFailure at a resonance without damping.
+Eigen::VectorXd steady_motion(const MovingParts &parts) {
+    using Complex = std::complex<double>;
+    const reduction::ReducedRotor &rotor = parts.rotor;
+    const Eigen::Index r = rotor.size();
+    const double speed = parts.spin.at(0, 0).speed;
+    const Complex i(0, 1);
+    const reduction::ReducedRotor::Supports at = rotor.supports_at(speed);
+    Eigen::MatrixXcd A = at.stiffness.cast<Complex>() + i * speed * at.damping;
+    if (rotor.mass_beside.size() > 0)
+        A -= speed * speed * rotor.mass_beside;
+    for (const Eigen::Index plane : {Eigen::Index{0}, r}) {
+        A.block(plane, plane, r, r) += rotor.elastic + i * speed * rotor.internal;
+        A.block(plane, plane, r, r).diagonal().array() -= speed * speed;
+    }
+    const Eigen::MatrixXcd across = i * speed * speed * rotor.gyroscopic + speed * rotor.internal;
+    A.topRightCorner(r, r) += across;
+    A.bottomLeftCorner(r, r) -= across;
+    Eigen::VectorXcd load = Eigen::VectorXcd::Zero(2 * r);
+    for (const FixedMass &mass : parts.fixed) {
+        if (mass.from > 0)
+            continue;
+        const Complex force = mass.mass.moment * speed * speed * std::exp(i * mass.phase);
+        load.head(r) += force * mass.row;
+        load.tail(r) -= i * force * mass.row;
+    }
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> factors(A);
+    const Eigen::VectorXcd p = linalg::solved(factors, load);
+    constexpr double resonance = 1e-13; // of the condition: no digit is left
+    if (!p.allFinite() || linalg::reciprocal_condition(factors) < resonance)
+        throw model::AnalysisFailure(fmt::format(
+            "no steady motion to start from at {:.6g} rad/s: the rotor is at a resonance without "
+            "damping, or free to move",
+            speed));
+    Eigen::VectorXd state(4 * r);
+    state << p.real(), (i * speed * p).real();
+    return state;
+}
+
 std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
     std::vector<reduction::Row> rows = scene.stations.rows;
     for (const int plane : scene.plane_of)
@@ -64,12 +107,11 @@ Run::Run(const model::Case &scene, const MotionScene &motion)
       _recorder(_motion, recorded_rows(motion), scene.simulate.time, scene.simulate.output_points),
       _scales(scales_of(motion)),
       _stiff(fastest_decay(motion.parts.rotor, motion.fastest) > stiff_from * motion.fastest),
-      _axes(axes()), _solver(problem(), method()) {
+      _axes(axes()), _solver(ode_solver(problem(), method())) {
     if (!motion.stations.rows.empty())
         _stations.emplace(_motion, motion.stations.rows, scene.simulate.time, motion.fastest);
     if (_motion.dry().any())
-        _dry.emplace(_motion, motion.fastest,
-                     [this] { return std::make_unique<OdeSolver>(problem(), method()); });
+        _dry.emplace(_motion, motion.fastest, ode_solver(problem(), method()));
 }
 
 Run::Scales Run::scales_of(const MotionScene &motion) {
@@ -176,12 +218,12 @@ void Run::begin(const model::Restart *from) {
         _stations->begin(_t, state.data());
     if (_dry)
         _dry->begin(_t, state);
-    _solver.start(_t, state.data(), from ? from->step : 0);
+    _solver->start(_t, state.data(), from ? from->step : 0);
 }
 
 /// What begins to turn with the rotor, or leaves it, brings or takes energy of its own.
 void Run::pass_jump(double time) {
-    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+    Eigen::VectorXd state = Eigen::Map<const Eigen::VectorXd>(_solver->state(), _motion.size());
     const RotorMotion::Totals less = _motion.totals(time, state.data());
     _motion.enter_piece(std::nextafter(time, HUGE_VAL));
     const RotorMotion::Totals more = _motion.totals(time, state.data());
@@ -192,24 +234,24 @@ void Run::pass_jump(double time) {
     if (_dry)
         _dry->begin(time, state);
     // The integrator's own guess would follow a torque that jumps from nothing: too short to start.
-    _solver.start(time, state.data(), 1e-3 / _scales.speed);
+    _solver->start(time, state.data(), 1e-3 / _scales.speed);
 }
 
 /// One step of the integrator, or as much of it as there is until an event.
 void Run::step(double stop) {
     if (!_dry) {
-        _t = _solver.step(stop);
+        _t = _solver->step(stop);
         return;
     }
     const Eigen::VectorXd before =
-        Eigen::Map<const Eigen::VectorXd>(_solver.state(), _motion.size());
+        Eigen::Map<const Eigen::VectorXd>(_solver->state(), _motion.size());
     const double from = _t;
-    _t = _solver.step(stop);
+    _t = _solver->step(stop);
     const double length = _t - from;
-    if (auto event = _dry->within(from, before, _t, _solver.state())) {
+    if (auto event = _dry->within(from, before, _t, _solver->state())) {
         _t = event->time;
         _dry->pass(*event);
-        _solver.start(_t, event->state.data(), length);
+        _solver->start(_t, event->state.data(), length);
     }
 }
 
@@ -220,7 +262,7 @@ void Run::look_within(double from) {
     const int parts = static_cast<int>(std::ceil(2 * _scales.speed * (_t - from)));
     for (int i = 1; i < parts; ++i) {
         const double share = static_cast<double>(i) / parts;
-        _recorder.step(from + share * (_t - from), _solver.within(share));
+        _recorder.step(from + share * (_t - from), _solver->within(share));
     }
 }
 
@@ -231,9 +273,9 @@ bool Run::reach(double stop) {
         const double from = _t;
         step(stop);
         look_within(from);
-        _recorder.step(_t, _solver.state());
+        _recorder.step(_t, _solver->state());
         if (_stations)
-            _stations->step(_t, _solver.state());
+            _stations->step(_t, _solver->state());
         process::report_progress(_t / _scene.simulate.time);
     }
     return true;
@@ -249,7 +291,7 @@ bool Run::integrate(const model::Restart *from) {
         if (!reach(stop))
             return false;
         if (std::ranges::binary_search(outputs, stop))
-            _recorder.output(_t, _solver.state());
+            _recorder.output(_t, _solver->state());
         if (std::ranges::binary_search(jumps, stop))
             pass_jump(stop);
     }
@@ -257,11 +299,12 @@ bool Run::integrate(const model::Restart *from) {
 }
 
 model::Restart Run::restart() const {
-    model::Restart restart = restart_of(_scene.rotor, _motion, _solver.state(), _recorder.series());
+    model::Restart restart =
+        restart_of(_scene.rotor, _motion, _solver->state(), _recorder.series());
     _recorder.save(restart);
     restart.case_name = _scene.name;
     restart.time = _t;
-    restart.step = _solver.next_step();
+    restart.step = _solver->next_step();
     restart.energy = _before.energy;
     restart.momentum = _before.momentum;
     return restart;
@@ -280,7 +323,7 @@ double Run::speed_at(double t) const {
 }
 
 void Run::fill_audit(results::SimulateResult &result) const {
-    const double *state = _solver.state();
+    const double *state = _solver->state();
     const double *books = state + _motion.books();
     const RotorMotion::Totals now = _motion.totals(_t, state);
     const double energy = now.energy - _before.energy;
@@ -296,7 +339,7 @@ void Run::fill_audit(results::SimulateResult &result) const {
 }
 
 void Run::fill(results::SimulateResult &result) {
-    const double *state = _solver.state();
+    const double *state = _solver->state();
     fill_audit(result);
     result.time = _t;
     result.speed = _motion.spin(_t, state).speed;
@@ -308,7 +351,7 @@ void Run::fill(results::SimulateResult &result) {
         method() == OdeMethod::implicit_stiff ? "diagonally implicit Runge-Kutta, order 5 (stiff)"
         : method() == OdeMethod::exponential  ? "Adams over the rotor's own motions, order up to 13"
                                               : "explicit Runge-Kutta, order 8";
-    const OdeCounts counts = _solver.counts();
+    const OdeCounts counts = _solver->counts();
     result.steps = counts.steps;
     result.rate_evaluations = counts.rates;
     if (_stations) {

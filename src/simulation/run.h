@@ -9,6 +9,7 @@
 #include "simulation/recorder.h"
 #include "simulation/stations/station_recorder.h"
 
+#include <memory>
 #include <optional>
 
 namespace whirl::simulation {
@@ -43,7 +44,7 @@ class Run {
     Scales _scales;
     bool _stiff;
     TurningAxes _axes;
-    OdeSolver _solver;
+    std::unique_ptr<OdeSolver> _solver;
     std::optional<DryEvents> _dry; ///< where parts touch or resist
     double _t = 0;
     RotorMotion::Totals _before; ///< at the start, with all that came to turn since

@@ -64,19 +64,25 @@ double scale_at_rest(const model::Case &scene, const assembly::Discretization &d
     return std::max(fastest, std::sqrt(bounce));
 }
 
-void add_places(const model::Case &scene, std::vector<double> &places) {
-    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances)
-        places.push_back(imbalance.z);
-    for (const model::StationForce &force : scene.simulate.forces)
-        places.push_back(force.z);
-    if (!scene.rotor.balancers.empty())
-        return;
-    for (const model::Disc &disc : scene.rotor.discs)
-        places.push_back(disc.z);
-    for (const model::Bearing &bearing : scene.rotor.bearings)
-        places.push_back(bearing.z);
-    for (const model::Probe &probe : scene.rotor.probes)
-        places.push_back(probe.z);
+std::vector<double> places_of(const model::Case &scene) {
+    const model::Rotor &rotor = scene.rotor;
+    std::vector<double> places;
+    const auto add = [&places](const auto &all) {
+        for (const auto &one : all)
+            places.push_back(one.z);
+    };
+    add(rotor.balancers);
+    add(rotor.imbalances);
+    add(scene.simulate.imbalances);
+    add(scene.simulate.forces);
+    if (rotor.balancers.empty()) {
+        add(rotor.discs);
+        add(rotor.bearings);
+        add(rotor.probes);
+    }
+    std::ranges::sort(places);
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
 }
 
 void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {

@@ -14,8 +14,9 @@ namespace whirl::simulation {
 /// in it, or else the bounce of the rotor as a rigid body; 0: there is none.
 [[nodiscard]] double scale_at_rest(const model::Case &scene, const assembly::Discretization &d);
 
-/// Places of what [simulate] adds, and of all that is attached to a rotor without balancers, m.
-void add_places(const model::Case &scene, std::vector<double> &places);
+/// Places of forces and of the deflections that count, ascending, m: of balancers, imbalances and
+/// what [simulate] adds, and of all that is attached to a rotor without balancers.
+[[nodiscard]] std::vector<double> places_of(const model::Case &scene);
 
 /// The mass fixed in the rotor that a model::Imbalance or model::SuddenImbalance is.
 template <class Imbalance>

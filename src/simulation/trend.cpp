@@ -90,7 +90,6 @@ Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
     const Line whole = line_through(all);
     const Line end = line_through(all.last(windows / 2));
     const double duration = time.back() - from;
-    trend.rate = whole.slope;
     trend.end_rate = end.slope;
     trend.changing = significant(end, duration / 2);
     const bool lasting =

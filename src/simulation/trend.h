@@ -8,8 +8,7 @@ namespace whirl::simulation {
 /// sizes in equal windows (so that a beat, which is shorter than the windows, does not count), over
 /// the whole time looked at and over its last half.
 struct Trend {
-    double rate = 0;     ///< of growth over the whole time looked at, 1/s
-    double end_rate = 0; ///< over its last half, 1/s
+    double end_rate = 0; ///< of growth over the last half, 1/s
     /// Both rates are beyond three of their standard errors, the change is beyond a tenth, and it
     /// goes on: the rate at the end is at least half of that over the whole.
     bool growing = false;

@@ -1,6 +1,5 @@
 #include "stability/band_errors.h"
 
-#include "balancers/linear_element.h"
 #include "mesh_error/safety.h"
 #include "periodic/whole_root.h"
 #include "stability/periodic_motions.h"
@@ -60,34 +59,20 @@ double distance(const MotionsAt &finer, const End &end, double slope) {
 /// How far from it the finer model's end can lie without being another one.
 double reach_of(const End &end) { return std::min(end.width, end.beyond) / 4; }
 
-/// The whole rotor of a finer model whose motions stay periodic.
-class FinerRotor {
-  public:
-    FinerRotor(const StabilityModel &model, const balancers::Arrangement &arrangement)
-        : _discretization(model.rotor, mesh_error::finer_order(model.order)),
-          _rotor(_discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
-
-    [[nodiscard]] const periodic::WholeRotor &rotor() const { return _rotor; }
-
-  private:
-    assembly::Discretization _discretization;
-    periodic::WholeRotor _rotor;
-};
-
 /// Error of an end at which the growth passes zero with a slope, from the roots of both models;
 /// nothing where it is not one.
-std::optional<double> by_roots(const PeriodicMotions &motions, const FinerRotor &finer,
+std::optional<double> by_roots(const PeriodicMotions &motions, const periodic::WholeRotor &finer,
                                const End &end) {
     const double reach = reach_of(end);
     const auto own = motions.neutral_next_to(end.speed, reach);
     if (!own || own->slope * end.inward <= 0 ||
         std::abs(own->speed - end.speed) > 1e-9 * std::abs(end.speed))
         return std::nullopt;
-    const auto other = motions.neutral_next_to(end.speed, reach, &finer.rotor());
+    const auto other = motions.neutral_next_to(end.speed, reach, &finer);
     if (!other || other->slope * end.inward <= 0)
         return std::nullopt;
     const double step = std::min(0.25 * end.width, 1e-4 * std::abs(end.speed));
-    const double noise = motions.fastest_growing(end.speed).noise / std::abs(own->slope);
+    const double noise = motions.fastest_growing(end.speed).motion.noise / std::abs(own->slope);
     return std::min(step, noise + other->noise) + 1e-12 * std::abs(end.speed) +
            mesh_error::estimate_safety * std::abs(other->speed - end.speed);
 }
@@ -100,24 +85,23 @@ std::vector<SpeedInterval> band_errors(const BandFinder &finder,
     const StabilityModel &model = finder.model();
     const bool elastic = !model.rotor.shaft.rigid;
     const PeriodicMotions *const periodic = finder.solver().by_monodromy();
-    std::optional<FinerRotor> whole;
+    StabilityModel finer_model = model;
+    finer_model.order = mesh_error::finer_order(model.order);
+    std::optional<OwnWholeRotor> whole;
     if (elastic && periodic != nullptr && model.rotor.damped() && !bands.empty())
-        whole.emplace(model, finder.arrangement());
+        whole.emplace(finer_model, finder.arrangement());
     std::optional<MotionSolver> finer;
     std::map<double, std::vector<Motion>> known; // of the finer model: the same speeds come again
     const MotionsAt finer_at = [&](double speed) {
         if (const auto found = known.find(speed); found != known.end())
             return found->second;
-        if (!finer) {
-            StabilityModel finer_model = model;
-            finer_model.order = mesh_error::finer_order(model.order);
+        if (!finer)
             finer.emplace(finer_model, finder.arrangement());
-        }
         return known.emplace(speed, finer->at(speed)).first->second;
     };
     const auto error_of = [&](const End &end) {
         if (whole)
-            if (const auto error = by_roots(*periodic, *whole, end))
+            if (const auto error = by_roots(*periodic, whole->rotor, end))
                 return *error;
         if (elastic)
             if (const auto error = by_root(end.speed, end.inward, reach_of(end)))

@@ -29,18 +29,30 @@ double vertex(double x0, double y0, double x1, double y1, double x2, double y2) 
 
 constexpr int golden_steps = 24;
 
+/// Which motion at the other end of a step one at this end is, or nowhere.
+/// @param to       of the motions at the lower end
+/// @param upwards  this end is the lower one
+int across(const std::vector<int> &to, int index, bool upwards) {
+    if (upwards)
+        return to[static_cast<std::size_t>(index)];
+    const auto found = std::ranges::find(to, index);
+    return found == to.end() ? Continuation::nowhere : static_cast<int>(found - to.begin());
+}
+
 } // namespace
 
 BandSearch::BandSearch(const MotionsAt &at, const std::vector<double> &speeds)
-    : _at(at), _grid_step(speeds[1] - speeds[0]),
-      _most_halvings(2 * static_cast<int>(speeds.size()) + 200) {
-    for (std::size_t k = 0; k < speeds.size(); ++k)
-        (void)look(speeds[k], k > 0 ? speeds[k] - speeds[k - 1] : _grid_step);
+    : _at(at), _most_halvings(2 * static_cast<int>(speeds.size()) + 200) {
+    (void)look(speeds[0], speeds[1] - speeds[0]);
+    for (std::size_t k = 1; k < speeds.size(); ++k)
+        (void)look(speeds[k], speeds[k] - speeds[k - 1]);
     for (std::size_t k = 1; k < speeds.size(); ++k)
         through(_looks.at(speeds[k - 1]), _looks.at(speeds[k]), 0);
-    for (std::size_t k = 1; k < _steps.size(); ++k) {
-        peaks(_steps[k - 1], _steps[k]);
-        dips(_steps[k - 1], _steps[k]);
+    for (auto next = std::next(_looks.begin(), 2); next != _looks.end(); ++next) {
+        const Look &before = std::prev(next, 2)->second;
+        const Look &middle = std::prev(next)->second;
+        peaks(before, middle, next->second);
+        dip(before, middle, next->second);
     }
 }
 
@@ -63,47 +75,31 @@ const Continuation &BandSearch::continuation(const Look &a, const Look &b) {
         .first->second;
 }
 
-/// Follows the two to the next speeds that were looked at on either side.
-void BandSearch::add_beyond(Coalescence &m, const Look &a, const Look &b) {
-    constexpr int most = 2; // on each side
-    if (!m.ordered && m.copies != 0)
-        return; // which of them is the copy is not known
-    const auto add = [&m](const Look &look, const std::array<int, 2> &index, PairValues &last) {
-        const Motion &one = look.motions[static_cast<std::size_t>(index[0])];
-        const Motion &other = look.motions[static_cast<std::size_t>(index[1])];
-        last = {look.speed, copy_next_to(last.first, one), copy_next_to(last.second, other)};
-        m.beyond.push_back(last);
-        m.beyond.back().second += std::complex<double>(0, m.copies * other.repeats);
-    };
-    const auto own = [&m](std::complex<double> second, const Look &look, int index) {
+/// Follows the two to the next speeds that were looked at on one side of a step.
+/// @param at            which of the motions at the end of the step on that side they are
+/// @param first,second  their eigenvalues there
+void BandSearch::add_beyond(Coalescence &m, const Look &end, std::array<int, 2> at,
+                            std::complex<double> first, std::complex<double> second, bool upwards) {
+    constexpr int most = 2;
+    const auto copy = [&m](const Look &look, int index) {
         const double repeats = look.motions[static_cast<std::size_t>(index)].repeats;
-        return second - std::complex<double>(0, m.copies * repeats);
+        return std::complex<double>(0, m.copies * repeats);
     };
-    std::array<int, 2> at = m.index_to;
-    PairValues last{b.speed, m.first_to, own(m.second_to, b, at[1])};
-    auto place = _looks.find(b.speed);
-    for (int k = 0; k < most && std::next(place) != _looks.end(); ++k, ++place) {
-        const Look &next = std::next(place)->second;
-        const Continuation &on = continuation(place->second, next);
-        for (int &index : at)
-            index = index == Continuation::nowhere ? index : on.to[static_cast<std::size_t>(index)];
-        if (at[0] == Continuation::nowhere || at[1] == Continuation::nowhere)
-            break;
-        add(next, at, last);
-    }
-    at = m.index_from;
-    last = {a.speed, m.first_from, own(m.second_from, a, at[1])};
-    place = _looks.find(a.speed);
-    for (int k = 0; k < most && place != _looks.begin(); ++k, --place) {
-        const Look &next = std::prev(place)->second;
-        const std::vector<int> &to = continuation(next, place->second).to;
+    second -= copy(end, at[1]);
+    auto place = _looks.find(end.speed);
+    const auto border = upwards ? std::prev(_looks.end()) : _looks.begin();
+    for (int k = 0; k < most && place != border; ++k) {
+        const Look &here = place->second;
+        const Look &next = (upwards ? ++place : --place)->second;
+        const Continuation &on = upwards ? continuation(here, next) : continuation(next, here);
         for (int &index : at) {
-            const auto found = std::ranges::find(to, index);
-            if (index == Continuation::nowhere || found == to.end())
+            index = across(on.to, index, upwards);
+            if (index == Continuation::nowhere)
                 return;
-            index = static_cast<int>(found - to.begin());
         }
-        add(next, at, last);
+        first = copy_next_to(first, next.motions[static_cast<std::size_t>(at[0])]);
+        second = copy_next_to(second, next.motions[static_cast<std::size_t>(at[1])]);
+        m.beyond.push_back({next.speed, first, second + copy(next, at[1])});
     }
 }
 
@@ -116,7 +112,7 @@ void BandSearch::halve(const Look &a, const Look &b, int depth) {
 }
 
 void BandSearch::through(const Look &a, const Look &b, int depth) {
-    const Continuation next = continuation(a, b);
+    const Continuation &next = continuation(a, b);
     const bool unstable = a.growth > 0 && b.growth > 0;
     // Where one motion grows all the way it does not matter what becomes of the others.
     const bool carried = unstable && one_grows_through(next, a, b);
@@ -133,34 +129,25 @@ void BandSearch::through(const Look &a, const Look &b, int depth) {
             _doubtful.emplace_back(a.speed, b.speed);
     }
     if (unstable && !carried)
-        window_between(a, b);
-    Step step{a.speed, b.speed, a.growth, b.growth, {}};
-    for (int i = 0; i < std::ssize(a.motions); ++i) {
-        const int j = next.to[static_cast<std::size_t>(i)];
-        if (j == Continuation::nowhere)
-            continue;
-        const Motion &from = a.motions[static_cast<std::size_t>(i)];
-        const Motion &to = b.motions[static_cast<std::size_t>(j)];
-        const bool decays = from.value.real() < -from.noise && to.value.real() < -to.noise;
-        if (from.value.imag() >= 0 || to.value.imag() >= 0) // of conjugates one
-            step.strands.push_back({i, j, from.value, to.value, decays});
-    }
-    _steps.push_back(std::move(step));
+        window_between(a.speed, b.speed);
 }
 
 /// @returns whether all of them could be judged.
 bool BandSearch::coalescences_resolved(const Continuation &next, const Look &a, const Look &b) {
-    for (Coalescence coalescence : next.coalescences) {
+    for (Coalescence m : next.coalescences) {
         const auto unstable_at = [](const Look &look, std::complex<double> value) {
             return look.growth > 0 && value.real() > 0;
         };
         // Of a motion that grows at one end it is known that a band ends in between.
-        if (unstable_at(a, coalescence.first_from) || unstable_at(a, coalescence.second_from) ||
-            unstable_at(b, coalescence.first_to) || unstable_at(b, coalescence.second_to))
+        if (unstable_at(a, m.first_from) || unstable_at(a, m.second_from) ||
+            unstable_at(b, m.first_to) || unstable_at(b, m.second_to))
             continue;
-        if (coalescence.action == 0)
-            add_beyond(coalescence, a, b);
-        const CoalescenceVerdict verdict = examine(_at, coalescence);
+        const bool known = m.ordered || m.copies == 0; // which of them is the copy
+        if (m.action == 0 && known) {
+            add_beyond(m, b, m.index_to, m.first_to, m.second_to, true);
+            add_beyond(m, a, m.index_from, m.first_from, m.second_from, false);
+        }
+        const CoalescenceVerdict verdict = examine(_at, m);
         if (verdict.kind == CoalescenceVerdict::Kind::unsure)
             return false;
         if (verdict.kind == CoalescenceVerdict::Kind::grows)
@@ -181,40 +168,52 @@ bool BandSearch::one_grows_through(const Continuation &next, const Look &a, cons
 
 /// Between two unstable speeds at which different motions grow there can be a stable window: the
 /// speed of least growth, where that is none.
-void BandSearch::window_between(const Look &a, const Look &b) {
+void BandSearch::window_between(double from, double to) {
     // Growth falls from one side and rises to the other.
     int steps = 0;
     const auto [speed, growth] = linalg::least_between(
-        [this](double x) { return growth_of(_at(x)); }, a.speed, b.speed,
+        [this](double x) { return growth_of(_at(x)); }, from, to,
         [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
     if (growth <= 0)
         _known[speed] = -1;
 }
 
-void BandSearch::peaks(const Step &before, const Step &after) {
-    if (before.to != after.from)
-        return;
-    for (const Strand &one : before.strands)
-        for (const Strand &other : after.strands)
-            if (one.index_to == other.index_from && one.decays && other.decays)
-                peak_of(one, other, before, after);
+/// Of motions that die out at three neighbouring speeds.
+void BandSearch::peaks(const Look &a, const Look &b, const Look &c) {
+    const std::vector<int> &to_b = continuation(a, b).to;
+    const std::vector<int> &to_c = continuation(b, c).to;
+    for (std::size_t i = 0; i < a.motions.size(); ++i) {
+        const int j = to_b[i];
+        const int k = j == Continuation::nowhere ? j : to_c[static_cast<std::size_t>(j)];
+        if (k == Continuation::nowhere)
+            continue;
+        const Motion &at_a = a.motions[i];
+        const Motion &at_b = b.motions[static_cast<std::size_t>(j)];
+        const Motion &at_c = c.motions[static_cast<std::size_t>(k)];
+        const bool upper = at_b.value.imag() >= 0 || // of conjugates one
+                           (at_a.value.imag() >= 0 && at_c.value.imag() >= 0);
+        if (upper && at_a.decays() && at_b.decays() && at_c.decays())
+            peak_of({a.speed, b.speed, c.speed}, {at_a.value, at_b.value, at_c.value});
+    }
 }
 
-void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &a, const Step &b) {
-    const double y0 = before.from.real();
-    const double y1 = before.to.real();
-    const double y2 = after.to.real();
+void BandSearch::peak_of(const std::array<double, 3> &speeds,
+                         const std::array<std::complex<double>, 3> &values) {
+    const auto [from, middle, to] = speeds;
+    const double y0 = values[0].real();
+    const double y1 = values[1].real();
+    const double y2 = values[2].real();
     if (y1 < y0 || y1 < y2)
         return;
-    const double top = vertex(a.from, y0, a.to, y1, b.to, y2);
+    const double top = vertex(from, y0, middle, y1, to, y2);
     // A peak sharper than a parabola: a reserve of what is seen of it.
     if (top + 2 * (top - y1) + 0.25 * (y1 - std::min(y0, y2)) <= 0)
         return;
     const auto value_at = [&](double x) { // of the motion, by interpolation of the three
-        const double share = (x - a.from) / (a.to - a.from);
-        const double rest = (x - a.to) / (b.to - a.to);
-        return x <= a.to ? before.from * (1 - share) + before.to * share
-                         : after.from * (1 - rest) + after.to * rest;
+        const double share = (x - speeds[0]) / (speeds[1] - speeds[0]);
+        const double rest = (x - speeds[1]) / (speeds[2] - speeds[1]);
+        return x <= speeds[1] ? values[0] * (1 - share) + values[1] * share
+                              : values[1] * (1 - rest) + values[2] * rest;
     };
     bool unstable = false;
     double found = 0;
@@ -231,27 +230,21 @@ void BandSearch::peak_of(const Strand &before, const Strand &after, const Step &
             }
             return -nearest->value.real();
         },
-        a.from, b.to, [&](double, double, double) { return unstable || ++steps > golden_steps; });
+        from, to, [&](double, double, double) { return unstable || ++steps > golden_steps; });
     if (unstable)
-        _seeds.emplace_back(found, 1e-3 * (b.to - a.from));
+        _seeds.emplace_back(found, 1e-3 * (to - from));
 }
 
 /// A stable window under a dip of the largest growth.
-void BandSearch::dips(const Step &before, const Step &after) {
-    const double y0 = before.growth_from;
-    const double y1 = before.growth_to;
-    const double y2 = after.growth_to;
-    if (before.to != after.from || std::min({y0, y1, y2}) <= 0 || y1 > y0 || y1 > y2)
+void BandSearch::dip(const Look &a, const Look &b, const Look &c) {
+    const double y0 = a.growth;
+    const double y1 = b.growth;
+    const double y2 = c.growth;
+    if (std::min({y0, y1, y2}) <= 0 || y1 > y0 || y1 > y2)
         return;
-    const double bottom = -vertex(before.from, -y0, before.to, -y1, after.to, -y2);
-    if (bottom - 2 * (y1 - bottom) - 0.25 * (std::max(y0, y2) - y1) >= 0)
-        return;
-    int steps = 0;
-    const auto [speed, growth] = linalg::least_between(
-        [this](double x) { return growth_of(_at(x)); }, before.from, after.to,
-        [&steps](double, double, double least) { return least <= 0 || ++steps > golden_steps; });
-    if (growth <= 0)
-        _known[speed] = -1;
+    const double bottom = -vertex(a.speed, -y0, b.speed, -y1, c.speed, -y2);
+    if (bottom - 2 * (y1 - bottom) - 0.25 * (std::max(y0, y2) - y1) < 0)
+        window_between(a.speed, c.speed);
 }
 
 } // namespace whirl::stability

@@ -3,6 +3,8 @@
 #include "stability/coalescence.h"
 #include "stability/unstable_bands.h"
 
+#include <array>
+#include <complex>
 #include <map>
 #include <utility>
 #include <vector>
@@ -37,24 +39,11 @@ class BandSearch {
         std::vector<Motion> motions;
         double growth = 0;
     };
-    /// Real part and place of one motion at the ends of a step.
-    struct Strand {
-        int index_from = 0, index_to = 0;
-        std::complex<double> from, to;
-        bool decays = false; ///< at both ends, beyond its noise
-    };
-    struct Step {
-        double from = 0, to = 0;
-        double growth_from = 0, growth_to = 0;
-        std::vector<Strand> strands;
-    };
 
     const MotionsAt &_at;
     Known _known;
     std::vector<std::pair<double, double>> _seeds;
     std::vector<SpeedInterval> _doubtful;
-    std::vector<Step> _steps;
-    double _grid_step; ///< the first one
     int _halvings = 0; ///< so far
     int _most_halvings;
 
@@ -63,17 +52,19 @@ class BandSearch {
 
     [[nodiscard]] const Look &look(double speed, double step);
     [[nodiscard]] const Continuation &continuation(const Look &a, const Look &b);
-    void add_beyond(Coalescence &m, const Look &a, const Look &b);
+    void add_beyond(Coalescence &m, const Look &end, std::array<int, 2> at,
+                    std::complex<double> first, std::complex<double> second, bool upwards);
     void through(const Look &a, const Look &b, int depth);
     void halve(const Look &a, const Look &b, int depth);
     [[nodiscard]] bool coalescences_resolved(const Continuation &next, const Look &a,
                                              const Look &b);
     [[nodiscard]] static bool one_grows_through(const Continuation &next, const Look &a,
                                                 const Look &b);
-    void window_between(const Look &a, const Look &b);
-    void peaks(const Step &before, const Step &after);
-    void dips(const Step &before, const Step &after);
-    void peak_of(const Strand &before, const Strand &after, const Step &a, const Step &b);
+    void window_between(double from, double to);
+    void peaks(const Look &a, const Look &b, const Look &c);
+    void peak_of(const std::array<double, 3> &speeds,
+                 const std::array<std::complex<double>, 3> &values);
+    void dip(const Look &a, const Look &b, const Look &c);
 };
 
 } // namespace whirl::stability

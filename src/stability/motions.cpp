@@ -41,6 +41,9 @@ constexpr double radius_over_speed = 1.05;
 constexpr double allowance = 100;
 constexpr double always = 1e-11;
 
+/// Motions looked at where bearings can drive fast ones too (cross coupling, negative damping).
+constexpr int fewest_driven = 24;
+
 /// Bearings can feed energy into any motion, not only slow ones: cross-coupled stiffness that is
 /// not symmetric, or damping that is negative in some direction.
 bool bearings_drive(const model::Rotor &rotor) {
@@ -118,30 +121,30 @@ struct MotionSolver::Data {
     results::Form form;
     bool tables;
     std::vector<balancers::BalancerElement> balancers;
-    int fewest; ///< motions looked at, however fast they are
+    int fewest = 8; ///< motions looked at, however fast they are
     std::unique_ptr<modes::RotatingSpectrum> rotating;
     std::unique_ptr<HillMotions> hill;
     std::unique_ptr<PeriodicMotions> periodic; ///< instead of the series
     assembly::FixedSystem fixed;
     Eigen::VectorXd root_K, root_M; ///< weights of displacements and velocities
 
-    Data(const model::Rotor &rotor, results::Form which, int order,
-         const balancers::Arrangement &arrangement, int N,
-         std::shared_ptr<const Eigen::MatrixXd> reduced_to, double top,
-         std::shared_ptr<StepExperience> experience)
-        : d(rotor, order), shapes(std::move(reduced_to)), form(which),
-          tables(rotor.bearings_depend_on_speed()),
-          balancers(balancers::balancer_elements(rotor, arrangement)),
-          fewest(bearings_drive(rotor) ? least_driven : least) {
+    Data(const StabilityModel &model, const balancers::Arrangement &arrangement,
+         std::shared_ptr<const Eigen::MatrixXd> reduced_to)
+        : d(model.rotor, model.order), shapes(std::move(reduced_to)), form(model.form),
+          tables(model.rotor.bearings_depend_on_speed()),
+          balancers(balancers::balancer_elements(model.rotor, arrangement)) {
+        const bool driven = bearings_drive(model.rotor);
+        if (driven)
+            fewest = fewest_driven;
         if (results::in_rotating_axes(form)) {
             rotating = std::make_unique<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
-            if (form == results::Form::hill && N == 0)
-                periodic = std::make_unique<PeriodicMotions>(d, balancers, bearings_drive(rotor),
-                                                             top, shapes, std::move(experience));
+            if (form == results::Form::hill && model.harmonics == 0)
+                periodic = std::make_unique<PeriodicMotions>(d, balancers, driven, model.top,
+                                                             shapes, model.experience);
             else if (form == results::Form::hill)
-                hill = std::make_unique<HillMotions>(d, balancers, bearings_drive(rotor), N);
+                hill = std::make_unique<HillMotions>(d, balancers, fewest, model.harmonics);
         } else {
             fixed = fixed_at(0);
             root_K = root_of_diagonal(fixed.K);
@@ -330,17 +333,9 @@ struct MotionSolver::Data {
     }
 };
 
-MotionSolver::MotionSolver(const model::Rotor &rotor, results::Form form, int order,
-                           const balancers::Arrangement &arrangement, int harmonics,
-                           std::shared_ptr<const Eigen::MatrixXd> shapes, double top,
-                           std::shared_ptr<StepExperience> experience)
-    : _data(std::make_unique<Data>(rotor, form, order, arrangement, harmonics, std::move(shapes),
-                                   top, std::move(experience))) {}
-
 MotionSolver::MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
                            std::shared_ptr<const Eigen::MatrixXd> shapes)
-    : MotionSolver(model.rotor, model.form, model.order, arrangement, model.harmonics,
-                   std::move(shapes), model.top, model.experience) {}
+    : _data(std::make_unique<Data>(model, arrangement, std::move(shapes))) {}
 
 MotionSolver::~MotionSolver() = default;
 

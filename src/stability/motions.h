@@ -3,7 +3,6 @@
 #include "assembly/discretization.h"
 #include "balancers/arrangement.h"
 #include "linalg/eigenpair.h"
-#include "results/formulation.h"
 
 #include <Eigen/Core>
 
@@ -23,6 +22,7 @@ struct Motion {
     int action = 0;             ///< without damping its sign (FloquetMotion), where it is known
 
     [[nodiscard]] bool grows() const { return value.real() > noise; }
+    [[nodiscard]] bool decays() const { return value.real() < -noise; }
     /// Neither grows nor dies out beyond its noise.
     [[nodiscard]] bool neutral() const { return std::abs(value.real()) <= noise; }
 };
@@ -33,26 +33,17 @@ struct Motion {
 
 class PeriodicMotions;
 struct StabilityModel;
-struct StepExperience;
 
 /// Free motions of one rotor at any spin speed, for questions of stability. Both conjugates are
 /// listed, so that lines can be followed through the real axis.
 class MotionSolver {
   public:
-    /// @param form       general, rotating or hill
-    /// @param order      of the shaft elements
+    /// @param model        whose `harmonics` are those to begin with: every speed is solved with as
+    ///                     many as it needs
     /// @param arrangement  where the balls of each balancer stand
-    /// @param harmonics  of the Hill series (form hill), to begin with: every speed is solved with
-    ///                   as many as it needs; 0: by the monodromy matrix (periodic_motions.h)
-    /// @param shapes     planar shapes to reduce the shaft to (reduction/), or none: all motions of
-    ///                   the reduced rotor are then found and listed
-    /// @param top        largest |speed| that will be asked for, where it is known, rad/s
-    /// @param experience  with steps in time of rotors that hardly differ (periodic_motions.h)
-    MotionSolver(const model::Rotor &rotor, results::Form form, int order,
-                 const balancers::Arrangement &arrangement, int harmonics,
-                 std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr, double top = 0,
-                 std::shared_ptr<StepExperience> experience = nullptr);
-    /// As the model says (rotor_at_speeds.h).
+    /// @param shapes       planar shapes to reduce the shaft to (reduction/), or none: all motions
+    /// of
+    ///                     the reduced rotor are then found and listed
     MotionSolver(const StabilityModel &model, const balancers::Arrangement &arrangement,
                  std::shared_ptr<const Eigen::MatrixXd> shapes = nullptr);
     ~MotionSolver();
@@ -61,8 +52,8 @@ class MotionSolver {
     MotionSolver(MotionSolver &&) = delete;
     MotionSolver &operator=(MotionSolver &&) = delete;
 
-    /// All motions with |l| up to a little above the spin speed, and at least `least` of them. With
-    /// Hill's series each once, at its place next to zero.
+    /// All motions with |l| up to a little above the spin speed, and eight of them at the least.
+    /// With Hill's series each once, at its place next to zero.
     /// @throws model::AnalysisFailure where they cannot be found, or a Hill series does not settle.
     [[nodiscard]] std::vector<Motion> at(double speed) const;
 
@@ -78,10 +69,6 @@ class MotionSolver {
     /// Most harmonics of the Hill series that a speed so far needed; 0 for other forms.
     [[nodiscard]] int harmonics() const;
     [[nodiscard]] const assembly::Discretization &discretization() const;
-
-    static constexpr int least = 8;
-    /// Where bearings can drive fast motions too (cross coupling, negative damping).
-    static constexpr int least_driven = 24;
 
   private:
     struct Data;

@@ -22,22 +22,8 @@ PairPoint pair_point(double speed, Complex a, Complex b) {
     return {speed, (a + b) / 2.0, (a - b) * (a - b) / 4.0};
 }
 
-/// Through three points at most, Newton's form.
-Complex interpolated(const std::vector<PairPoint> &points, Complex PairPoint::*what, double speed) {
-    const PairPoint &a = points[0];
-    const PairPoint &b = points[1];
-    const Complex ab = (b.*what - a.*what) / (b.speed - a.speed);
-    Complex value = a.*what + ab * (speed - a.speed);
-    if (points.size() > 2) {
-        const PairPoint &c = points[2];
-        const Complex bc = (c.*what - b.*what) / (c.speed - b.speed);
-        value += (bc - ab) / (c.speed - a.speed) * (speed - a.speed) * (speed - b.speed);
-    }
-    return value;
-}
-
 /// Through all points, Neville's scheme.
-Complex through_all(const std::vector<PairPoint> &points, Complex PairPoint::*what, double speed) {
+Complex interpolated(const std::vector<PairPoint> &points, Complex PairPoint::*what, double speed) {
     std::vector<Complex> values;
     for (const PairPoint &point : points)
         values.push_back(point.*what);
@@ -48,6 +34,11 @@ Complex through_all(const std::vector<PairPoint> &points, Complex PairPoint::*wh
             values[i] = ((to - speed) * values[i] + (speed - from) * values[i + 1]) / (to - from);
         }
     return values.front();
+}
+
+/// How far s + sqrt(q) can be off where s and q are.
+double margin_of(double off_s, double off_q, double root) {
+    return off_s + std::min(std::sqrt(off_q), off_q / std::max(2 * root, 1e-300));
 }
 
 /// A pair that is known at speeds beyond both ends of a step, too. Mean and squared half difference
@@ -99,18 +90,17 @@ class Neighbourhood {
     std::vector<PairPoint> _points, _without_first, _without_last;
 
     [[nodiscard]] double apart(Complex PairPoint::*what, double speed, Complex all) const {
-        return std::max(std::abs(through_all(_without_first, what, speed) - all),
-                        std::abs(through_all(_without_last, what, speed) - all));
+        return std::max(std::abs(interpolated(_without_first, what, speed) - all),
+                        std::abs(interpolated(_without_last, what, speed) - all));
     }
 
     /// @returns Re q; not a number where the two may grow
     [[nodiscard]] double judged(double speed) const {
-        const Complex s = through_all(_points, &PairPoint::s, speed);
-        const Complex q = through_all(_points, &PairPoint::q, speed);
-        const double off_q = apart(&PairPoint::q, speed, q);
+        const Complex s = interpolated(_points, &PairPoint::s, speed);
+        const Complex q = interpolated(_points, &PairPoint::q, speed);
         const double root = std::abs(std::sqrt(q).real());
-        const double margin = apart(&PairPoint::s, speed, s) +
-                              std::min(std::sqrt(off_q), off_q / std::max(2 * root, 1e-300));
+        const double margin =
+            margin_of(apart(&PairPoint::s, speed, s), apart(&PairPoint::q, speed, q), root);
         constexpr double reserve = 2;
         return s.real() + root + reserve * margin < 0 ? q.real() : std::nan("");
     }
@@ -171,8 +161,7 @@ class CoalescenceSearch {
             // The next guess lies within a bracket that shrinks about the best place so far.
             const Guess guess = best_guess(three, low, high);
             const double root = std::abs(std::sqrt(found.q).real());
-            const double margin =
-                off_s + std::min(std::sqrt(off_q), off_q / std::max(2 * root, 1e-300));
+            const double margin = margin_of(off_s, off_q, root);
             const double moved = std::abs(guess.speed - speed);
             // What three points say of the whole is not enough: another look where they place the
             // most growth must agree with them.

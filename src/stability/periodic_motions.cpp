@@ -249,9 +249,7 @@ void PeriodicMotions::use_planar() const {
 std::optional<PeriodicMotions::List> PeriodicMotions::corrected(double speed, bool all,
                                                                 std::vector<Wanted> *wanted) const {
     List list = known(speed);
-    double most = -std::numeric_limits<double>::infinity();
-    for (const Listed &one : list)
-        most = std::max(most, one.motion.value.real());
+    const double most = fastest_growing(speed).motion.value.real();
     const double size = std::abs(speed);
     const Eigen::Index shapes = _planar->matrix().cols();
     for (Listed &one : list) {
@@ -320,11 +318,9 @@ std::vector<Motion> PeriodicMotions::reduced_at(double speed) const {
     return out;
 }
 
-PeriodicMotions::Fastest PeriodicMotions::fastest_growing(double speed) const {
-    const List &list = known(speed);
-    const auto most =
-        std::ranges::max_element(list, {}, [](const auto &a) { return a.motion.value.real(); });
-    return {most->motion.value, most->frequency, most->motion.noise};
+const PeriodicMotions::Listed &PeriodicMotions::fastest_growing(double speed) const {
+    return *std::ranges::max_element(known(speed), {},
+                                     [](const Listed &one) { return one.motion.value.real(); });
 }
 
 std::optional<periodic::Neutral>
@@ -332,9 +328,9 @@ PeriodicMotions::neutral_next_to(double end, double reach,
                                  const periodic::WholeRotor *other) const {
     if (!_reduced || !_whole || end == 0)
         return std::nullopt;
-    const Fastest motion = fastest_growing(end);
-    return periodic::neutral_next_to(other != nullptr ? *other : *_whole, end, motion.value,
-                                     motion.frequency, reach);
+    const Listed &fastest = fastest_growing(end);
+    return periodic::neutral_next_to(other != nullptr ? *other : *_whole, end, fastest.motion.value,
+                                     fastest.frequency, reach);
 }
 
 } // namespace whirl::stability

@@ -6,7 +6,7 @@
 #include "periodic/system.h"
 #include "periodic/whole_root.h"
 #include "reduction/planar_shapes.h"
-#include "stability/motions.h"
+#include "stability/rotor_at_speeds.h"
 
 #include <Eigen/Core>
 
@@ -16,6 +16,16 @@
 #include <vector>
 
 namespace whirl::stability {
+
+/// A whole rotor whose equations stay periodic, and what it refers to.
+struct OwnWholeRotor {
+    assembly::Discretization discretization;
+    periodic::WholeRotor rotor;
+
+    OwnWholeRotor(const StabilityModel &model, const balancers::Arrangement &arrangement)
+        : discretization(model.rotor, model.order),
+          rotor(discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
+};
 
 /// How fast motions are followed, and of the steps in time over half a turn how many more than
 /// their rule has them are needed.
@@ -59,13 +69,14 @@ class PeriodicMotions {
     [[nodiscard]] std::shared_ptr<const Eigen::MatrixXd>
     good_shapes(const std::vector<double> &speeds) const;
 
-    /// Of the reduced rotor's motions the one that grows most.
-    struct Fastest {
-        std::complex<double> value; ///< 1/s
-        double frequency = 0;       ///< that it is fastest at, rad/s
-        double noise = 0;           ///< 1/s
+    /// A motion of the reduced rotor and how fast it is, whatever its place on the strip.
+    struct Listed {
+        Motion motion;
+        double frequency = 0; ///< that it is fastest at, rad/s
+        Eigen::VectorXcd shape;
     };
-    [[nodiscard]] Fastest fastest_growing(double speed) const;
+    /// The one that grows most; valid until the next call of any of these.
+    [[nodiscard]] const Listed &fastest_growing(double speed) const;
 
     /// Up to this speed some motion that grows most is that of the reduced rotor, as the whole
     /// one's was not found from it, rad/s; 0: none.
@@ -82,12 +93,6 @@ class PeriodicMotions {
     neutral_next_to(double end, double reach, const periodic::WholeRotor *other = nullptr) const;
 
   private:
-    /// A motion of the reduced rotor and how fast it is, whatever its place on the strip.
-    struct Listed {
-        Motion motion;
-        double frequency = 0; ///< rad/s
-        Eigen::VectorXcd shape;
-    };
     using List = std::vector<Listed>;
 
     const assembly::Discretization &_discretization;

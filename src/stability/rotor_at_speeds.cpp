@@ -14,7 +14,6 @@
 #include "modes/zero_modes.h"
 #include "reduction/projection.h"
 #include "results/formulation.h"
-#include "stability/hill/hill_harmonics.h"
 
 #include <fmt/format.h>
 
@@ -164,30 +163,27 @@ std::vector<linalg::ComplexPair> pairs_up_to(const ZeroRootSystem &system, doubl
         }
 }
 
-Eigen::VectorXcd as_complex(const Eigen::VectorXcd &x) { return x; }
-Eigen::VectorXcd as_complex(const Eigen::VectorXd &x) { return x.cast<std::complex<double>>(); }
-
-/// Newton's method for a root with its vector, W and x of one kind, real or complex.
+/// Newton's method for a root with its vector. A real one stays real.
 /// @returns whether it converged to one next to the guess
-template <class Scalar>
-bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen::Dynamic, 1> x,
-            linalg::ComplexPair &pair) {
-    using Sparse = Eigen::SparseMatrix<Scalar>;
-    using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
-    const Sparse K = system.K.cast<Scalar>();
-    const Sparse Ks = system.Ks.cast<Scalar>();
-    const Sparse Kss = system.Kss.cast<Scalar>();
-    linalg::SparseFactor<Scalar> lu;
+bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
+    using Complex = std::complex<double>;
+    using Sparse = Eigen::SparseMatrix<Complex>;
+    const Sparse K = system.K.cast<Complex>();
+    const Sparse Ks = system.Ks.cast<Complex>();
+    const Sparse Kss = system.Kss.cast<Complex>();
+    linalg::SparseFactor<Complex> lu;
+    Complex W = pair.value;
+    Eigen::VectorXcd x = pair.vector;
     constexpr int most_steps = 12;
     double before = HUGE_VAL;
     for (int step = 0; step < most_steps; ++step) {
-        const Sparse slope = Ks + Scalar(2.0) * W * Kss;
-        Sparse Q = linalg::sum(Scalar(1), K, W, Ks, W * W, Kss);
+        const Sparse slope = Ks + 2.0 * W * Kss;
+        Sparse Q = linalg::sum(Complex(1), K, W, Ks, W * W, Kss);
         Q.makeCompressed();
         if (!lu.factorize(Q))
             return false;
-        const Vector next = lu.solution(slope * x);
-        const Scalar change = x.squaredNorm() / x.dot(next);
+        const Eigen::VectorXcd next = lu.solution(slope * x);
+        const Complex change = x.squaredNorm() / x.dot(next);
         W -= change;
         x = next.normalized();
         const double part = std::abs(change) / std::abs(pair.value);
@@ -197,18 +193,12 @@ bool refine(const ZeroRootSystem &system, Scalar W, Eigen::Matrix<Scalar, Eigen:
             constexpr double same_root = 1e-3;
             const bool same = std::abs(W - pair.value) <= same_root * std::abs(pair.value);
             pair.value = W;
-            pair.vector = as_complex(x);
+            pair.vector = x;
             return same;
         }
         before = part;
     }
     return false;
-}
-
-bool refine(const ZeroRootSystem &system, linalg::ComplexPair &pair) {
-    if (pair.value.imag() == 0)
-        return refine<double>(system, pair.value.real(), pair.vector.real(), pair);
-    return refine<std::complex<double>>(system, pair.value, pair.vector, pair);
 }
 
 /// By those of the system on few shapes, each made a root of the whole one; nothing where one of
@@ -242,6 +232,39 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
     return out;
 }
 
+/// Sets from which of the speeds on Hill's series settles (hill_motions.h), and its harmonics
+/// there, the most that are needed as a rule: they lie 2 x speed apart, so that at low speed none
+/// are enough. Speeds are given up from below, by powers of two; those above are judged when they
+/// are used.
+/// @throws NotSettled where the series does not settle at the fastest speed either.
+void settle_series(StabilityModel &model, const std::vector<double> &speeds) {
+    std::vector<double> moduli;
+    for (const double speed : speeds)
+        if (speed != 0)
+            moduli.push_back(std::abs(speed));
+    std::ranges::sort(moduli);
+    model.harmonics = 1;
+    if (moduli.empty())
+        return; // at rest the terms of the series do not see each other
+    const MotionSolver solver(model, balancers::arrangement_at_balance(model.rotor));
+    for (std::size_t first = 0;;) {
+        try {
+            (void)solver.at(moduli[first]);
+            model.harmonics = solver.harmonics();
+            model.from = first == 0 ? 0 : moduli[first];
+            return;
+        } catch (const model::AnalysisFailure &) {
+            // A series that cannot even be solved at this speed is not enough either.
+            if (moduli[first] == moduli.back())
+                throw;
+        }
+        // The next rung: twice as fast.
+        const double faster = 2 * moduli[first];
+        while (first + 1 < moduli.size() && moduli[first] < faster)
+            ++first;
+    }
+}
+
 } // namespace
 
 StabilityModel stability_model(const model::Case &scene, const std::vector<double> &speeds) {
@@ -260,12 +283,8 @@ StabilityModel stability_model(const model::Case &scene, const std::vector<doubl
         out.form = form;
         for (const double speed : speeds)
             out.top = std::max(out.top, std::abs(speed));
-        if (form == results::Form::hill && !out.reduction) {
-            const HillSeries series = settled_series(
-                scene.rotor, out.order, balancers::arrangement_at_balance(scene.rotor), speeds);
-            out.harmonics = series.harmonics;
-            out.from = series.from;
-        }
+        if (form == results::Form::hill && !out.reduction)
+            settle_series(out, speeds);
     } else if (form != results::Form::general) {
         out.conservative = modes::stiffness_positive(scene.rotor, out.order);
         if (!out.conservative) {

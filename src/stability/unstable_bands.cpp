@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace whirl::stability {
 
@@ -99,10 +98,7 @@ double end_towards(const MotionsAt &at, const Known &known, double unstable, dou
 /// @param beyond  the next band, or the border of the range
 bool lost_in_noise(const MotionsAt &at, double end, double inside, double beyond) {
     const auto largest = [&at](double speed) { // whether or not rounding could make it of zero
-        double real = -std::numeric_limits<double>::infinity();
-        for (const Motion &motion : at(speed))
-            real = std::max(real, motion.value.real());
-        return real;
+        return fastest_growing(at(speed)).value.real();
     };
     const double near = std::min(std::abs(inside - end) / 2, 1e-3 * std::abs(end));
     const double growth = largest(end + std::copysign(near, inside - end));
@@ -186,11 +182,11 @@ double band_end(const MotionsAt &at, double stable, double unstable, double tole
     const GrowthAlong::Look first = along(stable);
     const double decline = first.motion.value.real();
     // At the stable end two motions that neither grow nor die out.
-    bool meets = std::abs(decline) <= first.motion.noise && first.apart > 0;
+    bool meets = first.motion.neutral() && first.apart > 0;
     if (meets) {
         bracket.unstable_at(unstable, along.growth() * along.growth());
         bracket.stable_at(stable, -first.apart * first.apart / 4);
-    } else if (decline < -first.motion.noise) {
+    } else if (first.motion.decays()) {
         bracket.unstable_at(unstable, along.growth());
         bracket.stable_at(stable, decline);
     }
@@ -198,9 +194,9 @@ double band_end(const MotionsAt &at, double stable, double unstable, double tole
         const double next = bracket.next();
         const GrowthAlong::Look look = along(next);
         const double growth = look.motion.value.real();
-        const bool decays = growth < -look.motion.noise;
+        const bool decays = look.motion.decays();
         // Within the noise: unstable where the other side decays (a root), else not.
-        if (bracket.decays() && !meets ? growth > 0 : growth > look.motion.noise) {
+        if (bracket.decays() && !meets ? growth > 0 : look.motion.grows()) {
             bracket.unstable_at(next, meets ? growth * growth : growth);
             along.move_to(look.motion);
             continue;

@@ -9,6 +9,7 @@
 #include "stability/periodic_motions.h"
 #include "stability/unstable_bands.h"
 #include "support/balancer_scenes.h"
+#include "support/looked_at.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
@@ -77,10 +78,10 @@ class RandomRotor : public testing::TestWithParam<unsigned> {};
 // Hill's series settles to 1e-8 of the speed.
 TEST_P(RandomRotor, MotionsAreThoseOfHillsSeries) {
     const model::Rotor rotor = random_rotor(GetParam());
-    const stability::MotionSolver hill(rotor, results::Form::hill, rotor.shaft.order, balls(rotor),
-                                       1);
-    const stability::MotionSolver monodromy(rotor, results::Form::hill, rotor.shaft.order,
-                                            balls(rotor), 0, nullptr, 700);
+    const stability::MotionSolver hill(
+        tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), balls(rotor));
+    const stability::MotionSolver monodromy(
+        tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 0, 700), balls(rotor));
     const std::vector<double> speeds{190, 333, 640};
     (void)monodromy.by_monodromy()->good_shapes(speeds); // as a search for bands begins
     int compared = 0;
@@ -128,7 +129,8 @@ TEST(HillSeries, EndsOfBandsAreItsOwn) {
     const auto bands =
         analyses::unstable_bands_of(tests::scene_of(rotor, 680, 720, 11), {}, false).bands;
     ASSERT_EQ(bands.size(), 1U);
-    const stability::MotionSolver series(rotor, results::Form::hill, rotor.shaft.order, {}, 1);
+    const stability::MotionSolver series(
+        tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), {});
     const auto grows = [&series](double speed) {
         return stability::growth_of(series.at(speed)) > 0;
     };
@@ -168,7 +170,8 @@ TEST(HillSeries, NarrowBandsOfADampedElasticRotorAreTheSameOnEveryGridAndItsOwn)
     ASSERT_EQ(bands.size(), 7U);
     ASSERT_EQ(again.size(), bands.size());
     EXPECT_NEAR(bands[2].second - bands[2].first, 0.233, 0.001);
-    const stability::MotionSolver series(rotor, results::Form::hill, rotor.shaft.order, {}, 1);
+    const stability::MotionSolver series(
+        tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 1), {});
     const auto grows = [&series](double speed) {
         return stability::growth_of(series.at(speed)) > 0;
     };
@@ -219,8 +222,8 @@ TEST(HillSeries, NarrowBandAtTheBorderOfTheRange) {
 TEST(HillSeries, KindsOfEnds) {
     for (const double c : {0.0, 60.0}) {
         const model::Rotor rotor = flexible_rotor(c);
-        const stability::MotionSolver solver(rotor, results::Form::hill, rotor.shaft.order, {}, 0,
-                                             nullptr, 700);
+        const stability::MotionSolver solver(
+            tests::looked_at(rotor, results::Form::hill, rotor.shaft.order, 0, 700), {});
         const auto at = [&solver](double speed) { return solver.at(speed); };
         const auto bands = stability::unstable_bands(at, {690, 695, 700});
         ASSERT_GE(bands.size(), 1U) << c;

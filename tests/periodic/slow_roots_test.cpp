@@ -7,6 +7,7 @@
 #include "results/campbell.h"
 #include "stability/motions.h"
 #include "stability/periodic_motions.h"
+#include "support/looked_at.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +38,8 @@ model::Rotor drum() {
 }
 
 stability::MotionSolver solver_of(const model::Rotor &rotor) {
-    return {rotor, results::Form::hill, 2, balancers::arrangement_at_balance(rotor), 0, nullptr,
-            top};
+    return {tests::looked_at(rotor, results::Form::hill, 2, 0, top),
+            balancers::arrangement_at_balance(rotor)};
 }
 
 /// At rest, turned by an angle, with all unknowns: the largest real part of the modes.

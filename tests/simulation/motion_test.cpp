@@ -14,6 +14,7 @@
 #include "stability/motions.h"
 #include "support/balancer_parts.h"
 #include "support/balancer_scenes.h"
+#include "support/looked_at.h"
 #include "support/ring_scenes.h"
 #include "support/rotating_rates.h"
 
@@ -141,7 +142,7 @@ TEST(SmallMotionsOfAnAsymmetricRotor, HaveTheEigenvaluesOfTheRotatingFrame) {
         EXPECT_LT(still.cwiseAbs().maxCoeff(), 1e-9 * speed * speed);
         const Eigen::VectorXcd found = rates.jacobian().eigenvalues();
         const Spectrum values(found.begin(), found.end());
-        const stability::MotionSolver solver(r, results::Form::rotating, 1, balanced, 0);
+        const stability::MotionSolver solver(looked_at(r, results::Form::rotating, 1), balanced);
         const auto motions = solver.at(speed);
         EXPECT_GE(motions.size(), 8U);
         for (const stability::Motion &motion : motions)

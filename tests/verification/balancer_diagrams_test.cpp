@@ -7,9 +7,9 @@
 #include "balancers/arrangement.h"
 #include "closed_form/pendulum_small_motions.h"
 #include "results/formulation.h"
-#include "stability/hill/hill_harmonics.h"
 #include "stability/motions.h"
 #include "support/balancer_scenes.h"
+#include "support/looked_at.h"
 #include "two_plane_rotor.h"
 
 #include <Eigen/Dense>
@@ -61,8 +61,8 @@ TEST(TwoPlaneDiagram, HopfBoundsForDynamicImbalance) {
 // root swings with that period, to 0.3 %, for the cycle has a finite size.
 TEST(TwoPlaneDiagram, LimitCycleIsBornAtTheBound) {
     const model::Case scene = dynamic_rotor(.01, .01);
-    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1,
-                                         balancers::arrangement_at_balance(scene.rotor), 0);
+    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                                         balancers::arrangement_at_balance(scene.rotor));
     const auto motions = solver.at(3.386);
     const auto critical =
         std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
@@ -96,8 +96,8 @@ model::Case on_anisotropic_supports() {
 
 double growth_on_anisotropic_supports(double speed) {
     const model::Case scene = on_anisotropic_supports();
-    const stability::MotionSolver solver(scene.rotor, results::Form::hill, 1,
-                                         balancers::arrangement_at_balance(scene.rotor), 6);
+    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::hill, 1, 6),
+                                         balancers::arrangement_at_balance(scene.rotor));
     return stability::growth_of(solver.at(speed));
 }
 
@@ -171,11 +171,11 @@ TEST(TwoPlaneDiagram, GrowthOnAnisotropicSupportsIsThatOfThePublishedEquations) 
 // One harmonic gives a series that looks settled below the spin speed and is wrong at it (growth
 // 0.047 at 2.5): the number chosen must give the growth of the published equations.
 TEST(TwoPlaneDiagram, HarmonicsChosenForANarrowRange) {
-    const model::Case scene = on_anisotropic_supports();
-    const balancers::Arrangement balls = balancers::arrangement_at_balance(scene.rotor);
+    model::Case scene = on_anisotropic_supports();
+    scene.reduction = false;
     const std::vector<double> speeds = model::SpeedRange{2.3, 2.9, 25}.values();
-    const int harmonics = stability::settled_series(scene.rotor, 1, balls, speeds).harmonics;
-    const stability::MotionSolver solver(scene.rotor, results::Form::hill, 1, balls, harmonics);
+    const stability::MotionSolver solver(stability::stability_model(scene, speeds),
+                                         balancers::arrangement_at_balance(scene.rotor));
     for (const double speed : {2.3, 2.5, 2.9})
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), PublishedEquations(speed).growth(),
                     1e-7)

@@ -9,6 +9,7 @@
 #include "results/whirl.h"
 #include "stability/motions.h"
 #include "stability/unstable_bands.h"
+#include "support/looked_at.h"
 #include "support/rotating_scenes.h"
 
 #include <gtest/gtest.h>
@@ -66,8 +67,10 @@ class Onset : public testing::TestWithParam<Mesh> {};
 TEST_P(Onset, IsTheFirstForwardCriticalSpeed) {
     // The growth just above the onset is eta w (W - w)/2 = 4e-10 1/s at 1e-8 above it.
     for (const double eta : {1e-6, 1e-8}) {
-        const stability::MotionSolver solver(jeffcott_rotor(GetParam(), eta),
-                                             results::Form::general, GetParam().order, {}, 0);
+        const stability::MotionSolver solver(tests::looked_at(jeffcott_rotor(GetParam(), eta),
+                                                              results::Form::general,
+                                                              GetParam().order),
+                                             {});
         const auto bands = stability::unstable_bands(
             [&solver](double speed) { return solver.at(speed); }, {150, 190, 230, 300, 400});
         const double critical = first_forward_critical_speed(GetParam());

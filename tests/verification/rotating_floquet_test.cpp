@@ -7,6 +7,7 @@
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "support/balancer_parts.h"
+#include "support/looked_at.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -98,7 +99,8 @@ class TwoRoutes : public testing::TestWithParam<Scene> {
 };
 
 TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
-    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1, balls, 0);
+    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                                         balls);
     for (const double share : {0.3, 0.8}) {
         const double speed = scene.from + share * (scene.to - scene.from);
         const tests::PeriodicSystem system = periodic(speed);
@@ -117,7 +119,8 @@ TEST_P(TwoRoutes, MultipliersAreTheExponentialsOfTheEigenvalues) {
 TEST_P(TwoRoutes, BandsAreUnstableInsideAndStableBeside) {
     const auto bands = analyses::unstable_bands_of(at, balls, false).bands;
     EXPECT_GE(bands.size(), static_cast<std::size_t>(scene.fewest_bands));
-    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1, balls, 0);
+    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                                         balls);
     for (const auto &[from, to] : bands) {
         for (const double share : {0.1, 0.6}) {
             const double speed = from + share * (to - from);

@@ -5,11 +5,11 @@
 #include "analyses/stability_map.h"
 #include "model/errors.h"
 #include "results/formulation.h"
-#include "stability/hill/hill_harmonics.h"
 #include "stability/motions.h"
 #include "stability/rotor_at_speeds.h"
 #include "stability/unstable_bands.h"
 #include "support/balancer_parts.h"
+#include "support/looked_at.h"
 #include "support/periodic_system.h"
 #include "support/rotating_scenes.h"
 
@@ -84,7 +84,7 @@ class Hill : public testing::TestWithParam<Scene> {
 TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
     ASSERT_EQ(model.form, results::Form::hill);
     EXPECT_GE(model.harmonics, 1);
-    const stability::MotionSolver solver(rotor, model.form, model.order, {}, model.harmonics);
+    const stability::MotionSolver solver(model, {});
     for (const double speed : {140.0, 260.0, 420.0}) {
         Values low;
         for (const stability::Motion &motion : solver.at(speed))
@@ -101,8 +101,8 @@ TEST_P(Hill, MultipliersAreTheExponentialsOfTheEigenvalues) {
 }
 
 TEST_P(Hill, GrowthIsThatOfTheMultipliers) {
-    const stability::MotionSolver series(rotor, model.form, model.order, {}, model.harmonics);
-    const stability::MotionSolver monodromy(rotor, model.form, model.order, {}, 0);
+    const stability::MotionSolver series(model, {});
+    const stability::MotionSolver monodromy(tests::looked_at(rotor, model.form, model.order), {});
     scene.reduction = true; // bands by the monodromy matrix
     const auto bands = analyses::unstable_bands_of(scene, {}, false).bands;
     EXPECT_GE(bands.size(), 1U);
@@ -160,12 +160,12 @@ TEST(HillForm, SaysSoWhereTheSeriesDoesNotSettle) {
 TEST(HillForm, LeavesOutSpeedsThatAreTooSlow) {
     const model::Rotor rotor = rigid_rotor();
     const assembly::Discretization d(rotor, rotor.shaft.order);
-    const auto series = stability::settled_series(rotor, rotor.shaft.order, {},
-                                                  model::SpeedRange{0, 450, 181}.values());
+    model::Case whole = tests::scene_of(rotor, 0, 450, 181);
+    whole.reduction = false;
+    const auto series = stability::stability_model(whole, whole.speeds->values());
     EXPECT_GT(series.from, 0);
     EXPECT_LT(series.from, 200);
-    const stability::MotionSolver solver(rotor, results::Form::hill, rotor.shaft.order, {},
-                                         series.harmonics);
+    const stability::MotionSolver solver(series, {});
     for (const double speed : {series.from, 450.0}) {
         const tests::PeriodicSystem system(d, speed, {});
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(240), 1e-6 * speed)
@@ -194,7 +194,8 @@ TEST(HillForm, FastMotionsThatBearingsDriveAreSeen) {
         bearing.rows[0].k(1, 0) = -2e5;
     }
     for (const int harmonics : {1, 0}) { // 0: the monodromy matrix
-        const stability::MotionSolver solver(rotor, results::Form::hill, 4, {}, harmonics);
+        const stability::MotionSolver solver(
+            tests::looked_at(rotor, results::Form::hill, 4, harmonics), {});
         for (const double speed : {60.0, 70.0, 80.0})
             EXPECT_GT(stability::growth_of(solver.at(speed)), 3.6) << speed;
         EXPECT_NEAR(stability::growth_of(solver.at(60)), 3.714, 5e-4);
@@ -215,7 +216,7 @@ model::Rotor strongly_unequal_rotor() {
 TEST(HillForm, NarrowBandsOfFastMotionsAndNoFalseOnes) {
     const model::Rotor rotor = strongly_unequal_rotor();
     const assembly::Discretization d(rotor, 1);
-    const stability::MotionSolver solver(rotor, results::Form::hill, 1, {}, 1);
+    const stability::MotionSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1), {});
     const auto found = stability::find_bands([&solver](double speed) { return solver.at(speed); },
                                              model::SpeedRange{160, 250, 10}.values());
     EXPECT_TRUE(found.doubtful.empty());
@@ -263,7 +264,8 @@ TEST(HillForm, GrowthOfRandomRotorsIsThatOfTheMultipliers) {
     for (int i = 0; i < 12; ++i) {
         const model::Rotor rotor = random_rigid_rotor(random);
         const assembly::Discretization d(rotor, 1);
-        const stability::MotionSolver solver(rotor, results::Form::hill, 1, {}, 1);
+        const stability::MotionSolver solver(tests::looked_at(rotor, results::Form::hill, 1, 1),
+                                             {});
         for (const double speed : {60.0, 150.0, 310.0, 700.0}) {
             ++asked;
             std::vector<stability::Motion> motions;
@@ -333,7 +335,7 @@ TEST(TwoPlaneBalancer, GrowthIsThatOfTheMultipliers) {
     const model::Case scene = tests::scene_of(rotor, 0.6, 6, 109);
     const stability::StabilityModel model =
         stability::stability_model(scene, scene.speeds->values());
-    const stability::MotionSolver solver(rotor, model.form, 1, balls, model.harmonics);
+    const stability::MotionSolver solver(model, balls);
     for (const double speed : {0.9, 1.5, 2.3, 2.6, 3.4, 5.1}) {
         const tests::PeriodicSystem system(d, speed, balls);
         EXPECT_NEAR(stability::growth_of(solver.at(speed)), system.growth(80), 1e-7 * speed);

@@ -8,6 +8,7 @@
 #include "results/formulation.h"
 #include "stability/motions.h"
 #include "support/balancer_scenes.h"
+#include "support/looked_at.h"
 #include "two_plane_rotor.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +28,8 @@ model::Case published_rotor(double eccentricity, double ball_mass) {
 }
 
 double growth_at(const model::Case &scene, double speed) {
-    const stability::MotionSolver solver(scene.rotor, results::Form::rotating, 1,
-                                         balancers::arrangement_at_balance(scene.rotor), 0);
+    const stability::MotionSolver solver(tests::looked_at(scene.rotor, results::Form::rotating, 1),
+                                         balancers::arrangement_at_balance(scene.rotor));
     return stability::growth_of(solver.at(speed));
 }
 

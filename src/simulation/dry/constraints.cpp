@@ -13,9 +13,11 @@ using Eigen::Index;
 void RotorMotion::set_dry(DryState dry) {
     _dry = std::move(dry);
     const std::size_t n = _free_equations.size();
+    _dry.resists.resize(n, false);
+    _dry.slip.resize(n, 0);
     _friction.assign(n, {});
-    _multipliers.assign(_dry.gaps.size() + n, 0.0);
-    if (!_dry.any())
+    _multipliers.assign(_dry.any() ? _dry.gaps.size() + n : 0, 0.0);
+    if (_multipliers.empty())
         return;
     const Index columns = 2 + static_cast<Index>(_multipliers.size());
     for (Eigen::MatrixXd *values : {&_forces, &_planes, &_loads})
@@ -27,7 +29,7 @@ void RotorMotion::add_sliding(std::size_t i, balancers::MassEquation &e) const {
     DryTorque &f = _friction[i];
     f = {};
     f.row = e.u;
-    if (!_dry.resists.empty() && _dry.resists[i] && _dry.slip[i] != 0 && !_frictionless) {
+    if (_dry.resists[i] && _dry.slip[i] != 0 && !_frictionless) {
         const double lever = _dry.slip[i] * e.lever;
         f.row += lever * e.normal_y;
         e.b += lever * (e.normal + e.normal_y.head<2>().dot(_base));
@@ -38,15 +40,14 @@ void RotorMotion::add_sliding(std::size_t i, balancers::MassEquation &e) const {
 int RotorMotion::add_constraint_columns() const {
     _constraints.clear();
     std::fill(_multipliers.begin(), _multipliers.end(), 0.0);
-    if (!_dry.any() || _frictionless)
+    if (_multipliers.empty() || _frictionless)
         return 0;
     for (std::size_t i = 0; i < _free_equations.size(); ++i)
-        if (!_dry.resists.empty() && _dry.stands(i))
+        if (_dry.stands(i))
             _constraints.push_back({-1, static_cast<int>(i), _dry.gaps.size() + i});
     for (std::size_t k = 0; k < _dry.gaps.size(); ++k) {
         const Gap &gap = _dry.gaps[k];
-        const bool held = !_dry.resists.empty() &&
-                          _dry.stands(static_cast<std::size_t>(gap.first)) &&
+        const bool held = _dry.stands(static_cast<std::size_t>(gap.first)) &&
                           _dry.stands(static_cast<std::size_t>(gap.second));
         if (_dry.closed[k] && !held) // two that stand need not press on each other
             _constraints.push_back({gap.first, gap.second, k});
@@ -131,7 +132,7 @@ void RotorMotion::settle_friction() const {
                               e.normal_y.dot(_planes.col(0).segment<4>(4 * _plane_of[i]));
         _friction[i].limit = e.lever * normal;
         _friction[i].normal = normal;
-        if (!_dry.resists.empty() && _dry.resists[i])
+        if (_dry.resists[i])
             e.friction += _dry.slip[i] * e.lever * normal;
     }
 }

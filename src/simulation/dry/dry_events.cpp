@@ -40,9 +40,8 @@ double cubic(double a, double da, double b, double db, double length, double s) 
 
 } // namespace
 
-DryEvents::DryEvents(RotorMotion &motion, double scale,
-                     std::function<std::unique_ptr<OdeSolver>()> solver)
-    : _motion(motion), _scale(scale), _make_solver(std::move(solver)),
+DryEvents::DryEvents(RotorMotion &motion, double scale, std::unique_ptr<OdeSolver> solver)
+    : _motion(motion), _scale(scale), _solver(std::move(solver)),
       _rates(static_cast<std::size_t>(motion.size())) {}
 
 void DryEvents::begin(double t, Eigen::VectorXd &state) {
@@ -109,8 +108,6 @@ std::optional<DryEvents::Event> DryEvents::within(double from, const Eigen::Vect
     }
     if (suspects.empty())
         return std::nullopt;
-    if (!_solver)
-        _solver = _make_solver();
     const auto state_at = [&](double since) {
         if (from + since <= from + 1e-14 * std::abs(from))
             return before.data();

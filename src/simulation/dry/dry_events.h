@@ -13,10 +13,9 @@ namespace whirl::simulation {
 /// begin to move. Found as roots between the ends of a step, which is integrated again.
 class DryEvents {
   public:
-    /// @param scale  rad/s: of the rates of the parts
-    /// @param solver makes one for the motion
-    DryEvents(RotorMotion &motion, double scale,
-              std::function<std::unique_ptr<OdeSolver>()> solver);
+    /// @param scale   rad/s: of the rates of the parts
+    /// @param solver  of the motion, for steps that are integrated again
+    DryEvents(RotorMotion &motion, double scale, std::unique_ptr<OdeSolver> solver);
 
     /// Touching and standing parts at the start, all others move.
     void begin(double t, Eigen::VectorXd &state);
@@ -39,7 +38,6 @@ class DryEvents {
   private:
     RotorMotion &_motion;
     double _scale;
-    std::function<std::unique_ptr<OdeSolver>()> _make_solver;
     std::unique_ptr<OdeSolver> _solver;
     std::vector<double> _rates;
     long _impacts = 0;

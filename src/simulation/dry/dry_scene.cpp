@@ -44,19 +44,15 @@ void add_gaps(const balancers::TouchingRow &row, int first, const std::vector<do
 DryState dry_state(const MovingParts &parts, const std::vector<double> &angles, double rate) {
     DryState dry;
     dry.rate = rate;
-    std::vector<bool> resists;
     for (const FreeParts &free : parts.free) {
-        const int first = static_cast<int>(resists.size());
+        const int first = static_cast<int>(dry.resists.size());
         for (const balancers::TouchingRow &row : free.motion->touching())
             add_gaps(row, first, angles, dry.gaps);
         for (int i = 0; i < free.motion->size(); ++i)
-            resists.push_back(free.motion->resists(i));
+            dry.resists.push_back(free.motion->resists(i));
     }
     dry.closed.assign(dry.gaps.size(), false);
-    if (std::ranges::find(resists, true) == resists.end())
-        return dry;
-    dry.resists = resists;
-    dry.slip.assign(resists.size(), 0);
+    dry.slip.assign(dry.resists.size(), 0);
     return dry;
 }
 

@@ -3,6 +3,7 @@
 #include "balancers/parts_motion.h"
 #include "simulation/moving_parts.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,11 +23,13 @@ struct DryState {
     std::vector<Gap> gaps;
     std::vector<bool> closed;  ///< of each gap: its parts stay together while they press
     std::vector<bool> resists; ///< of each free coordinate: it has resistance to rolling
-    /// Of each free coordinate that resists: sense of its motion in the rotor, 0 where it stands.
-    std::vector<int> slip;
+    std::vector<int>
+        slip;        ///< of each: sense of its motion in the rotor; 0: one that resists stands
     double rate = 0; ///< 1/s, at which what a constraint lacks by rounding is made good
 
-    [[nodiscard]] bool any() const { return !gaps.empty() || !slip.empty(); }
+    [[nodiscard]] bool any() const {
+        return !gaps.empty() || std::ranges::find(resists, true) != resists.end();
+    }
     [[nodiscard]] bool stands(std::size_t i) const { return resists[i] && slip[i] == 0; }
 };
 

@@ -1,6 +1,5 @@
-#include "simulation/ode/arkode.h"
-
 #include "linalg/check.h"
+#include "simulation/ode/ode_solver.h"
 #include "simulation/ode/runge_kutta.h"
 
 #include <arkode/arkode_arkstep.h>
@@ -15,6 +14,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace whirl::simulation {
@@ -80,22 +80,85 @@ int linear_combination(int count, double *factors, N_Vector *vectors, N_Vector o
     return 0;
 }
 
-} // namespace
+class Arkode : public OdeSolver {
+  public:
+    Arkode(OdeProblem problem, bool stiff) : OdeSolver(std::move(problem)), _stiff(stiff) {
+        SUNContext context = nullptr;
+        if (SUNContext_Create(nullptr, &context) != 0)
+            throw linalg::SolverError("SUNDIALS: cannot start");
+        _context.reset(context);
+        const int size = this->problem().size;
+        _y.reset(N_VNew_Serial(size, context));
+        _y->ops->nvlinearcombination = linear_combination;
+        if (stiff) {
+            _jacobian.reset(SUNDenseMatrix(size, size, context));
+            _linear.reset(SUNLinSol_Dense(_y.get(), _jacobian.get(), context));
+        }
+    }
 
-struct Arkode::Data {
-    const OdeProblem &problem;
-    bool stiff;
+    [[nodiscard]] double next_step() const override {
+        double step = 0;
+        require(ARKStepGetCurrentStep(_stepper.get(), &step));
+        return step;
+    }
+
+    [[nodiscard]] OdeCounts counts() const override {
+        OdeCounts total = _counts_before;
+        if (!_stepper)
+            return total;
+        long explicit_rates = 0;
+        long implicit_rates = 0;
+        long steps = 0;
+        long failed = 0;
+        void *memory = _stepper.get();
+        require(ARKStepGetNumSteps(memory, &steps));
+        require(ARKStepGetNumErrTestFails(memory, &failed));
+        require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates));
+        total.steps += steps;
+        total.failed += failed;
+        total.rates += explicit_rates + implicit_rates;
+        return total;
+    }
+
+  protected:
+    void start_in_axes(double t, const double *y, double step) override {
+        _counts_before = counts();
+        std::copy(y, y + problem().size, N_VGetArrayPointer(_y.get()));
+        _t = t;
+        create();
+        if (step > 0)
+            require(ARKStepSetInitStep(_stepper.get(), step));
+    }
+
+    double step_in_axes(double end) override {
+        void *memory = _stepper.get();
+        require(ARKStepSetStopTime(memory, end));
+        require(ARKStepEvolve(memory, end, _y.get(), &_t, ARK_ONE_STEP));
+        double last = 0;
+        require(ARKStepGetLastStep(memory, &last));
+        // Ever shorter steps towards a moment at which the rates cease to be numbers.
+        if (_t < end && std::abs(last) < 16 * std::numeric_limits<double>::epsilon() * std::abs(_t))
+            throw linalg::SolverError("the steps become too short to go on");
+        return _t;
+    }
+
+    [[nodiscard]] const double *state_in_axes() const override {
+        return N_VGetArrayPointer(_y.get());
+    }
+
+  private:
+    bool _stiff;
     // In the order of their making; destroyed from the last to the first.
-    Handle<SUNContext, free_context> context = nullptr;
-    Handle<N_Vector, N_VDestroy> y = nullptr;
-    Handle<SUNMatrix, SUNMatDestroy> jacobian = nullptr;
-    Handle<SUNLinearSolver, SUNLinSolFree> linear = nullptr;
-    Handle<void *, free_stepper> stepper = nullptr;
-    double t = 0;
-    OdeCounts before = {}; ///< of what ran before the last start
+    Handle<SUNContext, free_context> _context = nullptr;
+    Handle<N_Vector, N_VDestroy> _y = nullptr;
+    Handle<SUNMatrix, SUNMatDestroy> _jacobian = nullptr;
+    Handle<SUNLinearSolver, SUNLinSolFree> _linear = nullptr;
+    Handle<void *, free_stepper> _stepper = nullptr;
+    double _t = 0;
+    OdeCounts _counts_before; ///< of what ran before the last start
 
     static int rates(double t, N_Vector y, N_Vector out, void *self) {
-        const auto &problem = static_cast<Data *>(self)->problem;
+        const OdeProblem &problem = static_cast<Arkode *>(self)->problem();
         double *values = N_VGetArrayPointer(out);
         problem.rates_in_axes(t, N_VGetArrayPointer(y), values);
         // A trial step that is far too long may overflow: it is repeated with a shorter one.
@@ -105,7 +168,7 @@ struct Arkode::Data {
     }
 
     static int weights(N_Vector y, N_Vector out, void *self) {
-        const auto &problem = static_cast<Data *>(self)->problem;
+        const OdeProblem &problem = static_cast<Arkode *>(self)->problem();
         double *values = N_VGetArrayPointer(out);
         problem.allowed_error(N_VGetArrayPointer(y), values);
         for (int i = 0; i < problem.size; ++i)
@@ -114,22 +177,22 @@ struct Arkode::Data {
     }
 
     void create() {
-        stepper.reset(ARKStepCreate(stiff ? nullptr : rates, stiff ? rates : nullptr, t, y.get(),
-                                    context.get()));
-        if (!stepper)
+        _stepper.reset(ARKStepCreate(_stiff ? nullptr : rates, _stiff ? rates : nullptr, _t,
+                                     _y.get(), _context.get()));
+        if (!_stepper)
             throw linalg::SolverError("the integrator cannot start");
-        void *memory = stepper.get();
+        void *memory = _stepper.get();
         require(ARKStepSetErrHandlerFn(memory, silent, nullptr));
         require(ARKStepSetUserData(memory, this));
         require(ARKStepWFtolerances(memory, weights));
         require(ARKStepSetMaxNumSteps(memory, -1));
         require(ARKStepSetInterpolantType(memory, ARK_INTERP_LAGRANGE));
-        if (!stiff) {
+        if (!_stiff) {
             set_explicit_table();
             return;
         }
         require(ARKStepSetTableNum(memory, ARKODE_ARK548L2SA_DIRK_8_4_5, ARKODE_ERK_NONE));
-        require(ARKStepSetLinearSolver(memory, linear.get(), jacobian.get()));
+        require(ARKStepSetLinearSolver(memory, _linear.get(), _jacobian.get()));
         require(ARKStepSetDeduceImplicitRhs(memory, 1));
     }
 
@@ -145,83 +208,15 @@ struct Arkode::Data {
             throw linalg::SolverError("the integrator cannot start");
         // The estimate is the error of order 7, and the solution goes on with order 8: it is taken
         // as it is.
-        require(ARKStepSetErrorBias(stepper.get(), 1.0));
-        require(ARKStepSetTables(stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
+        require(ARKStepSetErrorBias(_stepper.get(), 1.0));
+        require(ARKStepSetTables(_stepper.get(), pair.order, pair.embedded, nullptr, table.get()));
     }
 };
 
-Arkode::Arkode(const OdeProblem &problem, bool stiff)
-    : _data(std::make_unique<Data>(Data{problem, stiff})) {
-    Data &d = *_data;
-    SUNContext context = nullptr;
-    if (SUNContext_Create(nullptr, &context) != 0)
-        throw linalg::SolverError("SUNDIALS: cannot start");
-    d.context.reset(context);
-    d.y.reset(N_VNew_Serial(problem.size, context));
-    d.y->ops->nvlinearcombination = linear_combination;
-    if (stiff) {
-        d.jacobian.reset(SUNDenseMatrix(problem.size, problem.size, context));
-        d.linear.reset(SUNLinSol_Dense(d.y.get(), d.jacobian.get(), context));
-    }
-}
+} // namespace
 
-Arkode::~Arkode() = default;
-
-void Arkode::start(double t, const double *y, double step) {
-    Data &d = *_data;
-    d.before = counts();
-    std::copy(y, y + d.problem.size, N_VGetArrayPointer(d.y.get()));
-    d.t = t;
-    d.create();
-    if (step > 0)
-        require(ARKStepSetInitStep(d.stepper.get(), step));
-}
-
-double Arkode::step(double end) {
-    Data &d = *_data;
-    require(ARKStepSetStopTime(d.stepper.get(), end));
-    require(ARKStepEvolve(d.stepper.get(), end, d.y.get(), &d.t, ARK_ONE_STEP));
-    // Ever shorter steps towards a moment at which the rates cease to be numbers.
-    if (d.t < end &&
-        std::abs(last_step()) < 16 * std::numeric_limits<double>::epsilon() * std::abs(d.t))
-        throw linalg::SolverError("the steps become too short to go on");
-    return d.t;
-}
-
-const double *Arkode::state() const { return N_VGetArrayPointer(_data->y.get()); }
-
-const double *Arkode::within(double /*share*/) {
-    throw linalg::SolverError("states within a step are not known");
-}
-
-double Arkode::last_step() const {
-    double step = 0;
-    require(ARKStepGetLastStep(_data->stepper.get(), &step));
-    return step;
-}
-
-double Arkode::next_step() const {
-    double step = 0;
-    require(ARKStepGetCurrentStep(_data->stepper.get(), &step));
-    return step;
-}
-
-OdeCounts Arkode::counts() const {
-    OdeCounts total = _data->before;
-    if (!_data->stepper)
-        return total;
-    long explicit_rates = 0;
-    long implicit_rates = 0;
-    long steps = 0;
-    long failed = 0;
-    void *memory = _data->stepper.get();
-    require(ARKStepGetNumSteps(memory, &steps));
-    require(ARKStepGetNumErrTestFails(memory, &failed));
-    require(ARKStepGetNumRhsEvals(memory, &explicit_rates, &implicit_rates));
-    total.steps += steps;
-    total.failed += failed;
-    total.rates += explicit_rates + implicit_rates;
-    return total;
+std::unique_ptr<OdeSolver> arkode(OdeProblem problem, bool stiff) {
+    return std::make_unique<Arkode>(std::move(problem), stiff);
 }
 
 } // namespace whirl::simulation

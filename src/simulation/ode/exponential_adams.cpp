@@ -27,22 +27,23 @@ constexpr int order_every = 3;
 
 } // namespace
 
-ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
-    : _problem(problem), _half(problem.axes.count),
-      _modes(linalg::whole_vectors(problem.axes.linear.eigenvalues.size())),
-      _vectors(problem.axes.linear.vectors), _inverse(problem.axes.linear.inverse),
-      _eigenvalues(parts_of(problem.axes.linear.eigenvalues, _modes)),
-      _reach(adams_reach / problem.axes.linear.eigenvalues.cwiseAbs().maxCoeff()) {
-    const TurningAxes &axes = problem.axes;
-    std::vector<bool> of_vectors(static_cast<std::size_t>(problem.size), false);
+ExponentialAdams::ExponentialAdams(OdeProblem stated)
+    : OdeSolver(std::move(stated)), _half(problem().axes.count),
+      _modes(linalg::whole_vectors(problem().axes.linear.eigenvalues.size())),
+      _vectors(problem().axes.linear.vectors), _inverse(problem().axes.linear.inverse),
+      _eigenvalues(parts_of(problem().axes.linear.eigenvalues, _modes)),
+      _reach(adams_reach / problem().axes.linear.eigenvalues.cwiseAbs().maxCoeff()) {
+    const TurningAxes &axes = problem().axes;
+    const int size = problem().size;
+    std::vector<bool> of_vectors(static_cast<std::size_t>(size), false);
     for (const int first : axes.first)
         std::fill_n(of_vectors.begin() + first, 2 * axes.count, true);
-    for (int i = 0; i < problem.size; ++i)
+    for (int i = 0; i < size; ++i)
         if (!of_vectors[static_cast<std::size_t>(i)])
             _own.push_back(i);
     const Eigen::Index entries = 2 * _modes + static_cast<Eigen::Index>(_own.size());
     for (Point *point : {&_now, &_next, &_between}) {
-        point->y.setZero(problem.size);
+        point->y.setZero(size);
         point->modal.setZero(2 * _modes);
         point->n.setZero(entries);
     }
@@ -51,34 +52,44 @@ ExponentialAdams::ExponentialAdams(const OdeProblem &problem)
     for (Eigen::VectorXd *n : {&_last, &_sum})
         n->setZero(entries);
     for (Eigen::VectorXd *y : {&_rates, &_allowed, &_error})
-        y->setZero(problem.size);
+        y->setZero(size);
     _stack.setZero(linalg::whole_vectors(axes.linear.vectors.rows()), 2);
     _modal_sum.setZero(2 * _modes);
 }
 
-ExponentialAdams::Weights ExponentialAdams::weights_of(const AdamsWeights &weights) const {
-    Weights out{weights.h, parts_of(weights.growth, _modes),
-                Eigen::MatrixXd(2 * _modes, weights.modal.cols()), weights.own};
-    for (Eigen::Index j = 0; j < weights.modal.cols(); ++j)
-        out.modal.col(j) = parts_of(weights.modal.col(j), _modes);
-    return out;
+const ExponentialAdams::Weights &ExponentialAdams::weights_of(double h, double share,
+                                                              std::list<Weights> &known) const {
+    const auto found = std::ranges::find_if(
+        known, [way = share * h](const Weights &w) { return std::abs(w.h / way - 1) < same_step; });
+    if (found != known.end()) {
+        known.splice(known.begin(), known, found);
+        return known.front();
+    }
+    const AdamsWeights made = adams_weights(problem().axes.linear.eigenvalues, h, kept, share);
+    known.push_front({made.h, parts_of(made.growth, _modes),
+                      Eigen::MatrixXd(2 * _modes, made.modal.cols()), made.own});
+    for (Eigen::Index j = 0; j < made.modal.cols(); ++j)
+        known.front().modal.col(j) = parts_of(made.modal.col(j), _modes);
+    if (known.size() > most_weights)
+        known.pop_back();
+    return known.front();
 }
 
 void ExponentialAdams::compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y) {
     _vectors(modal.data(), modal.data() + _modes, _stack.col(0).data(), _stack.col(1).data());
-    for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
+    for (std::size_t i = 0; i < problem().axes.first.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i) * _half;
-        y.segment(_problem.axes.first[i], _half) = _stack.col(0).segment(at, _half);
-        y.segment(_problem.axes.first[i] + _half, _half) = _stack.col(1).segment(at, _half);
+        y.segment(problem().axes.first[i], _half) = _stack.col(0).segment(at, _half);
+        y.segment(problem().axes.first[i] + _half, _half) = _stack.col(1).segment(at, _half);
     }
 }
 
 /// The modal coordinates of the vectors of y, or of its rates.
 void ExponentialAdams::decompose(const Eigen::VectorXd &y, double *modal) {
-    for (std::size_t i = 0; i < _problem.axes.first.size(); ++i) {
+    for (std::size_t i = 0; i < problem().axes.first.size(); ++i) {
         const auto place = static_cast<Eigen::Index>(i) * _half;
-        _stack.col(0).segment(place, _half) = y.segment(_problem.axes.first[i], _half);
-        _stack.col(1).segment(place, _half) = y.segment(_problem.axes.first[i] + _half, _half);
+        _stack.col(0).segment(place, _half) = y.segment(problem().axes.first[i], _half);
+        _stack.col(1).segment(place, _half) = y.segment(problem().axes.first[i] + _half, _half);
     }
     _inverse(_stack.col(0).data(), _stack.col(1).data(), modal, modal + _modes);
 }
@@ -86,7 +97,7 @@ void ExponentialAdams::decompose(const Eigen::VectorXd &y, double *modal) {
 /// @returns whether all rates are numbers.
 bool ExponentialAdams::evaluate(Point &at) {
     ++_counts.rates;
-    _problem.rates_in_axes(0, at.y.data(), _rates.data());
+    problem().rates_in_axes(0, at.y.data(), _rates.data());
     if (!_rates.allFinite())
         return false;
     double *n = at.n.data();
@@ -100,9 +111,9 @@ bool ExponentialAdams::evaluate(Point &at) {
     return true;
 }
 
-void ExponentialAdams::start(double t, const double *y, double /*step*/) {
+void ExponentialAdams::start_in_axes(double t, const double *y, double /*step*/) {
     _t = _end = t;
-    _now.y = Eigen::Map<const Eigen::VectorXd>(y, _problem.size);
+    _now.y = Eigen::Map<const Eigen::VectorXd>(y, problem().size);
     decompose(_now.y, _now.modal.data());
     if (!evaluate(_now))
         throw linalg::SolverError("the motion grows beyond all numbers");
@@ -114,7 +125,7 @@ void ExponentialAdams::start(double t, const double *y, double /*step*/) {
     _twice = false;
     _last_step = 0;
     // So short that the rates bring a few times the error allowed; it soon doubles.
-    _problem.allowed_error(_now.y.data(), _allowed.data());
+    problem().allowed_error(_now.y.data(), _allowed.data());
     Weights whole{0, {}, Eigen::MatrixXd::Zero(2 * _modes, 2), {0, 1}};
     whole.modal.col(1).head(_modes).setOnes();
     const double rate = norm(whole, 1, _now.n);
@@ -175,15 +186,7 @@ void ExponentialAdams::change_step(double h) {
         else
             rescale(ratio);
     }
-    const auto found = std::ranges::find_if(
-        _weights, [h](const Weights &w) { return std::abs(w.h / h - 1) < same_step; });
-    if (found != _weights.end()) {
-        _weights.splice(_weights.begin(), _weights, found);
-        return;
-    }
-    _weights.push_front(weights_of(adams_weights(_problem.axes.linear.eigenvalues, h, kept)));
-    if (_weights.size() > most_weights)
-        _weights.pop_back();
+    (void)weights_of(h, 1, _weights);
 }
 
 void ExponentialAdams::advance(const Weights &w, int count, const Point &from, Point &to) {
@@ -261,7 +264,7 @@ double ExponentialAdams::error(int order) {
     return norm(weights(), order, _sum);
 }
 
-double ExponentialAdams::step(double end) {
+double ExponentialAdams::step_in_axes(double end) {
     if (_left == 0 || end != _end) {
         aim(end);
     } else if (_twice) {
@@ -270,7 +273,7 @@ double ExponentialAdams::step(double end) {
     }
     _twice = false;
     for (;;) {
-        _problem.allowed_error(_now.y.data(), _allowed.data());
+        problem().allowed_error(_now.y.data(), _allowed.data());
         advance(weights(), _order, _now, _next);
         double size = HUGE_VAL;
         if (evaluate(_next)) {
@@ -285,18 +288,8 @@ double ExponentialAdams::step(double end) {
     }
 }
 
-const double *ExponentialAdams::within(double share) {
-    const double part = share * _last_step;
-    auto found = std::ranges::find_if(
-        _within, [part](const Weights &w) { return std::abs(w.h / part - 1) < same_step; });
-    if (found == _within.end()) {
-        _within.push_front(
-            weights_of(adams_weights(_problem.axes.linear.eigenvalues, _last_step, kept, share)));
-        found = _within.begin();
-        if (_within.size() > most_weights)
-            _within.pop_back();
-    }
-    advance(*found, std::min(_valid, _order + 1), _next, _between);
+const double *ExponentialAdams::within_in_axes(double share) {
+    advance(weights_of(_last_step, share, _within), std::min(_valid, _order + 1), _next, _between);
     return _between.y.data();
 }
 

@@ -2,7 +2,7 @@
 
 #include "linalg/lanes/small_products.h"
 #include "simulation/ode/adams_weights.h"
-#include "simulation/ode/integrator.h"
+#include "simulation/ode/ode_solver.h"
 
 #include <Eigen/Core>
 
@@ -18,18 +18,18 @@ namespace whirl::simulation {
 /// Of an OdeProblem whose rates do not depend on time in the turning axes, with its `linear` part.
 /// Steps are equal parts of the way to the next stop, so that the differences last over it; they
 /// change by halves and doubles on the way and freely at a stop.
-class ExponentialAdams : public Integrator {
+class ExponentialAdams : public OdeSolver {
   public:
-    /// @param problem  must outlive this
-    explicit ExponentialAdams(const OdeProblem &problem);
+    explicit ExponentialAdams(OdeProblem problem);
 
-    void start(double t, const double *y, double step) override;
-    double step(double end) override;
-    [[nodiscard]] const double *state() const override { return _now.y.data(); }
-    [[nodiscard]] const double *within(double share) override;
     [[nodiscard]] double next_step() const override { return _h; }
-    [[nodiscard]] double last_step() const override { return _last_step; }
     [[nodiscard]] OdeCounts counts() const override { return _counts; }
+
+  protected:
+    void start_in_axes(double t, const double *y, double step) override;
+    double step_in_axes(double end) override;
+    [[nodiscard]] const double *state_in_axes() const override { return _now.y.data(); }
+    [[nodiscard]] const double *within_in_axes(double share) override;
 
   private:
     static constexpr int most = 12;             ///< order of the estimate
@@ -51,7 +51,6 @@ class ExponentialAdams : public Integrator {
         std::vector<double> own;
     };
 
-    const OdeProblem &_problem;
     Eigen::Index _half;    ///< complex entries of a vector of the axes
     Eigen::Index _modes;   ///< modal coordinates, filled up to whole vectors of the machine
     std::vector<int> _own; ///< entries of y outside the vectors
@@ -86,7 +85,8 @@ class ExponentialAdams : public Integrator {
     /// The vectors that these modal coordinates make, into `_stack` and from there to y.
     void compose(const Eigen::VectorXd &modal, Eigen::VectorXd &y);
     void decompose(const Eigen::VectorXd &y, double *modal);
-    [[nodiscard]] Weights weights_of(const AdamsWeights &weights) const;
+    /// Those of a share of a step h, from the list or new in it, which are the first there then.
+    const Weights &weights_of(double h, double share, std::list<Weights> &known) const;
     void aim(double end);
     void change_step(double h);
     void double_step();

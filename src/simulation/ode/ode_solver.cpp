@@ -1,6 +1,6 @@
 #include "simulation/ode/ode_solver.h"
 
-#include "simulation/ode/arkode.h"
+#include "linalg/check.h"
 #include "simulation/ode/exponential_adams.h"
 
 #include <algorithm>
@@ -21,13 +21,8 @@ void OdeProblem::rates_in_axes(double t, const double *y, double *out) const {
         }
 }
 
-OdeSolver::OdeSolver(OdeProblem problem, OdeMethod method)
-    : _problem(std::move(problem)), _resting(static_cast<std::size_t>(_problem.size)) {
-    if (method == OdeMethod::exponential)
-        _integrator = std::make_unique<ExponentialAdams>(_problem);
-    else
-        _integrator = std::make_unique<Arkode>(_problem, method == OdeMethod::implicit_stiff);
-}
+OdeSolver::OdeSolver(OdeProblem problem)
+    : _problem(std::move(problem)), _resting(static_cast<std::size_t>(_problem.size)) {}
 
 /// exp(i angle) times the vectors of y.
 void OdeSolver::turn(double angle, double *y) const {
@@ -45,7 +40,7 @@ void OdeSolver::turn(double angle, double *y) const {
     }
 }
 
-const double *OdeSolver::in_resting_axes(const double *y, double at) const {
+const double *OdeSolver::in_resting_axes(const double *y, double at) {
     if (_problem.axes.speed == 0)
         return y;
     std::copy(y, y + _problem.size, _resting.begin());
@@ -58,13 +53,26 @@ void OdeSolver::start(double t, const double *y, double step) {
     std::copy(y, y + _problem.size, _resting.begin());
     if (_problem.axes.speed != 0)
         turn(-_problem.axes.speed * t, _resting.data());
-    _integrator->start(t, _resting.data(), step);
+    start_in_axes(t, _resting.data(), step);
 }
 
-const double *OdeSolver::state() const { return in_resting_axes(_integrator->state(), _t); }
+double OdeSolver::step(double end) {
+    _before = _t;
+    return _t = step_in_axes(end);
+}
 
-const double *OdeSolver::within(double share) const {
-    return in_resting_axes(_integrator->within(share), _t - (1 - share) * _integrator->last_step());
+const double *OdeSolver::within(double share) {
+    return in_resting_axes(within_in_axes(share), _t - (1 - share) * (_t - _before));
+}
+
+const double *OdeSolver::within_in_axes(double /*share*/) {
+    throw linalg::SolverError("states within a step are not known");
+}
+
+std::unique_ptr<OdeSolver> ode_solver(OdeProblem problem, OdeMethod method) {
+    if (method == OdeMethod::exponential)
+        return std::make_unique<ExponentialAdams>(std::move(problem));
+    return arkode(std::move(problem), method == OdeMethod::implicit_stiff);
 }
 
 } // namespace whirl::simulation

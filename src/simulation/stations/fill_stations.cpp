@@ -12,17 +12,17 @@ results::PeakInTime Run::refined(std::size_t station, const PeakCandidate &candi
     const reduction::Row &row = _prepared.stations.rows[station];
     // Between two jumps, in the piece that the step belongs to.
     _motion.enter_piece(std::nextafter(candidate.start, HUGE_VAL));
-    OdeSolver solver(problem(), method());
+    const std::unique_ptr<OdeSolver> solver = ode_solver(problem(), method());
     Eigen::Vector2d w;
     double speed = speed_at(candidate.time);
     const auto growth = [&](double since) {
         double t = candidate.start;
-        solver.start(t, candidate.state.data());
+        solver->start(t, candidate.state.data());
         while (t < candidate.start + since)
-            t = solver.step(candidate.start + since);
-        w = _motion.deflection(row, solver.state());
-        speed = _motion.spin(t, solver.state()).speed;
-        return w.dot(_motion.deflection(row, solver.state() + _motion.coordinates()));
+            t = solver->step(candidate.start + since);
+        w = _motion.deflection(row, solver->state());
+        speed = _motion.spin(t, solver->state()).speed;
+        return w.dot(_motion.deflection(row, solver->state() + _motion.coordinates()));
     };
     // A little beyond the bracket, whose ends the polynomial has found.
     const double low =
@@ -57,10 +57,11 @@ void Run::fill_stations(results::SimulateResult &result) {
         result.stations.push_back(station);
     }
     const std::size_t index = results::largest_station(result.stations);
-    results::Waterfall waterfall =
-        _stations->samples().waterfall(index, [this](double t) { return speed_at(t); });
+    results::Waterfall waterfall = _stations->samples().spectra(index);
     if (waterfall.times.empty())
         return;
+    for (const double t : waterfall.times)
+        waterfall.speeds.push_back(speed_at(t));
     waterfall.z = result.stations[index].z;
     waterfall.name = result.stations[index].name;
     result.waterfall = std::move(waterfall);

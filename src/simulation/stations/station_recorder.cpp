@@ -124,10 +124,9 @@ void StationRecorder::step(double t, const double *state) {
         if (t >= _final_from)
             _final[i] = std::max(_final[i], ends[i].w.norm());
     }
-    _samples.each_between(_time, t, [&](std::size_t window, int sample, double time) {
+    for (const auto &[window, sample, time] : _samples.between(_time, t))
         for (std::size_t i = 0; i < _rows.size(); ++i)
             _samples.set(i, window, sample, value_at(w[i], (time - _time) / length));
-    });
     _ends = std::move(ends);
     _time = t;
     _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());

@@ -34,6 +34,19 @@ WindowSamples::WindowSamples(std::size_t stations, double end, double fastest)
                               std::vector<std::complex<double>>(static_cast<std::size_t>(_count))});
 }
 
+std::vector<WindowSamples::Wanted> WindowSamples::between(double from, double to) {
+    std::vector<Wanted> out;
+    for (std::size_t k = _open; k < _starts.size() && _starts[k] <= to; ++k) {
+        const auto time = [&] { return _starts[k] + _next[k] * _spacing; };
+        for (; _next[k] < _count && time() <= to; ++_next[k])
+            if (time() >= from)
+                out.push_back({k, _next[k], time()});
+        if (_next[k] == _count && k == _open)
+            ++_open;
+    }
+    return out;
+}
+
 /// Hann's window, whose mean is a half: a circle of radius A at one of the frequencies gives A.
 results::Waterfall WindowSamples::spectra(std::size_t station) const {
     results::Waterfall out;

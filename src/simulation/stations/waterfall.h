@@ -17,30 +17,19 @@ class WindowSamples {
     WindowSamples(std::size_t stations, double end, double fastest);
 
     [[nodiscard]] double window() const { return _spacing * _count; } ///< s
-    /// Calls want(window, sample, time) for every sample in (from, to], or [from, to] at 0.
-    template <class Want> void each_between(double from, double to, Want &&want) {
-        for (std::size_t k = _open; k < _starts.size() && _starts[k] <= to; ++k) {
-            while (_next[k] < _count && time(k, _next[k]) <= to) {
-                if (time(k, _next[k]) >= from)
-                    want(k, _next[k], time(k, _next[k]));
-                ++_next[k];
-            }
-            if (_next[k] == _count && k == _open)
-                ++_open;
-        }
-    }
+    struct Wanted {
+        std::size_t window;
+        int sample;
+        double time; ///< s
+    };
+    /// The samples in (from, to], or [from, to] at 0, that were not asked for before.
+    [[nodiscard]] std::vector<Wanted> between(double from, double to);
     void set(std::size_t station, std::size_t window, int sample, const Eigen::Vector2d &w) {
         _values[station][window][static_cast<std::size_t>(sample)] = {w(0), w(1)};
     }
 
-    /// Spectra of one station. @param speed_at  spin speed at a time, rad/s
-    template <class Speed>
-    [[nodiscard]] results::Waterfall waterfall(std::size_t station, Speed &&speed_at) const {
-        results::Waterfall out = spectra(station);
-        for (const double t : out.times)
-            out.speeds.push_back(speed_at(t));
-        return out;
-    }
+    /// Spectra of one station; without the speeds.
+    [[nodiscard]] results::Waterfall spectra(std::size_t station) const;
 
   private:
     int _count = 0;      ///< samples in a window
@@ -49,11 +38,6 @@ class WindowSamples {
     std::vector<double> _starts; ///< of the windows, s
     std::vector<int> _next;      ///< sample of each window that comes next
     std::vector<std::vector<std::vector<std::complex<double>>>> _values; ///< station, window
-
-    [[nodiscard]] double time(std::size_t window, int sample) const {
-        return _starts[window] + sample * _spacing;
-    }
-    [[nodiscard]] results::Waterfall spectra(std::size_t station) const;
 };
 
 } // namespace whirl::simulation

@@ -9,24 +9,14 @@ namespace whirl::stability {
 
 namespace {
 
-/// A whole rotor and what it refers to.
-struct Kept {
-    assembly::Discretization discretization;
-    periodic::WholeRotor rotor;
-
-    Kept(const StabilityModel &model, const balancers::Arrangement &arrangement)
-        : discretization(model.rotor, model.order),
-          rotor(discretization, balancers::balancer_elements(model.rotor, arrangement)) {}
-};
-
 /// Bands as the motions of the rotor on few shapes tell what grows in them.
 std::vector<periodic::OpenBand> open_bands(const PeriodicMotions &motions,
                                            const std::vector<SpeedInterval> &bands) {
     std::vector<periodic::OpenBand> out;
     for (const auto &[from, to] : bands) {
         const double middle = (from + to) / 2;
-        const PeriodicMotions::Fastest motion = motions.fastest_growing(middle);
-        out.push_back({middle, to - from, motion.value, motion.frequency});
+        const PeriodicMotions::Listed &fastest = motions.fastest_growing(middle);
+        out.push_back({middle, to - from, fastest.motion.value, fastest.frequency});
     }
     return out;
 }
@@ -43,8 +33,8 @@ std::optional<double> closing_anisotropy(const std::function<StabilityModel(doub
         !as_it_is.model().rotor.damped())
         return std::nullopt;
     const periodic::Family family = [&](double dI) -> std::shared_ptr<const periodic::WholeRotor> {
-        const auto kept = std::make_shared<const Kept>(with(dI), arrangement);
-        return {kept, &kept->rotor};
+        const auto own = std::make_shared<const OwnWholeRotor>(with(dI), arrangement);
+        return {own, &own->rotor};
     };
     constexpr double margin = 1e-9; // bands that are just closed are still seen by rounding
     constexpr double above = 1e-6;  // far enough that something is seen to grow

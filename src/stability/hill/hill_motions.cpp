@@ -16,9 +16,7 @@ using Complex = std::complex<double>;
 using Pairs = std::vector<linalg::ComplexPair>;
 
 constexpr double settled = 1e-8; ///< of the spin speed
-constexpr int fewest = 8;
-/// Where bearings can drive fast motions too (cross coupling, negative damping).
-constexpr int fewest_driven = 24;
+constexpr int fewest_copies = 8;
 /// Motions up to this multiple of the spin speed are looked at in any flexible rotor: pairs of them
 /// resonate at twice and four times the spin speed.
 constexpr double slow_motions = 4;
@@ -52,8 +50,8 @@ double apart(Complex a, Complex b, double repeats) {
 }
 
 HillMotions::HillMotions(const assembly::Discretization &discretization,
-                         std::vector<balancers::BalancerElement> balancers, bool driven, int least)
-    : _discretization(discretization), _balancers(std::move(balancers)), _driven(driven),
+                         std::vector<balancers::BalancerElement> balancers, int fewest, int least)
+    : _discretization(discretization), _balancers(std::move(balancers)), _fewest(fewest),
       _tables(discretization.rotor().bearings_depend_on_speed()), _most(std::max(1, least)),
       _last(_most) {
     const int unknowns = 2 * (discretization.planar_size() + balancers::unknowns_of(_balancers));
@@ -78,8 +76,7 @@ HillMotions::Reach HillMotions::reach(double signed_speed) const {
     const double speed = std::abs(signed_speed);
     const bool rigid = _discretization.rigid();
     const double all = rigid ? std::numeric_limits<double>::infinity() : 0;
-    const auto average =
-        spectrum(signed_speed, 0).eigenvalues(signed_speed, all, _driven ? fewest_driven : fewest);
+    const auto average = spectrum(signed_speed, 0).eigenvalues(signed_speed, all, _fewest);
     double growth = 0;
     double slow = 0;
     double fast = 0; // the fastest of those that grow
@@ -101,11 +98,11 @@ HillMotions::Reach HillMotions::reach(double signed_speed) const {
 
 HillMotions::Found HillMotions::at(double signed_speed) const {
     if (signed_speed == 0) // at rest the terms of the series do not see each other
-        return {spectrum(0, 1).copies(0, 0, _driven ? fewest_driven : fewest).pairs, 1};
+        return {spectrum(0, 1).copies(0, 0, _fewest).pairs, 1};
     const double speed = std::abs(signed_speed);
     const Reach wanted = reach(signed_speed);
     const auto copies = [&](int N) {
-        return spectrum(signed_speed, N).copies(signed_speed, wanted.radius, fewest).pairs;
+        return spectrum(signed_speed, N).copies(signed_speed, wanted.radius, fewest_copies).pairs;
     };
     double worst = 1;
     Pairs before;

@@ -29,10 +29,10 @@ class NotSettled : public model::AnalysisFailure {
 /// bearings drive set a least number.
 class HillMotions {
   public:
-    /// @param driven  bearings can feed energy into any motion
+    /// @param fewest  motions looked at, however fast they are
     /// @param least   harmonics to begin with
     HillMotions(const assembly::Discretization &discretization,
-                std::vector<balancers::BalancerElement> balancers, bool driven, int least);
+                std::vector<balancers::BalancerElement> balancers, int fewest, int least);
 
     struct Found {
         std::vector<linalg::ComplexPair> pairs; ///< Im >= 0, vectors over all terms of the series
@@ -48,7 +48,7 @@ class HillMotions {
   private:
     const assembly::Discretization &_discretization;
     std::vector<balancers::BalancerElement> _balancers;
-    bool _driven;
+    int _fewest;
     bool _tables;
     int _limit; ///< harmonics that are tried at most
     mutable int _most;
