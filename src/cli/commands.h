@@ -47,7 +47,7 @@ struct Command {
     std::function<void(const Run &)> run; ///< case to result to report
 };
 
-/// A row each, in the source of its group (src/cli/CMakeLists.txt).
+/// A row each, in the source of its name.
 Command accuracy_command();
 Command balance_command();
 Command campbell_command();

@@ -2,6 +2,8 @@
 
 #include "analyses/modes.h"
 #include "cli/commands/on_case.h"
+#include "report/reports.h"
+#include "results/modes.h"
 
 namespace whirl::cli {
 

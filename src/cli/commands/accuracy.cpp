@@ -1,8 +1,9 @@
 #include "cli/commands.h"
 
 #include "analyses/accuracy.h"
-#include "analyses/campbell.h"
 #include "cli/commands/on_case.h"
+#include "report/reports.h"
+#include "results/accuracy.h"
 
 namespace whirl::cli {
 
@@ -13,16 +14,6 @@ Command accuracy_command() {
             {},
             {"cases/nelson_mcvaugh"},
             on_case(analyses::accuracy)};
-}
-
-Command campbell_command() {
-    return {"campbell",
-            "whirl speeds and damping over the spin speed",
-            {"speeds", "campbell"},
-            {},
-            {"cases/nelson_mcvaugh",
-             "cases/nelson_mcvaugh --set campbell.modes=4 --set \"campbell.multiples=[1, 2]\""},
-            on_case(analyses::campbell)};
 }
 
 } // namespace whirl::cli
