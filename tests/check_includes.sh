@@ -80,6 +80,6 @@ done < <(find src tests \( -name '*.h' -o -name '*.cpp' \) -exec wc -l {} +)
 most=30
 while read -r count folder; do
   ((count <= most)) || complain "$folder: $count files, a folder of src has at most $most"
-done < <(find src \( -name '*.h' -o -name '*.cpp' \) -printf '%h\n' | sort | uniq -c)
+done < <(find src -type f -printf '%h\n' | sort | uniq -c)
 
 exit "$broken"

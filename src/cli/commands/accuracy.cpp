@@ -2,8 +2,6 @@
 
 #include "analyses/accuracy.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/accuracy.h"
 
 namespace whirl::cli {
 

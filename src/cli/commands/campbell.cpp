@@ -2,8 +2,6 @@
 
 #include "analyses/campbell.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/campbell.h"
 
 namespace whirl::cli {
 

@@ -2,21 +2,8 @@
 
 #include "analyses/critical.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/critical.h"
 
 namespace whirl::cli {
-
-namespace {
-
-void critical(const Run &run) {
-    const bool map = run.arguments.map || run.scene.critical_map;
-    const results::CriticalResult result =
-        run.timed([&] { return analyses::critical_speeds(run.scene, map); });
-    run.deliver(report::describe(run.scene, result));
-}
-
-} // namespace
 
 Command critical_command() {
     return {"critical",
@@ -24,7 +11,10 @@ Command critical_command() {
             {"speeds", "campbell", "operation", "imbalance", "critical_map"},
             {"--map", "--map-bearing"},
             {"cases/compressor_margins --units mm-rpm", "cases/compressor_margins --map"},
-            critical};
+            on_run([](const Run &run) {
+                return analyses::critical_speeds(run.scene,
+                                                 run.arguments.map || run.scene.critical_map);
+            })};
 }
 
 } // namespace whirl::cli

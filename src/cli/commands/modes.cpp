@@ -2,8 +2,6 @@
 
 #include "analyses/modes.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/modes.h"
 
 namespace whirl::cli {
 

@@ -10,26 +10,29 @@
 
 namespace whirl::cli {
 
-/// A command whose analysis needs the case alone.
-template <class Result> auto on_case(Result (*analysis)(const model::Case &)) {
+/// A command that reports what an analysis answers. @param analysis  of the run
+template <class Analysis> auto on_run(const Analysis &analysis) {
     return [analysis](const Run &run) {
-        const Result result = run.timed([&] { return analysis(run.scene); });
+        const auto result = run.timed([&] { return analysis(run); });
         run.deliver(report::describe(run.scene, result));
     };
 }
 
-/// A command whose analysis reads the case again with other values.
+/// The same of an analysis that needs the case alone.
+template <class Result> auto on_case(Result (*analysis)(const model::Case &)) {
+    return on_run([analysis](const Run &run) { return analysis(run.scene); });
+}
+
+/// The same of one that reads the case again with other values.
 template <class Result>
 auto on_cases(Result (*analysis)(const model::Case &, const analyses::CaseWith &)) {
-    return [analysis](const Run &run) {
-        const analyses::CaseWith with = [&run](const std::vector<std::string> &more) {
+    return on_run([analysis](const Run &run) {
+        return analysis(run.scene, [&run](const std::vector<std::string> &more) {
             std::vector<std::string> overrides = run.arguments.overrides;
             overrides.insert(overrides.end(), more.begin(), more.end());
             return input::load_case(run.arguments.scene, overrides);
-        };
-        const Result result = run.timed([&] { return analysis(run.scene, with); });
-        run.deliver(report::describe(run.scene, result));
-    };
+        });
+    });
 }
 
 } // namespace whirl::cli

@@ -2,8 +2,6 @@
 
 #include "analyses/response.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/response.h"
 
 namespace whirl::cli {
 

@@ -2,8 +2,6 @@
 
 #include "analyses/rigid_limit.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/rigid_limit.h"
 
 namespace whirl::cli {
 

@@ -2,8 +2,6 @@
 
 #include "analyses/samples/samples.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/samples.h"
 
 namespace whirl::cli {
 

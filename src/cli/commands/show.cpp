@@ -2,8 +2,6 @@
 
 #include "analyses/show.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/show.h"
 
 namespace whirl::cli {
 

@@ -2,8 +2,6 @@
 
 #include "analyses/stability.h"
 #include "cli/commands/on_case.h"
-#include "report/reports.h"
-#include "results/stability.h"
 
 namespace whirl::cli {
 
