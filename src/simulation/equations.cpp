@@ -176,12 +176,9 @@ void add_masses(const model::Case &scene, const model::Balancer &b, int plane,
 
 void add_all_masses(const model::Case &scene, const assembly::Discretization &d,
                     MotionScene &motion) {
-    const auto &balancers = scene.rotor.balancers;
     std::vector<double> places;
-    for (const model::Balancer &b : balancers) {
-        motion.plane_of.push_back(plane_at(b.z, d, places, motion.parts));
-        add_masses(scene, b, motion.plane_of.back(), motion);
-    }
+    for (const model::Balancer &b : scene.rotor.balancers)
+        add_masses(scene, b, plane_at(b.z, d, places, motion.parts), motion);
     for (const model::Anisotropy &anisotropy : scene.rotor.anisotropies)
         add_anisotropy(anisotropy, plane_at(anisotropy.z, d, places, motion.parts), motion.parts);
     for (const model::Imbalance &imbalance : scene.rotor.imbalances)

@@ -11,8 +11,7 @@ namespace whirl::simulation {
 
 /// A case made ready to move: the parts, and where results come from.
 struct MotionScene {
-    MovingParts parts;
-    std::vector<int> plane_of; ///< of each balancer, index into parts.planes
+    MovingParts parts; ///< the free ones in the order of the balancers
     /// Of a rotor without balancers: wherever something is attached.
     struct Stations {
         std::vector<reduction::Row> rows;

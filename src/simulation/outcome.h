@@ -13,7 +13,7 @@ namespace whirl::simulation {
 /// lags; one that swings by more than 0.05 rad over the last fortieth whirls; else all stands
 /// still, balanced where less than a tenth of the unbalanced amplitude is left.
 ///
-/// Whether that lasts, by the trend over the last half (motion_trend.h), at constant speed: growing
+/// Whether that lasts, by the trend over the last half (trend.h), at constant speed: growing
 /// where the amplitude or its swing, or the swing of the balls grows steadily. Undecided where a
 /// swing dies out that is still large, or balls still creep or the amplitude still falls towards
 /// balance; and where all looks balanced while the eigenvalues promise growth.

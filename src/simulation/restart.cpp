@@ -155,17 +155,17 @@ Eigen::VectorXd state_of(const model::Restart &restart, const model::Case &scene
     return state;
 }
 
-results::MotionSeries series_of(const model::Restart &restart, std::size_t planes,
-                                std::size_t angles) {
+results::MotionSeries series_of(const model::Restart &restart) {
     results::MotionSeries series;
     series.time = restart.series[0];
     series.speed = restart.series[1];
     auto next = restart.series.begin() + 2;
-    for (auto *lists : {&series.amplitude, &series.x, &series.y})
-        for (std::size_t i = 0; i < planes; ++i)
-            lists->push_back(*next++);
-    for (std::size_t i = 0; i < angles; ++i)
-        series.angles.push_back(*next++);
+    const auto planes = std::ssize(restart.largest);
+    for (auto *lists : {&series.amplitude, &series.x, &series.y}) {
+        lists->assign(next, next + planes);
+        next += planes;
+    }
+    series.angles.assign(next, restart.series.end());
     return series;
 }
 

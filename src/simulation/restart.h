@@ -17,7 +17,6 @@ namespace whirl::simulation {
                                        const RotorMotion &motion);
 
 /// The time series of a restart that state_of() has accepted.
-[[nodiscard]] results::MotionSeries series_of(const model::Restart &restart, std::size_t planes,
-                                              std::size_t angles);
+[[nodiscard]] results::MotionSeries series_of(const model::Restart &restart);
 
 } // namespace whirl::simulation

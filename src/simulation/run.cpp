@@ -89,8 +89,8 @@ Eigen::VectorXd steady_motion(const MovingParts &parts) {
 
 std::vector<reduction::Row> recorded_rows(const MotionScene &scene) {
     std::vector<reduction::Row> rows = scene.stations.rows;
-    for (const int plane : scene.plane_of)
-        rows.push_back(scene.parts.planes[static_cast<std::size_t>(plane)].w);
+    for (const FreeParts &free : scene.parts.free)
+        rows.push_back(scene.parts.planes[static_cast<std::size_t>(free.plane)].w);
     return rows;
 }
 
@@ -206,8 +206,7 @@ void Run::begin(const model::Restart *from) {
     if (from) {
         _t = from->time;
         state = state_of(*from, _scene, _motion);
-        _recorder.resume(*from, series_of(*from, _prepared.plane_of.size(),
-                                          static_cast<std::size_t>(_motion.parts().free_angles())));
+        _recorder.resume(*from, series_of(*from));
         _before = {from->energy, from->momentum};
     } else {
         _recorder.output(0, state.data());

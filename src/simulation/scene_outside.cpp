@@ -11,15 +11,6 @@ namespace whirl::simulation {
 
 namespace {
 
-void add_sudden_imbalances(const model::Case &scene, const assembly::Discretization &d,
-                           MotionScene &motion) {
-    for (const model::SuddenImbalance &imbalance : scene.simulate.imbalances) {
-        FixedMass mass = fixed_mass(imbalance, scene, d, motion.parts);
-        mass.from = imbalance.time;
-        motion.parts.fixed.push_back(mass);
-    }
-}
-
 /// Imbalance that would move the rotor as much as the forces and the foundation do, kg m.
 double moment_of_forces(const model::SimulateSettings &s, double mass, double speed) {
     double force = 0;
@@ -87,7 +78,10 @@ std::vector<double> places_of(const model::Case &scene) {
 
 void add_outside(const model::Case &scene, const assembly::Discretization &d, MotionScene &motion) {
     const model::SimulateSettings &s = scene.simulate;
-    add_sudden_imbalances(scene, d, motion);
+    for (const model::SuddenImbalance &imbalance : s.imbalances) {
+        motion.parts.fixed.push_back(fixed_mass(imbalance, scene, d, motion.parts));
+        motion.parts.fixed.back().from = imbalance.time;
+    }
     for (const model::StationForce &force : s.forces)
         motion.parts.excitation.add(motion.parts.rotor.row(d.deflection_at(force.z)), force);
     if (s.base) {

@@ -1,9 +1,10 @@
 #include "simulation/trend.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace whirl::simulation {
 
@@ -14,32 +15,29 @@ constexpr double change_that_counts = 0.1; ///< of log(size): what the eye sees 
 constexpr double standard_errors = 3;
 constexpr double goes_on = 0.5; ///< of the rate over the whole that is left at its end
 
-/// The largest size within a window of time and when it was.
-struct Peak {
-    double time = 0; ///< s
-    double logarithm = 0;
+/// The largest size within each window of time, and when it was.
+struct Peaks {
+    Eigen::ArrayXd times; ///< s
+    Eigen::ArrayXd sizes;
 };
 
-/// Of each of the windows of [from, last time]; sizes below `least` count as that.
-std::vector<Peak> peaks_in_windows(const std::vector<double> &time, const std::vector<double> &size,
-                                   double from, double least) {
+/// Of the windows of [from, last time]; sizes below `least` count as that.
+Peaks peaks_in_windows(const std::vector<double> &time, const std::vector<double> &size,
+                       double from, double least) {
     const double width = (time.back() - from) / windows;
-    std::vector<Peak> peaks;
-    std::vector<double> largest(windows, 0.0);
-    for (int i = 0; i < windows; ++i)
-        peaks.push_back({from + (i + 0.5) * width, 0});
+    Peaks peaks;
+    peaks.times = from + (Eigen::ArrayXd::LinSpaced(windows, 0, windows - 1) + 0.5) * width;
+    Eigen::ArrayXd largest = Eigen::ArrayXd::Zero(windows);
     for (std::size_t i = 0; i < time.size(); ++i) {
         if (time[i] < from)
             continue;
-        const auto window = static_cast<std::size_t>(
-            std::clamp(static_cast<int>((time[i] - from) / width), 0, windows - 1));
-        if (size[i] <= largest[window])
+        const int window = std::clamp(static_cast<int>((time[i] - from) / width), 0, windows - 1);
+        if (size[i] <= largest(window))
             continue;
-        largest[window] = size[i];
-        peaks[window].time = time[i];
+        largest(window) = size[i];
+        peaks.times(window) = time[i];
     }
-    for (std::size_t i = 0; i < largest.size(); ++i)
-        peaks[i].logarithm = std::log(std::max(largest[i], least));
+    peaks.sizes = largest.max(least);
     return peaks;
 }
 
@@ -48,25 +46,15 @@ struct Line {
     double error = 0; ///< standard error of the slope
 };
 
-Line line_through(std::span<const Peak> peaks) {
-    const auto count = static_cast<double>(peaks.size());
-    double middle = 0;
-    double mean = 0;
-    for (const Peak &peak : peaks) {
-        middle += peak.time / count;
-        mean += peak.logarithm / count;
-    }
-    double moment = 0;
-    double spread = 0;
-    for (const Peak &peak : peaks) {
-        moment += (peak.time - middle) * (peak.logarithm - mean);
-        spread += std::pow(peak.time - middle, 2);
-    }
-    const double slope = moment / spread;
-    double residue = 0;
-    for (const Peak &peak : peaks)
-        residue += std::pow(peak.logarithm - mean - slope * (peak.time - middle), 2);
-    return {slope, std::sqrt(residue / (count - 2) / spread)};
+/// Through the logarithms of the last so many peaks.
+Line line_through(const Peaks &peaks, int last) {
+    const Eigen::ArrayXd times = peaks.times.tail(last) - peaks.times.tail(last).mean();
+    const Eigen::ArrayXd logarithms = peaks.sizes.tail(last).log();
+    const Eigen::ArrayXd sizes = logarithms - logarithms.mean();
+    const double spread = times.square().sum();
+    const double slope = (times * sizes).sum() / spread;
+    const double residue = (sizes - slope * times).square().sum();
+    return {slope, std::sqrt(residue / (last - 2) / spread)};
 }
 
 bool significant(const Line &line, double duration) {
@@ -82,13 +70,11 @@ Trend trend_of(const std::vector<double> &time, const std::vector<double> &size,
     if (time.size() != size.size() || time.empty() || time.back() <= from)
         return trend;
     const double least = std::max(noise, std::numeric_limits<double>::min());
-    const std::vector<Peak> peaks = peaks_in_windows(time, size, from, least);
-    const auto nothing = [&](const Peak &peak) { return peak.logarithm <= std::log(least); };
-    if (std::ranges::all_of(peaks, nothing))
+    const Peaks peaks = peaks_in_windows(time, size, from, least);
+    if (peaks.sizes.maxCoeff() <= least) // nothing
         return trend;
-    const std::span<const Peak> all(peaks);
-    const Line whole = line_through(all);
-    const Line end = line_through(all.last(windows / 2));
+    const Line whole = line_through(peaks, windows);
+    const Line end = line_through(peaks, windows / 2);
     const double duration = time.back() - from;
     trend.end_rate = end.slope;
     trend.changing = significant(end, duration / 2);
@@ -104,17 +90,13 @@ std::vector<double> swings_of(const std::vector<double> &time, const std::vector
                               double width) {
     std::vector<double> swings(values.size(), 0.0);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        double low = values[i];
-        double high = values[i];
-        std::size_t j = i;
-        for (; j < values.size() && time[j] <= time[i] + width; ++j) {
-            low = std::min(low, values[j]);
-            high = std::max(high, values[j]);
-        }
-        if (j == values.size() && i > 0 && time.back() < time[i] + width)
-            swings[i] = std::max(high - low, swings[i - 1]); // no whole window is left
-        else
-            swings[i] = high - low;
+        const auto here = static_cast<std::ptrdiff_t>(i);
+        const auto until =
+            std::upper_bound(time.begin() + here, time.end(), time[i] + width) - time.begin();
+        const auto [low, high] = std::minmax_element(values.begin() + here, values.begin() + until);
+        swings[i] = *high - *low;
+        if (i > 0 && time.back() < time[i] + width) // no whole window is left
+            swings[i] = std::max(swings[i], swings[i - 1]);
     }
     return swings;
 }

@@ -89,40 +89,38 @@ class Confirmation {
             _periodic->neutral_next_to(end + inside * inward * width, std::min(width, beyond) / 4);
         return found && inward * found->slope > 0 ? std::optional(found->speed) : std::nullopt;
     }
-    [[nodiscard]] std::optional<SpeedInterval> by_roots(const SpeedInterval &band, double last,
-                                                        double next) const {
+
+    /// The band between the ends that lie near its own as `near` finds them.
+    /// @param last, next  where other bands end and begin
+    template <class Near>
+    [[nodiscard]] std::optional<SpeedInterval> between(const SpeedInterval &band, double last,
+                                                       double next, const Near &near) const {
         const auto [from, to] = band;
         std::optional<double> low = from;
         std::optional<double> high = to;
         if (from > _front)
-            low = root_near(from, 1, to - from, from - last);
+            low = near(from, 1, to - from, from - last);
         if (low && to < _back)
-            high = root_near(to, -1, to - from, next - to);
+            high = near(to, -1, to - from, next - to);
         return low && high && growth(_at, (*low + *high) / 2) > 0
                    ? std::optional(SpeedInterval{*low, *high})
                    : std::nullopt;
     }
 
-    /// @param last, next  where other bands end and begin
     /// @returns nothing where the whole rotor does not agree; it can have none of a narrow one
     [[nodiscard]] std::optional<std::vector<SpeedInterval>> of(const SpeedInterval &band,
                                                                double last, double next) const {
-        if (const auto found = by_roots(band, last, next))
+        const auto root = [this](auto... end) { return root_near(end...); };
+        if (const auto found = between(band, last, next, root))
             return {{*found}};
-        const auto [from, to] = band;
-        const double width = to - from;
         constexpr double narrow = 1e-3;
-        if (width < narrow * std::max(std::abs(from), std::abs(to)))
+        const auto [from, to] = band;
+        if (to - from < narrow * std::max(std::abs(from), std::abs(to)))
             return of_narrow(band, last, next);
-        std::optional<double> low = from;
-        std::optional<double> high = to;
-        if (from > _front)
-            low = end_near(_at, from, 1, width, from - last);
-        if (to < _back)
-            high = end_near(_at, to, -1, width, next - to);
-        if (!low || !high || growth(_at, (*low + *high) / 2) <= 0)
-            return std::nullopt;
-        return {{{*low, *high}}};
+        const auto by_looks = [this](auto... end) { return end_near(_at, end...); };
+        if (const auto found = between(band, last, next, by_looks))
+            return {{*found}};
+        return std::nullopt;
     }
 
     /// By a search of its own around it.

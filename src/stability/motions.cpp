@@ -122,7 +122,7 @@ struct MotionSolver::Data {
     bool tables;
     std::vector<balancers::BalancerElement> balancers;
     int fewest = 8; ///< motions looked at, however fast they are
-    std::unique_ptr<modes::RotatingSpectrum> rotating;
+    std::shared_ptr<const modes::RotatingSpectrum> rotating;
     std::unique_ptr<HillMotions> hill;
     std::unique_ptr<PeriodicMotions> periodic; ///< instead of the series
     assembly::FixedSystem fixed;
@@ -137,7 +137,7 @@ struct MotionSolver::Data {
         if (driven)
             fewest = fewest_driven;
         if (results::in_rotating_axes(form)) {
-            rotating = std::make_unique<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
+            rotating = std::make_shared<modes::RotatingSpectrum>(d, 0, balancers, 0, shapes.get());
             root_K = root_of_diagonal(rotating->system().K);
             root_M = root_of_diagonal(rotating->system().M);
             if (form == results::Form::hill && model.harmonics == 0)
@@ -176,9 +176,9 @@ struct MotionSolver::Data {
     [[nodiscard]] Solved turning(double speed) const {
         if (hill)
             return turning_hill(speed);
-        const auto spectrum =
-            tables ? std::make_shared<modes::RotatingSpectrum>(d, speed, balancers, 0, shapes.get())
-                   : std::shared_ptr<modes::RotatingSpectrum>(rotating.get(), [](auto *) {});
+        const auto spectrum = tables ? std::make_shared<const modes::RotatingSpectrum>(
+                                           d, speed, balancers, 0, shapes.get())
+                                     : rotating;
         return {spectrum->eigenvalues(speed, radius(speed), fewest).pairs, [this, spectrum, speed] {
                     const assembly::RotatingSystem &s = spectrum->system();
                     return RayleighFunctional(Sparse(s.M.view()), Sparse(s.damping(speed).view()),

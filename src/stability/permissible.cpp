@@ -19,29 +19,24 @@ namespace whirl::stability {
 
 namespace {
 
-model::Rotor with_anisotropy(model::Rotor rotor, std::size_t index, double dI) {
-    rotor.anisotropies[index].dI = dI;
-    return rotor;
-}
-
 StabilityModel model_with(StabilityModel model, std::size_t index, double dI) {
-    model.rotor = with_anisotropy(std::move(model.rotor), index, dI);
+    model.rotor.anisotropies[index].dI = dI;
     return model;
 }
 
 /// The dI at which the mass matrix becomes singular: along the axis of smaller inertia the node
 /// has 1/(e^T M^-1 e) to lose.
-double singular_anisotropy(const model::Rotor &rotor, std::size_t index, int order,
+double singular_anisotropy(const StabilityModel &model, std::size_t index,
                            const balancers::Arrangement &arrangement) {
-    const model::Rotor without = with_anisotropy(rotor, index, 0);
-    const assembly::Discretization d(without, order);
+    const model::Rotor without = model_with(model, index, 0).rotor;
+    const assembly::Discretization d(without, model.order);
     const assembly::RotatingSystem system =
         assembly::assemble_rotating(d, 0, balancers::balancer_elements(without, arrangement));
     const Eigen::SparseMatrix<double> M = system.M.view();
     linalg::SparseFactor<double> factors;
     if (!factors.factorize(M))
         throw linalg::SolverError("the mass matrix is singular");
-    const model::Anisotropy &anisotropy = rotor.anisotropies[index];
+    const model::Anisotropy &anisotropy = model.rotor.anisotropies[index];
     double least = std::numeric_limits<double>::infinity();
     for (const double turn : {0.0, std::acos(0.0)}) {
         Eigen::VectorXd e = Eigen::VectorXd::Zero(M.rows());
@@ -88,8 +83,7 @@ class Varied {
         if (_model.form != results::Form::rotating)
             return false;
         const auto count = [&](double value) {
-            const assembly::Discretization d(with_anisotropy(_model.rotor, _index, value),
-                                             _model.order);
+            const assembly::Discretization d(model_with(value).rotor, _model.order);
             return zero_root_speeds(d, _arrangement, true, top).size();
         };
         try {
@@ -363,7 +357,7 @@ permissible_anisotropies(const BandFinder &finder, const std::vector<double> &gr
     std::vector<results::PermissibleAnisotropy> out;
     for (std::size_t i = 0; i < rotor.anisotropies.size(); ++i) {
         const model::Anisotropy &element = rotor.anisotropies[i];
-        const double singular = singular_anisotropy(rotor, i, model.order, arrangement);
+        const double singular = singular_anisotropy(model, i, arrangement);
         const AnisotropyLimit limit =
             anisotropy_limit(assembly::Discretization(rotor, model.order), i);
         const double largest = std::min(0.999 * singular, limit.dI);

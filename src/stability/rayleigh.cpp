@@ -52,7 +52,7 @@ RayleighFunctional::RayleighFunctional(const Sparse &M, const Sparse &D, const S
     : _M(split(M)), _D(split(D)), _K(split(K)) {
     // Sums that cancel, as of neighbouring elements at their node, leave rounding without scale.
     const auto joins_pairs = [&structure](const Entry &a) {
-        return structure.paired > 0 && a.i / structure.block == a.j / structure.block &&
+        return a.i / structure.block == a.j / structure.block &&
                a.i % structure.block < structure.paired && a.j % structure.block < structure.paired;
     };
     for (Entry &a : _K)

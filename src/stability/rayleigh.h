@@ -25,7 +25,7 @@ class RayleighFunctional {
     /// stiffness where it joins x with x or y with y.
     struct Structure {
         int block = 0;
-        int paired = 0; ///< 0: nothing is known
+        int paired = 0;
     };
     RayleighFunctional(const Sparse &M, const Sparse &D, const Sparse &K, Structure structure);
 

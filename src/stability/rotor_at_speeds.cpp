@@ -97,29 +97,36 @@ double inverse_size(const ZeroRootSystem &system, double speed) {
 
 /// At a root the matrix is all but singular and beside it it is not; a root at zero that rounding
 /// blurs leaves no trace at another speed.
-bool leaves_a_trace(const ZeroRootSystem &system, double speed) {
+bool is_at_rest(const ZeroRootSystem &system, double speed, double top) {
+    if (speed >= suspicious * top)
+        return false;
     const double there = inverse_size(system, speed);
-    return there > 10 * inverse_size(system, 0.75 * speed) &&
-           there > 10 * inverse_size(system, 1.3 * speed);
+    const bool leaves_a_trace = there > 10 * inverse_size(system, 0.75 * speed) &&
+                                there > 10 * inverse_size(system, 1.3 * speed);
+    return !leaves_a_trace;
 }
 
 /// A root at zero of several balls comes blurred: of nothing it has a digit right.
 bool is_known(const linalg::ComplexPair &pair) { return 100 * pair.rounding + pair.residual < 0.1; }
 
-/// Those with 0 < Re W <= top and |Im W| < Re W, ascending, equal ones once.
+/// 0 < Re W <= top and |Im W| < Re W.
+/// @param beyond  how far beyond the top, as a factor
+bool is_asked_for(const linalg::ComplexPair &pair, double top, double beyond = 1) {
+    const double speed = pair.value.real();
+    return is_known(pair) && speed > at_rest * top && speed <= beyond * top &&
+           std::abs(pair.value.imag()) < speed;
+}
+
+/// Those that are asked for, ascending, equal ones once.
 std::vector<ZeroRootSpeed> zero_roots(const ZeroRootSystem &system,
                                       const std::vector<linalg::ComplexPair> &pairs, double top) {
     std::vector<ZeroRootSpeed> out;
     for (const linalg::ComplexPair &pair : pairs) {
         const double speed = pair.value.real();
-        const double across = std::abs(pair.value.imag());
-        if (is_known(pair) && speed > at_rest * top && speed <= top && across < speed)
-            out.push_back({speed, across <= 1e-7 * speed});
+        if (is_asked_for(pair, top))
+            out.push_back({speed, std::abs(pair.value.imag()) <= 1e-7 * speed});
     }
-    const auto blurred = [&](const ZeroRootSpeed &root) {
-        return root.speed < suspicious * top && !leaves_a_trace(system, root.speed);
-    };
-    std::erase_if(out, blurred);
+    std::erase_if(out, [&](const auto &root) { return is_at_rest(system, root.speed, top); });
     std::ranges::sort(out, {}, &ZeroRootSpeed::speed);
     const auto same = [](const auto &a, const auto &b) {
         return b.speed - a.speed <= 1e-7 * b.speed;
@@ -214,17 +221,14 @@ std::optional<std::vector<linalg::ComplexPair>> refined(const ZeroRootSystem &sy
     try {
         for (linalg::ComplexPair &pair : pairs_up_to(
                  {reduced(system.K), reduced(system.Ks), reduced(system.Kss)}, beyond * top)) {
-            const double speed = pair.value.real();
-            if (!is_known(pair) || speed <= at_rest * top || speed > beyond * top ||
-                std::abs(pair.value.imag()) >= speed)
+            if (!is_asked_for(pair, top, beyond))
                 continue;
+            const double speed = pair.value.real();
             pair.vector = few.lifted(pair.vector);
-            if (!refine(system, pair)) {
-                if (speed < suspicious * top && !leaves_a_trace(system, speed))
-                    continue; // one at zero
+            if (refine(system, pair))
+                out.push_back(std::move(pair));
+            else if (!is_at_rest(system, speed, top))
                 return std::nullopt;
-            }
-            out.push_back(std::move(pair));
         }
     } catch (const linalg::SolverError &) {
         return std::nullopt;

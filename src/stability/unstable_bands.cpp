@@ -27,18 +27,14 @@ class GrowthAlong {
         for (const Motion &motion : motions)
             likeness.push_back(std::abs(_reference.state.dot(motion.state)));
         const double most = *std::ranges::max_element(likeness);
-        const Motion *best = nullptr;
+        std::vector<Motion> alike;
         for (std::size_t i = 0; i < motions.size(); ++i)
-            if (likeness[i] > 0.7 * most && (best == nullptr || by_growth(*best, motions[i])))
-                best = &motions[i];
-        return {*best, neutral_apart(motions)};
+            if (likeness[i] > 0.7 * most)
+                alike.push_back(motions[i]);
+        return {fastest_growing(alike), neutral_apart(motions)};
     }
     [[nodiscard]] double growth() const { return _reference.value.real(); }
     void move_to(const Motion &motion) { _reference = motion; }
-
-    static bool by_growth(const Motion &a, const Motion &b) {
-        return a.value.real() < b.value.real();
-    }
 
   private:
     const MotionsAt &_at;

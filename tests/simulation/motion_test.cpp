@@ -142,7 +142,8 @@ TEST(SmallMotionsOfAnAsymmetricRotor, HaveTheEigenvaluesOfTheRotatingFrame) {
         EXPECT_LT(still.cwiseAbs().maxCoeff(), 1e-9 * speed * speed);
         const Eigen::VectorXcd found = rates.jacobian().eigenvalues();
         const Spectrum values(found.begin(), found.end());
-        const stability::MotionSolver solver(looked_at(r, results::Form::rotating, 1), balanced);
+        const stability::MotionSolver solver(tests::looked_at(r, results::Form::rotating, 1),
+                                             balanced);
         const auto motions = solver.at(speed);
         EXPECT_GE(motions.size(), 8U);
         for (const stability::Motion &motion : motions)

@@ -36,15 +36,15 @@ double run(OdeSolver &solver, double from, double end) {
 class OdeMethods : public testing::TestWithParam<OdeMethod> {};
 
 TEST_P(OdeMethods, FollowAnOscillation) {
-    OdeSolver solver(oscillator(), GetParam());
+    const auto solver = ode_solver(oscillator(), GetParam());
     const std::array<double, 2> start{1, 0};
-    solver.start(0, start.data());
-    EXPECT_EQ(run(solver, 0, 20), 20); // met exactly
+    solver->start(0, start.data());
+    EXPECT_EQ(run(*solver, 0, 20), 20); // met exactly
     // Some hundred steps with errors up to the tolerance.
-    EXPECT_NEAR(solver.state()[0], std::cos(20), 1e3 * tolerance);
-    EXPECT_NEAR(solver.state()[1], -std::sin(20), 1e3 * tolerance);
-    EXPECT_GT(solver.counts().steps, 0);
-    EXPECT_GE(solver.counts().rates, solver.counts().steps);
+    EXPECT_NEAR(solver->state()[0], std::cos(20), 1e3 * tolerance);
+    EXPECT_NEAR(solver->state()[1], -std::sin(20), 1e3 * tolerance);
+    EXPECT_GT(solver->counts().steps, 0);
+    EXPECT_GE(solver->counts().rates, solver->counts().steps);
 }
 
 // The force jumps at t = 1: x'' = 0 before, 1 after.
@@ -55,17 +55,17 @@ TEST_P(OdeMethods, StartAgainWhereTheRatesJump) {
         rates[0] = y[1];
         rates[1] = force;
     };
-    OdeSolver solver(problem, GetParam());
+    const auto solver = ode_solver(problem, GetParam());
     const std::array<double, 2> start{0, 1};
-    solver.start(0, start.data());
-    run(solver, 0, 1);
-    const long steps = solver.counts().steps;
+    solver->start(0, start.data());
+    run(*solver, 0, 1);
+    const long steps = solver->counts().steps;
     force = 1;
-    const std::array<double, 2> middle{solver.state()[0], solver.state()[1]};
-    solver.start(1, middle.data(), solver.next_step());
-    run(solver, 1, 3);
-    EXPECT_NEAR(solver.state()[0], 3 + 2, 1e-8); // exact for these methods but for rounding
-    EXPECT_GT(solver.counts().steps, steps);     // counted on
+    const std::array<double, 2> middle{solver->state()[0], solver->state()[1]};
+    solver->start(1, middle.data(), solver->next_step());
+    run(*solver, 1, 3);
+    EXPECT_NEAR(solver->state()[0], 3 + 2, 1e-8); // exact for these methods but for rounding
+    EXPECT_GT(solver->counts().steps, steps);     // counted on
 }
 
 TEST_P(OdeMethods, GiveUpInWordsWhereTheRatesAreNoNumbers) {
@@ -74,10 +74,10 @@ TEST_P(OdeMethods, GiveUpInWordsWhereTheRatesAreNoNumbers) {
         rates[0] = y[1];
         rates[1] = t > 0.5 ? NAN : 0;
     };
-    OdeSolver solver(problem, GetParam());
+    const auto solver = ode_solver(problem, GetParam());
     const std::array<double, 2> start{0, 1};
-    solver.start(0, start.data());
-    EXPECT_THROW(run(solver, 0, 1), linalg::SolverError);
+    solver->start(0, start.data());
+    EXPECT_THROW(run(*solver, 0, 1), linalg::SolverError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, OdeMethods,
@@ -133,27 +133,27 @@ class Driven {
 TEST(OdeSolver, ExponentialMethodAgreesWithTheExplicitOneInLongerSteps) {
     const Driven scene;
     const std::array<double, Driven::size> start{1, 0, 1, 0, 500, 0};
-    OdeSolver explicit_one(scene.problem(), OdeMethod::explicit_high_order);
-    OdeSolver exponential(scene.with_linear_part(), OdeMethod::exponential);
-    for (OdeSolver *solver : {&explicit_one, &exponential}) {
+    const auto explicit_one = ode_solver(scene.problem(), OdeMethod::explicit_high_order);
+    const auto exponential = ode_solver(scene.with_linear_part(), OdeMethod::exponential);
+    for (OdeSolver *solver : {explicit_one.get(), exponential.get()}) {
         solver->start(0, start.data());
         run(*solver, 0, 1);
         run(*solver, 1, 2); // another stop
     }
     for (int i = 0; i < Driven::size; ++i) {
         const double size = i == 3 || i == 4 ? 1e3 : 1;
-        EXPECT_NEAR(exponential.state()[i], explicit_one.state()[i], 1e4 * tolerance * size) << i;
+        EXPECT_NEAR(exponential->state()[i], explicit_one->state()[i], 1e4 * tolerance * size) << i;
     }
-    EXPECT_LT(exponential.counts().rates, explicit_one.counts().rates / 4);
-    EXPECT_EQ(exponential.counts().rates - 1,
-              2 * exponential.counts().steps + exponential.counts().failed);
+    EXPECT_LT(exponential->counts().rates, explicit_one->counts().rates / 4);
+    EXPECT_EQ(exponential->counts().rates - 1,
+              2 * exponential->counts().steps + exponential->counts().failed);
 }
 
 // x alone is linear: exact in whatever steps, and within them.
 TEST(OdeSolver, ExponentialMethodIsExactWhereAllIsLinear) {
-    OdeSolver solver(Driven{}.with_linear_part(), OdeMethod::exponential);
+    const auto solver = ode_solver(Driven{}.with_linear_part(), OdeMethod::exponential);
     const std::array<double, Driven::size> start{1, 0, 0, 0, 0, 0};
-    solver.start(0, start.data());
+    solver->start(0, start.data());
     double before = 0;
     double t = 0;
     const double decay = Driven::damping / 2;
@@ -164,9 +164,10 @@ TEST(OdeSolver, ExponentialMethodIsExactWhereAllIsLinear) {
     };
     while (t < 0.1) {
         before = t;
-        t = solver.step(0.1);
-        EXPECT_NEAR(solver.state()[0], exact(t), 1e-3 * Driven::back);
-        EXPECT_NEAR(solver.within(0.3)[0], exact(before + 0.3 * (t - before)), 1e-3 * Driven::back);
+        t = solver->step(0.1);
+        EXPECT_NEAR(solver->state()[0], exact(t), 1e-3 * Driven::back);
+        EXPECT_NEAR(solver->within(0.3)[0], exact(before + 0.3 * (t - before)),
+                    1e-3 * Driven::back);
     }
 }
 
@@ -176,11 +177,11 @@ TEST(OdeSolver, ExponentialMethodGivesUpInWords) {
         std::fill_n(rates, Driven::size, 0.0);
         rates[2] = y[2] < 2 ? 1 + y[2] * y[2] : NAN; // tan t: 2 at t = 1.107
     };
-    OdeSolver solver(problem, OdeMethod::exponential);
+    const auto solver = ode_solver(problem, OdeMethod::exponential);
     const std::array<double, Driven::size> start{};
-    solver.start(0, start.data());
-    EXPECT_THROW(run(solver, 0, 2), linalg::SolverError);
-    EXPECT_NEAR(solver.state()[2], 2, 1e-6);
+    solver->start(0, start.data());
+    EXPECT_THROW(run(*solver, 0, 2), linalg::SolverError);
+    EXPECT_NEAR(solver->state()[2], 2, 1e-6);
 }
 
 // Adams and Bashforth; and of a = i the integrals by hand.
@@ -234,12 +235,12 @@ TEST(OdeSolver, ImplicitMethodStridesOverStiffParts) {
         rates[0] = -1e5 * (y[0] - std::cos(t)) - std::sin(t);
     };
     problem.allowed_error = [](const double *, double *allowed) { allowed[0] = tolerance; };
-    OdeSolver solver(problem, OdeMethod::implicit_stiff);
+    const auto solver = ode_solver(problem, OdeMethod::implicit_stiff);
     const double start = 1;
-    solver.start(0, &start);
-    run(solver, 0, 10);
-    EXPECT_NEAR(solver.state()[0], std::cos(10), 1e2 * tolerance);
-    EXPECT_LT(solver.counts().steps, 20000); // a tenth of what stability would ask for
+    solver->start(0, &start);
+    run(*solver, 0, 10);
+    EXPECT_NEAR(solver->state()[0], std::cos(10), 1e2 * tolerance);
+    EXPECT_LT(solver->counts().steps, 20000); // a tenth of what stability would ask for
 }
 
 } // namespace

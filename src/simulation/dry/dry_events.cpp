@@ -73,21 +73,18 @@ std::vector<double> DryEvents::values(double t, const double *state) {
     return out;
 }
 
-/// A gap that is open at both ends of a step may close in between.
-bool DryEvents::gap_dips(const Gap &gap, const double *before, const double *after, double length,
-                         double &share) const {
+/// A gap that is open at both ends of a step may close in between: after this share of it.
+std::optional<double> DryEvents::dip(const Gap &gap, const double *before, const double *after,
+                                     double length) const {
     const double a = _motion.gap_of(gap, before + _motion.first_angle());
     const double b = _motion.gap_of(gap, after + _motion.first_angle());
     const double da = _motion.opening(gap, before);
     const double db = _motion.opening(gap, after);
-    if (a <= -touching) // they come apart
-        return false;
-    for (int i = 1; i < pieces; ++i) {
-        share = static_cast<double>(i) / pieces;
-        if (cubic(a, da, b, db, length, share) < -touching)
-            return true;
-    }
-    return false;
+    for (int i = 1; i < pieces && a > -touching; ++i) // else they come apart
+        if (const double share = static_cast<double>(i) / pieces;
+            cubic(a, da, b, db, length, share) < -touching)
+            return share;
+    return std::nullopt;
 }
 
 std::optional<DryEvents::Event> DryEvents::within(double from, const Eigen::VectorXd &before,
@@ -99,13 +96,12 @@ std::optional<DryEvents::Event> DryEvents::within(double from, const Eigen::Vect
         if (at_end[i] <= 0)
             suspects.push_back(i);
     const DryState &dry = _motion.dry();
-    for (std::size_t k = 0; k < dry.gaps.size() && suspects.empty(); ++k) {
-        double share = 1;
-        if (!dry.closed[k] && gap_dips(dry.gaps[k], before.data(), after, to - from, share)) {
+    for (std::size_t k = 0; k < dry.gaps.size() && suspects.empty(); ++k)
+        if (const auto share = dip(dry.gaps[k], before.data(), after, to - from);
+            share && !dry.closed[k]) {
             suspects.push_back(k);
-            end *= share;
+            end *= *share;
         }
-    }
     if (suspects.empty())
         return std::nullopt;
     const auto state_at = [&](double since) {
@@ -117,15 +113,14 @@ std::optional<DryEvents::Event> DryEvents::within(double from, const Eigen::Vect
             t = _solver->step(from + since);
         return _solver->state();
     };
-    bool found = false;
+    std::optional<double> moment;
     for (const std::size_t i : suspects)
-        if (const auto moment = first_moment(i, {from, end, state_at})) {
-            end = *moment;
-            found = true;
-        }
-    if (!found)
+        if (const auto earlier = first_moment(i, {from, moment.value_or(end), state_at}))
+            moment = earlier;
+    if (!moment)
         return std::nullopt;
-    return Event{from + end, Eigen::Map<const Eigen::VectorXd>(state_at(end), _motion.size())};
+    return Event{from + *moment,
+                 Eigen::Map<const Eigen::VectorXd>(state_at(*moment), _motion.size())};
 }
 
 /// Seconds after the start of a piece at which a value has become 0; none: it has not, or its parts

@@ -58,8 +58,8 @@ class DryEvents {
     };
 
     [[nodiscard]] std::vector<double> values(double t, const double *state);
-    [[nodiscard]] bool gap_dips(const Gap &gap, const double *before, const double *after,
-                                double length, double &share) const;
+    [[nodiscard]] std::optional<double> dip(const Gap &gap, const double *before,
+                                            const double *after, double length) const;
     [[nodiscard]] std::optional<double> first_moment(std::size_t i, const Piece &piece);
     void jump(double t, Eigen::VectorXd &state, const Eigen::VectorXd &change);
     void settle(double t, Eigen::VectorXd &state, const std::vector<bool> &which);

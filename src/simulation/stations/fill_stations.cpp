@@ -47,7 +47,7 @@ void Run::fill_stations(results::SimulateResult &result) {
         station.z = _prepared.stations.z[i];
         station.name = _prepared.stations.names[i];
         station.amplitude = _stations->final_amplitude(i);
-        station.peak = {_stations->first(i), 0, speed_at(0), false};
+        station.peak = {_recorder.series().amplitude[i].front(), 0, speed_at(0), false};
         for (const PeakCandidate &candidate : _stations->peaks(i))
             if (const results::PeakInTime peak = refined(i, candidate);
                 peak.value > station.peak.value)

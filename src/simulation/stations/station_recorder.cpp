@@ -35,7 +35,7 @@ StationRecorder::StationRecorder(const RotorMotion &motion, std::vector<reductio
                                  double end, double fastest)
     : _motion(motion), _rows(std::move(rows)), _final_from(end * (1 - final_share)),
       _rates(static_cast<std::size_t>(motion.size())), _peaks(_rows.size()),
-      _first(_rows.size(), 0.0), _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
+      _final(_rows.size(), 0.0), _samples(_rows.size(), end, fastest) {}
 
 std::vector<StationRecorder::End> StationRecorder::ends_at(double t, const double *state) {
     _motion.rates(t, state, _rates.data());
@@ -50,10 +50,6 @@ void StationRecorder::begin(double t, const double *state) {
     _ends = ends_at(t, state);
     _time = t;
     _state = Eigen::Map<const Eigen::VectorXd>(state, _motion.size());
-    if (std::exchange(_begun, true))
-        return;
-    for (std::size_t i = 0; i < _rows.size(); ++i)
-        _first[i] = _ends[i].w.norm();
 }
 
 double StationRecorder::last(std::size_t station) const { return _ends[station].w.norm(); }

@@ -36,8 +36,7 @@ class StationRecorder {
     [[nodiscard]] const std::vector<PeakCandidate> &peaks(std::size_t station) const {
         return _peaks[station];
     }
-    /// |w| at the start and at the time reached, m.
-    [[nodiscard]] double first(std::size_t station) const { return _first[station]; }
+    /// |w| at the time reached, m.
     [[nodiscard]] double last(std::size_t station) const;
     /// Largest |w| over the last 2.5 % of the time, m.
     [[nodiscard]] double final_amplitude(std::size_t station) const { return _final[station]; }
@@ -55,12 +54,10 @@ class StationRecorder {
     std::vector<reduction::Row> _rows;
     double _final_from; ///< s
     double _time = 0;
-    bool _begun = false;
     Eigen::VectorXd _state;
     std::vector<double> _rates;
     std::vector<End> _ends;
     std::vector<std::vector<PeakCandidate>> _peaks;
-    std::vector<double> _first;
     std::vector<double> _final;
     WindowSamples _samples;
 
