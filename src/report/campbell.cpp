@@ -75,7 +75,7 @@ const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       entry_of(&CampbellMode::error)},
      {"residual", InCsv("residual"), entry_of(&CampbellMode::residual)}},
-    true, part);
+    part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
     std::vector<ModeAt> rows;
