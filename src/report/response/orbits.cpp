@@ -120,10 +120,8 @@ std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {
 
 void add_orbits(Json &json, const ResponseResult &result) {
     json["orbits"] = json_list(result.orbits, [](const Orbits &orbits) {
-        std::vector<OrbitRow> rows;
-        for (const Orbit &orbit : orbits.stations)
-            rows.push_back({orbit, orbits.speed});
-        return Json{{"speed", orbits.speed}, {"stations", json_rows(orbit_columns, rows)}};
+        return Json{{"speed", orbits.speed},
+                    {"stations", json_rows(orbit_columns, rows_of({orbits}, false))}};
     });
     json["clearances"] = json_rows(use_columns, result.clearances);
     json["shapes"] = json_rows(shape_columns, result.shapes);
