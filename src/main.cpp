@@ -1,6 +1,6 @@
 #include "cli/arguments.h"
+#include "cli/commands.h"
 #include "cli/messages.h"
-#include "cli/run.h"
 #include "model/errors.h"
 
 #include <fmt/format.h>

@@ -17,15 +17,14 @@ namespace {
 
 /// Every command accepts what one of them has; the others ignore it and do not show it.
 void add_own_options(CLI::App &app, const Command &command, Arguments &arguments) {
-    const auto hide_elsewhere = [&command](CLI::Option *option, const char *name) {
-        if (std::count(command.options.begin(), command.options.end(), name) == 0)
+    const auto hide_elsewhere = [&command](CLI::Option *option) {
+        if (std::count(command.options.begin(), command.options.end(), option->get_name()) == 0)
             option->group("");
     };
     hide_elsewhere(app.add_flag("--map", arguments.map,
                                 command.name == "critical"
                                     ? "also the critical speeds over the stiffness of the supports"
-                                    : "also where along the shaft balancers work"),
-                   "--map");
+                                    : "also where along the shaft balancers work"));
     hide_elsewhere(app.add_option_function<std::string>(
                           "--map-bearing",
                           [&arguments](const std::string &bearing) {
@@ -33,8 +32,7 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
                               arguments.overrides.push_back("critical_map.bearing=" + bearing);
                           },
                           "--map over the stiffness of this bearing alone")
-                       ->type_name("NAME|PLACE"),
-                   "--map-bearing");
+                       ->type_name("NAME|PLACE"));
     hide_elsewhere(app.add_option_function<std::string>(
                           "--speed",
                           [&arguments](const std::string &speed) {
@@ -43,8 +41,7 @@ void add_own_options(CLI::App &app, const Command &command, Arguments &arguments
                           },
                           "spin speed of the shapes, e.g. \"3000 rpm\", in place of modes.speed "
                           "and speeds.from")
-                       ->type_name("SPEED"),
-                   "--speed");
+                       ->type_name("SPEED"));
 }
 
 /// What every command ends with: its version, its manual page, examples below its help.

@@ -63,6 +63,13 @@ Command stability_command();
 /// What this program can do: all commands (commands/all.cpp), or one (commands/one.cpp), in the
 /// order of --help.
 [[nodiscard]] const std::vector<Command> &commands();
+/// Null where there is none of that name.
+[[nodiscard]] const Command *command_named(const std::string &name);
+
+/// Reads the case, runs the analysis on all processes and delivers the result from the first:
+/// files, and text or JSON on standard output. Collective under mpirun.
+/// @throws model::BadInput, model::AnalysisFailure, std::exception; nothing is written then.
+void run(const Arguments &arguments);
 
 /// Of compare: results that were written before or are computed now, side by side.
 /// @throws model::BadInput for results that are of different kinds

@@ -12,18 +12,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace whirl::cli {
 
 namespace {
-
-const Command *command_named(const std::string &name) {
-    const auto found = std::find_if(commands().begin(), commands().end(),
-                                    [&name](const Command &at) { return at.name == name; });
-    return found == commands().end() ? nullptr : &*found;
-}
 
 /// "cases/x@shaft.order=1" as the arguments of a command.
 Arguments arguments_of(const std::string &scene, const std::string &command,
@@ -58,8 +51,6 @@ report::ComparedResult computed(const std::string &name, const Command &command,
     return result;
 }
 
-bool is_result(const std::string &name) { return name.ends_with(".json"); }
-
 std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
     std::vector<std::string> names = arguments.compared;
     const Command *command = command_named(names.front());
@@ -67,7 +58,7 @@ std::vector<report::ComparedResult> results_of(const Arguments &arguments) {
         names.erase(names.begin());
     std::vector<report::ComparedResult> results;
     for (const std::string &name : names) {
-        if (is_result(name)) {
+        if (name.ends_with(".json")) {
             results.push_back(report::read_result(name));
             continue;
         }

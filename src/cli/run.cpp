@@ -1,5 +1,3 @@
-#include "cli/run.h"
-
 #include "cli/commands.h"
 #include "cli/messages.h"
 #include "cli/progress_display.h"
@@ -63,17 +61,12 @@ void deliver(const Run &run, const report::Report &report) {
         say(report::to_text(report) + files_text(files));
 }
 
-const Command &command_of(const Arguments &arguments) {
-    return *std::find_if(commands().begin(), commands().end(),
-                         [&](const Command &command) { return command.name == arguments.command; });
-}
-
 /// An option of other commands changes nothing here: better said than found out.
 void note_idle_map(const Arguments &arguments) {
     const auto has_map = [](const Command &command) {
         return std::count(command.options.begin(), command.options.end(), "--map") > 0;
     };
-    if (!arguments.map || has_map(command_of(arguments)))
+    if (!arguments.map || has_map(*command_named(arguments.command)))
         return;
     std::vector<std::string_view> names;
     for (const Command &command : commands())
@@ -98,6 +91,12 @@ void note_plain_speed(const Arguments &arguments, const model::Case &scene) {
 }
 
 } // namespace
+
+const Command *command_named(const std::string &name) {
+    const auto found = std::find_if(commands().begin(), commands().end(),
+                                    [&name](const Command &at) { return at.name == name; });
+    return found == commands().end() ? nullptr : &*found;
+}
 
 std::filesystem::path Run::folder() const {
     return arguments.out.value_or(std::filesystem::path("out") / scene.name / arguments.command);
@@ -126,7 +125,7 @@ void run(const Arguments &arguments) {
                            report.provenance = provenance;
                            deliver(work, report);
                        }};
-        command_of(arguments).run(work);
+        command_named(arguments.command)->run(work);
     } catch (const model::BadInput &problem) { // found late: say where the key stands
         throw model::BadInput(
             input::with_place(problem.what(), arguments.scene, arguments.overrides));

@@ -29,31 +29,25 @@ struct ModeAt {
     const CampbellMode *mode;
     std::size_t index; ///< of the speed
 
-    /// The entry of a list of the mode, null beyond its end.
-    template <class T> [[nodiscard]] Json entry(const std::vector<T> &list) const {
-        return index < list.size() ? Json(list[index]) : Json();
-    }
-    [[nodiscard]] std::optional<double> frequency() const {
-        return index < mode->frequency.size() ? mode->frequency[index] : std::nullopt;
-    }
+    [[nodiscard]] std::optional<double> frequency() const { return mode->frequency.at(index); }
 };
 
+/// The entry of a list of the mode.
 template <class List> auto entry_of(List CampbellMode::*list) {
-    return [list](const ModeAt &at) { return at.entry(at.mode->*list); };
+    return [list](const ModeAt &at) { return (at.mode->*list).at(at.index); };
 }
 
 /// One of the parts of the error.
 auto part(double results::ErrorParts::*which) {
     return [which](const ModeAt &at) {
-        const auto &parts = at.mode->error_parts;
-        return at.index < parts.size() && parts[at.index] ? std::optional((*parts[at.index]).*which)
-                                                          : std::nullopt;
+        const std::optional<results::ErrorParts> &parts = at.mode->error_parts.at(at.index);
+        return parts ? std::optional((*parts).*which) : std::nullopt;
     };
 }
 
 /// The frequency, or why there is none.
 Json hertz_or_why(const ModeAt &at) {
-    return at.frequency() ? Json(*at.frequency() * hertz) : at.entry(at.mode->absent);
+    return at.frequency() ? Json(*at.frequency() * hertz) : Json(at.mode->absent.at(at.index));
 }
 
 const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
@@ -75,7 +69,7 @@ const Columns<ModeAt> mode_columns = with_error_parts<ModeAt>(
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       entry_of(&CampbellMode::error)},
      {"residual", InCsv("residual"), entry_of(&CampbellMode::residual)}},
-    true, part);
+    part);
 
 std::vector<ModeAt> over_speeds(const CampbellResult &result, const CampbellMode &mode) {
     std::vector<ModeAt> rows;
@@ -95,8 +89,7 @@ std::vector<ModeAt> at_speed(const CampbellResult &result, std::size_t index) {
 std::vector<ModeAt> at_last_speed(const CampbellResult &result) {
     std::vector<ModeAt> modes = at_speed(result, result.speeds.size() - 1);
     std::erase_if(modes, [](const ModeAt &at) {
-        return !at.frequency() && at.index < at.mode->absent.size() &&
-               at.mode->absent[at.index] == "not followed";
+        return !at.frequency() && at.mode->absent.at(at.index) == "not followed";
     });
     std::stable_sort(modes.begin(), modes.end(), [](const ModeAt &a, const ModeAt &b) {
         constexpr double none = std::numeric_limits<double>::infinity();

@@ -46,7 +46,7 @@ const Columns<CriticalSpeed> critical_columns = with_error_parts<CriticalSpeed>(
      {"error", InCsv("error"), OnPage("Relative error", "{:.2g}"), InText("error", rough),
       &CriticalSpeed::error},
      {"residual", InCsv("residual"), &CriticalSpeed::residual}},
-    true, error_part);
+    error_part);
 
 std::string text_of(const model::Case &scene, const CriticalResult &result) {
     return heading(scene, "Critical speeds") +
@@ -57,15 +57,7 @@ std::string text_of(const model::Case &scene, const CriticalResult &result) {
 }
 
 int row_of(results::Whirl whirl) {
-    switch (whirl) {
-    case results::Whirl::forward:
-        return 3;
-    case results::Whirl::mixed:
-        return 2;
-    case results::Whirl::backward:
-        break;
-    }
-    return 1;
+    return whirl == results::Whirl::forward ? 3 : whirl == results::Whirl::mixed ? 2 : 1;
 }
 
 // The panel of the marks: pixels, and its axis.

@@ -77,24 +77,12 @@ Json sag_json(const StaticSag &sag) {
             {"bearings", json_rows(load_columns, sag.bearings)}};
 }
 
-std::string sag_page(const StaticSag &sag) {
-    return page_table(load_columns, sag.bearings) + page_table(sag_columns, sag.stations);
-}
-
-std::string sag_text(const StaticSag &sag) {
-    return sag_heading(sag) + "\n" + text_table(load_columns, sag.bearings) + "\n" +
-           text_table(sag_columns, sag.stations) + "\n";
-}
-
 /// Two ends in one cell.
-std::string interval(const std::optional<results::Interval> &of, const char *format) {
-    return of ? fmt::format(fmt::runtime(format), of->first, of->second) : "";
-}
-
-/// A column of ends, for the page and for the terminal.
 auto ends(std::optional<results::Interval> BalancerNumbers::*of, const char *format) {
     return [of, format](const BalancerNumbers &b) {
-        return b.*of ? Json(interval(b.*of, format)) : Json();
+        const auto &interval = b.*of;
+        return interval ? Json(fmt::format(fmt::runtime(format), interval->first, interval->second))
+                        : Json();
     };
 }
 
@@ -274,8 +262,9 @@ Json json_of(const ShowResult &result) {
 
 std::vector<Section> sections_of(const ShowResult &result) {
     std::vector<Section> sections{{"Rigid body", page_properties(show_columns, result)}};
-    if (result.sag)
-        sections.push_back({sag_heading(*result.sag), sag_page(*result.sag)});
+    if (const auto &sag = result.sag)
+        sections.push_back({sag_heading(*sag), page_table(load_columns, sag->bearings) +
+                                                   page_table(sag_columns, sag->stations)});
     for (std::size_t i = 0; i < result.balancers.size(); ++i) {
         const BalancerNumbers &balancer = result.balancers[i];
         const std::string name =
@@ -324,8 +313,9 @@ std::string text_of(const model::Case &scene, const ShowResult &result) {
                 text_table(dimensionless_columns, result.balancers) + "\n";
     if (result.anisotropy)
         text += chart_text(*result.anisotropy);
-    if (result.sag)
-        text += sag_text(*result.sag);
+    if (const auto &sag = result.sag)
+        text += sag_heading(*sag) + "\n" + text_table(load_columns, sag->bearings) + "\n" +
+                text_table(sag_columns, sag->stations) + "\n";
     return text + forms_text(result) + notes_text(result.model);
 }
 

@@ -150,22 +150,22 @@ Json waterfall_json(const Waterfall &w) {
             {"amplitude", w.amplitude}};
 }
 
-/// A row for each window and frequency.
-std::string waterfall_csv(const Waterfall &waterfall) {
-    const std::size_t width = waterfall.frequencies.size();
-    const auto column = [width](const std::string &name, const auto &value) {
-        return Column<std::size_t>(InCsv(name), [=](const std::size_t &, std::size_t i) {
-            return value(i / width, i % width);
-        });
-    };
-    const Columns<std::size_t> all{
-        column("time [s]", [&](std::size_t k, std::size_t) { return waterfall.times[k]; }),
-        column("speed [rad/s]", [&](std::size_t k, std::size_t) { return waterfall.speeds[k]; }),
-        column("frequency [rad/s]",
-               [&](std::size_t, std::size_t i) { return waterfall.frequencies[i]; }),
-        column("amplitude [m]",
-               [&](std::size_t k, std::size_t i) { return waterfall.amplitude[k][i]; })};
-    return csv_table(all, std::vector<std::size_t>(waterfall.times.size() * width));
+/// A window at a frequency.
+struct WaterfallPoint {
+    double time, speed, frequency, amplitude;
+};
+const Columns<WaterfallPoint> waterfall_columns{
+    {InCsv("time [s]"), &WaterfallPoint::time},
+    {InCsv("speed [rad/s]"), &WaterfallPoint::speed},
+    {InCsv("frequency [rad/s]"), &WaterfallPoint::frequency},
+    {InCsv("amplitude [m]"), &WaterfallPoint::amplitude}};
+
+std::string waterfall_csv(const Waterfall &w) {
+    std::vector<WaterfallPoint> points;
+    for (std::size_t k = 0; k < w.times.size(); ++k)
+        for (std::size_t i = 0; i < w.frequencies.size(); ++i)
+            points.push_back({w.times[k], w.speeds[k], w.frequencies[i], w.amplitude[k][i]});
+    return csv_table(waterfall_columns, points);
 }
 
 /// How good the numbers are.

@@ -69,6 +69,7 @@ inline results::CampbellResult sample_campbell() {
                        {1e-12, std::nullopt, std::numeric_limits<double>::infinity()},
                        {1e-15, 1e-15, 1e-15},
                        {}};
+    result.modes[0].error_parts.resize(3);
     result.modes[1].error_parts = {std::nullopt, std::nullopt, results::ErrorParts{0.5, 0, 0.25}};
     result.crossings = {{1, 82.5, 82.5, 0, results::damping_of({-33, 82.5})}};
     result.locked = {{1, 1, 90, 110}};

@@ -13,15 +13,14 @@ inline auto error_part(double results::ErrorParts::*part) {
 }
 
 /// The columns, and behind them those of the parts of an error.
-/// @param in_csv  in tables, too, beside JSON
-/// @param of      from a member of results::ErrorParts to what reads it from a row
+/// @param of  from a member of results::ErrorParts to what reads it from a row
 template <class Row, class Of>
-[[nodiscard]] Columns<Row> with_error_parts(Columns<Row> columns, bool in_csv, const Of &of) {
+[[nodiscard]] Columns<Row> with_error_parts(Columns<Row> columns, const Of &of) {
     using results::ErrorParts;
     for (const auto &[name, part] : {std::pair("error_mesh", &ErrorParts::mesh),
                                      std::pair("error_reduction", &ErrorParts::reduction),
                                      std::pair("error_rounding", &ErrorParts::rounding)})
-        columns.push_back(Column<Row>{name, InCsv(in_csv ? name : ""), of(part)});
+        columns.push_back(Column<Row>{name, InCsv(name), of(part)});
     return columns;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace whirl::report {
 
@@ -82,10 +83,9 @@ std::optional<double> crossing_error(const Json &speeds, const Json &mode, doubl
 void of_campbell(const Json &json, Quantities &all) {
     const Json &speeds = list(json, "speeds");
     const Json &modes = list(json, "modes");
-    std::vector<std::size_t> ends; // the first and the last speed
-    for (const std::size_t i : {std::size_t{0}, speeds.empty() ? 0 : speeds.size() - 1})
-        if (i < speeds.size() && (ends.empty() || ends.back() != i))
-            ends.push_back(i);
+    std::set<std::size_t> ends; // the first and the last speed
+    if (!speeds.empty())
+        ends = {0, speeds.size() - 1};
     for (const Json &mode : modes)
         for (const std::size_t i : ends)
             add(all,

@@ -60,24 +60,21 @@ std::vector<Summary> summaries(const GravityResponse &response, const std::vecto
     return out;
 }
 
-/// What values are read in: factors of what stands still and of what vibrates. (A table converts
-/// newtons itself.)
-struct SummaryUnit {
-    const char *name;
-    double still, circle;
-};
-SummaryUnit of_deflections() { return {"µm", still_micrometres, micrometres}; }
-constexpr SummaryUnit of_forces{"N", 1, 1};
-
-Columns<Summary> summary_columns(const char *of, const SummaryUnit &unit) {
-    const std::string still = fmt::format("static {}", unit.name);
-    const std::string circle = fmt::format("largest at twice the spin speed {}", unit.name);
-    return {{ForReaders(of), place_of},
-            {OnPage(still), InText(still, "{:.6g}", "no limit"), in(unit.still, &Summary::still)},
-            {ForReaders(circle, "{:.6g}", "no limit"), in(unit.circle, &Summary::value)},
+/// @param still, circle  factors of what stands still and of what vibrates, for readers
+Columns<Summary> summary_columns(const char *on_page, const char *on_terminal, const char *unit,
+                                 auto still, auto circle) {
+    const std::string of_still = fmt::format("static {}", unit);
+    const std::string of_circle = fmt::format("largest at twice the spin speed {}", unit);
+    return {{OnPage(on_page), InText(on_terminal), place_of},
+            {OnPage(of_still), InText(of_still, "{:.6g}", "no limit"), in(still, &Summary::still)},
+            {ForReaders(of_circle, "{:.6g}", "no limit"), in(circle, &Summary::value)},
             {OnPage("at (rpm)"), InText("at rpm"), in(rpm, &Summary::speed)},
             {OnPage("Relative error", "{:.2g}"), InText("error", rough), &Summary::error}};
 }
+const Columns<Summary> deflection_columns =
+    summary_columns("Place", "station", "µm", still_micrometres, micrometres);
+// A table converts newtons itself.
+const Columns<Summary> carried_columns = summary_columns("Bearing", "bearing", "N", 1.0, 1.0);
 
 std::vector<Summary> of_stations(const GravityResponse &response,
                                  const std::vector<double> &speeds) {
@@ -113,11 +110,10 @@ std::vector<Section> gravity_sections(const GravityResponse &response,
          response.peaks.empty() ? "<p>None inside the range.</p>"
                                 : page_table(curve_peaks(), response.peaks)},
         {"Weight: static deflection at the first speed, largest circle in the range",
-         page_table(summary_columns("Place", of_deflections()), of_stations(response, speeds))}};
+         page_table(deflection_columns, of_stations(response, speeds))}};
     if (!response.bearings.empty())
-        out.push_back(
-            {"Weight: forces in the bearings",
-             page_table(summary_columns("Bearing", of_forces), of_bearings(response, speeds))});
+        out.push_back({"Weight: forces in the bearings",
+                       page_table(carried_columns, of_bearings(response, speeds))});
     return out;
 }
 
@@ -127,9 +123,8 @@ std::string gravity_text(const GravityResponse &response, const std::vector<doub
                        response.gravity) +
            (response.peaks.empty() ? "\n  none inside the range\n"
                                    : text_table(curve_peaks(), response.peaks)) +
-           "\n" +
-           text_table(summary_columns("station", of_deflections()), of_stations(response, speeds)) +
-           text_table("\n", summary_columns("bearing", of_forces), of_bearings(response, speeds));
+           "\n" + text_table(deflection_columns, of_stations(response, speeds)) +
+           text_table("\n", carried_columns, of_bearings(response, speeds));
 }
 
 } // namespace whirl::report

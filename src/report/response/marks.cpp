@@ -142,18 +142,14 @@ PeakMarks peak_marks(const ResponseResult &result, std::size_t station, const Bo
 }
 
 bool has_polar(const ResponseResult &result) {
-    const auto limited = [](const std::vector<double> &values) {
-        return std::all_of(values.begin(), values.end(),
-                           [](double value) { return std::isfinite(value); });
-    };
-    bool any = false;
-    for (std::size_t i = 0; i < result.nodes.size(); ++i) {
-        if (!limited(amplitudes_of(result, i)))
-            return false;
-        for (const double value : amplitudes_of(result, i))
-            any = any || value > 0;
-    }
-    return any && result.speeds.size() > 1 &&
+    double most = 0;
+    for (std::size_t i = 0; i < result.nodes.size(); ++i)
+        for (const double value : amplitudes_of(result, i)) {
+            if (!std::isfinite(value))
+                return false;
+            most = std::max(most, value);
+        }
+    return most > 0 && result.speeds.size() > 1 &&
            std::all_of(result.peaks.begin(), result.peaks.end(),
                        [](const ResponsePeak &peak) { return std::isfinite(peak.value); });
 }

@@ -100,24 +100,19 @@ std::vector<OrbitRow> rows_of(const std::vector<Orbits> &all, bool in_supports) 
 
 /// A point of a deflected shape.
 struct ShapePoint {
-    const DeflectedShape &shape;
-    std::size_t index;
+    double speed, z, x, y, major;
 };
-auto at_point(std::vector<double> DeflectedShape::*list) {
-    return [list](const ShapePoint &point) { return (point.shape.*list)[point.index]; };
-}
-const Columns<ShapePoint> point_columns{
-    {InCsv("speed [rad/s]"), [](const auto &point) { return point.shape.speed; }},
-    {InCsv("z [m]"), at_point(&DeflectedShape::z)},
-    {InCsv("x_instant [m]"), at_point(&DeflectedShape::x)},
-    {InCsv("y_instant [m]"), at_point(&DeflectedShape::y)},
-    {InCsv("major [m]"), at_point(&DeflectedShape::envelope)}};
+const Columns<ShapePoint> point_columns{{InCsv("speed [rad/s]"), &ShapePoint::speed},
+                                        {InCsv("z [m]"), &ShapePoint::z},
+                                        {InCsv("x_instant [m]"), &ShapePoint::x},
+                                        {InCsv("y_instant [m]"), &ShapePoint::y},
+                                        {InCsv("major [m]"), &ShapePoint::major}};
 
 std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {
     std::vector<ShapePoint> points;
     for (const DeflectedShape &shape : shapes)
         for (std::size_t i = 0; i < shape.z.size(); ++i)
-            points.push_back({shape, i});
+            points.push_back({shape.speed, shape.z[i], shape.x[i], shape.y[i], shape.envelope[i]});
     return csv_table(point_columns, points);
 }
 
@@ -125,10 +120,8 @@ std::string shapes_csv(const std::vector<DeflectedShape> &shapes) {
 
 void add_orbits(Json &json, const ResponseResult &result) {
     json["orbits"] = json_list(result.orbits, [](const Orbits &orbits) {
-        std::vector<OrbitRow> rows;
-        for (const Orbit &orbit : orbits.stations)
-            rows.push_back({orbit, orbits.speed});
-        return Json{{"speed", orbits.speed}, {"stations", json_rows(orbit_columns, rows)}};
+        return Json{{"speed", orbits.speed},
+                    {"stations", json_rows(orbit_columns, rows_of({orbits}, false))}};
     });
     json["clearances"] = json_rows(use_columns, result.clearances);
     json["shapes"] = json_rows(shape_columns, result.shapes);

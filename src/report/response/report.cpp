@@ -105,7 +105,7 @@ const Columns<ResponsePeak> peaks_found = with_error_parts<ResponsePeak>(
      {OnPage("Half-power points (rpm)"), InText("half power rpm"), half_power},
      {"error", OnPage("Relative error", "{:.2g}"), InText("error", rough), &ResponsePeak::error},
      {"speed_error", &ResponsePeak::speed_error}},
-    false, error_part);
+    error_part);
 
 } // namespace
 
@@ -120,9 +120,10 @@ Json curves_of_kind(const results::ResponseCurves &curves, std::size_t from, std
 }
 
 namespace {
-constexpr std::size_t amplitude_column = 3; ///< of peak_columns
-} // namespace
 
+constexpr std::size_t amplitude_column = 3; ///< of peak_columns
+
+/// @param what  the amplitude on the terminal
 Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal, const char *what) {
     return {{OnPage(on_page), &LargestValue::name},
             {OnPage("z (m)", "{:.5g}"), &LargestValue::z},
@@ -133,7 +134,8 @@ Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
             {OnPage("Relative error", "{:.2g}"), InText("error", rough), &LargestValue::error}};
 }
 
-namespace {
+const Columns<LargestValue> station_columns =
+    peak_columns("Place", "station", "largest amplitude µm");
 
 Columns<LargestValue> force_columns() {
     Columns<LargestValue> columns = peak_columns("", "bearing", "");
@@ -205,11 +207,11 @@ std::vector<Section> sections_of(const ResponseResult &result) {
         of_weight = gravity_sections(*result.gravity, result.speeds);
     if (weight_alone(result))
         return of_weight;
-    std::vector<Section> sections{
-        {"Peaks", result.peaks.empty() ? "<p>None inside the range.</p>"
-                                       : page_table(curve_peaks(), result.peaks)},
-        {"Largest amplitudes in the range",
-         page_table(peak_columns("Place", "", ""), largest_amplitudes(result))}};
+    std::vector<Section> sections{{"Peaks", result.peaks.empty()
+                                                ? "<p>None inside the range.</p>"
+                                                : page_table(curve_peaks(), result.peaks)},
+                                  {"Largest amplitudes in the range",
+                                   page_table(station_columns, largest_amplitudes(result))}};
     if (result.margins)
         sections.insert(sections.begin() + 1, {margins_heading, margins_page(*result.margins)});
     if (!result.probes.empty())
@@ -225,8 +227,7 @@ std::string imbalance_text(const ResponseResult &result) {
     return (result.peaks.empty() ? "No peak inside the range.\n"
                                  : text_table(curve_peaks(), result.peaks)) +
            margins_text(result.margins) + "\n" +
-           text_table(peak_columns("", "station", "largest amplitude µm"),
-                      largest_amplitudes(result)) +
+           text_table(station_columns, largest_amplitudes(result)) +
            text_table("\n", probe_peak_columns(), largest_readings(result)) +
            text_table("\n", force_columns(), largest_forces(result)) + orbit_text(result);
 }

@@ -116,10 +116,6 @@ peaks_of(const std::vector<double> &speeds, const std::vector<results::ResponseP
     return peaks;
 }
 
-/// @param what  the amplitude on the terminal
-[[nodiscard]] Columns<LargestValue> peak_columns(const char *on_page, const char *on_terminal,
-                                                 const char *what);
-
 /// Local maxima of the curves.
 [[nodiscard]] const Columns<results::ResponsePeak> &curve_peaks();
 
