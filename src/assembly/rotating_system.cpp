@@ -161,7 +161,7 @@ void add_balancer(const Discretization &d, const balancers::BalancerElement &b, 
             out.inertia(i, j, b.mass * vi * vj);
     for (const auto &[i, vi] : phi)
         for (const auto &[j, vj] : phi) {
-            out.inertia(i, j, b.diametral_inertia * vi * vj);
+            out.inertia(i, j, b.polar_inertia / 2 * vi * vj);
             out.gyroscopic(i, j, b.polar_inertia * vi * vj);
             out.anisotropy(i, j, b.anisotropy * vi * vj);
         }

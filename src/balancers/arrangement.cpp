@@ -14,6 +14,26 @@ bool has_positions(const model::Balancer &balancer) {
     return !kind_of(balancer)->circled().empty();
 }
 
+/// @param angles  of the circled masses in the rotor (not from the imbalance), rad; none of
+///                pendulums
+BalancerElement balancer_element(const model::Balancer &balancer,
+                                 const std::vector<double> &angles) {
+    const auto kind = kind_of(balancer);
+    const AddedInertias added = added_inertias(balancer);
+    BalancerElement out;
+    out.z = balancer.z;
+    out.mass = mass_of(balancer);
+    out.polar_inertia = added.polar();
+    if (balancer.tilt_inertia) {
+        const std::vector<CircledMass> circled = kind->circled();
+        for (std::size_t j = 0; j < circled.size(); ++j)
+            out.anisotropy += std::polar(0.5 * circled[j].inertia, 2 * angles[j]);
+        out.anisotropy += std::polar(0.5 * added.imbalance, 2 * balancer.imbalance_phase);
+    }
+    out.parts = kind->small_motions(angles);
+    return out;
+}
+
 std::string label_of(std::size_t index) { return fmt::format("balancer[{}]", index); }
 
 } // namespace

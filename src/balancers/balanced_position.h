@@ -44,6 +44,8 @@ struct AddedInertias {
     double parts = 0;     ///< A_m = sum m R^2; pendulum4: R their radius at rest, pivot + arm
     double imbalance = 0; ///< A_m0: imbalance_inertia()
     double own = 0;       ///< of parts about axes of their own
+
+    [[nodiscard]] double polar() const { return parts + own + imbalance; }
 };
 [[nodiscard]] AddedInertias added_inertias(const model::Balancer &balancer);
 

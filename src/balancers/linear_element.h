@@ -16,8 +16,7 @@ namespace whirl::balancers {
 struct BalancerElement {
     double z = 0;                    ///< m
     double mass = 0;                 ///< of all parts and m0, kg
-    double diametral_inertia = 0;    ///< kg m2
-    double polar_inertia = 0;        ///< kg m2
+    double polar_inertia = 0;        ///< twice the diametral one, kg m2
     std::complex<double> anisotropy; ///< (A_m0 + A_m D)/2, kg m2
     SmallMotions parts;
 
@@ -25,12 +24,12 @@ struct BalancerElement {
     [[nodiscard]] int unknowns() const { return static_cast<int>(parts.pull.size()); }
 };
 
-/// @param angles  of the circled masses in the rotor (not from the imbalance), rad; none of
-///                pendulums
-[[nodiscard]] BalancerElement balancer_element(const model::Balancer &balancer,
-                                               const std::vector<double> &angles);
-
 /// Complex unknowns of all elements.
-[[nodiscard]] int unknowns_of(const std::vector<BalancerElement> &elements);
+[[nodiscard]] inline int unknowns_of(const std::vector<BalancerElement> &elements) {
+    int sum = 0;
+    for (const BalancerElement &element : elements)
+        sum += element.unknowns();
+    return sum;
+}
 
 } // namespace whirl::balancers

@@ -35,7 +35,8 @@ Shapes classical_shapes(double xi, double h, double Phi) {
     return s;
 }
 
-/// Legendre polynomials L_k on [0, 1] and their first and second integrals from 0.
+/// Legendre polynomials L_k on [0, 1] up to a degree, or some more, and their first and second
+/// integrals from 0.
 struct Legendre {
     std::vector<double> L, I1, I2;
 };
@@ -50,20 +51,14 @@ Legendre legendre(int degree, double xi) {
         P[k] = ((2 * n - 1) * x * P[k - 1] - (n - 1) * P[k - 2]) / n;
     }
     // int L_k = (L_{k+1} - L_{k-1}) / (2 (2k + 1)) on [0, 1], zero at both ends for k >= 1.
-    const auto integral = [&P](std::size_t k) {
-        return (P[k + 1] - P[k - 1]) / (2 * (2 * static_cast<double>(k) + 1));
+    const auto integrate = [](const std::vector<double> &of, std::size_t first, std::size_t size) {
+        std::vector<double> out(size);
+        for (std::size_t k = first; k < size; ++k)
+            out[k] = (of[k + 1] - of[k - 1]) / (2 * (2 * static_cast<double>(k) + 1));
+        return out;
     };
-    const auto size = static_cast<std::size_t>(degree) + 1;
-    Legendre out{std::vector<double>(size), std::vector<double>(size), std::vector<double>(size)};
-    for (std::size_t k = 0; k < size; ++k) {
-        out.L[k] = P[k];
-        if (k >= 1)
-            out.I1[k] = integral(k);
-        if (k >= 2)
-            out.I2[k] =
-                (integral(k + 1) - integral(k - 1)) / (2 * (2 * static_cast<double>(k) + 1));
-    }
-    return out;
+    const std::vector<double> I1 = integrate(P, 1, P.size() - 1);
+    return {P, I1, integrate(I1, 2, I1.size() - 1)};
 }
 
 /// Order-p element: slope of degree p, deflection of degree p + 1. The first four functions are

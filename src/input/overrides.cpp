@@ -47,6 +47,8 @@ Nodes followed(Node &node, const PathStep &step, bool list_wanted, const Origin 
 }
 
 std::string step_text(const PathStep &step) {
+    if (!step.key.empty())
+        return step.key;
     return step.index ? fmt::format("[{}]", *step.index)
                       : fmt::format("[{}]", step.name.value_or("*"));
 }
@@ -88,29 +90,6 @@ bool remove(Node &node, const PathStep &step) {
            }) > 0;
 }
 
-/// A path being walked: what was reached, and the words for it.
-struct Walk {
-    Nodes nodes;
-    std::string walked;
-
-    /// @returns what stands in the way, or nothing
-    std::string go(const PathStep &step, bool list_wanted, const Origin &origin) {
-        Nodes next;
-        for (Node *node : nodes) {
-            const Nodes found = followed(*node, step, list_wanted, origin);
-            if (found.empty())
-                return obstacle(*node, step, walked);
-            next.insert(next.end(), found.begin(), found.end());
-        }
-        if (step.key.empty())
-            walked += step_text(step);
-        else
-            walked += walked.empty() ? step.key : "." + step.key;
-        nodes = std::move(next);
-        return {};
-    }
-};
-
 void apply(Node &root, const std::string &path, std::string_view value, const Origin &origin,
            Problems &problems) {
     const std::vector<PathStep> steps = parse_path(path);
@@ -119,24 +98,31 @@ void apply(Node &root, const std::string &path, std::string_view value, const Or
         return;
     }
     const bool removes = trimmed(value).empty();
-    Walk walk{{&root}, ""};
+    Nodes nodes{&root};
+    std::string walked;
     for (std::size_t i = 0; i + (removes ? 1 : 0) < steps.size(); ++i) {
         const bool list_wanted = i + 1 < steps.size() && steps[i + 1].key.empty();
-        const std::string way = walk.go(steps[i], list_wanted || removes, origin);
-        if (!way.empty()) {
-            problems.add(origin, path, way);
-            return;
+        Nodes next;
+        for (Node *node : nodes) {
+            const Nodes found = followed(*node, steps[i], list_wanted || removes, origin);
+            if (found.empty()) {
+                problems.add(origin, path, obstacle(*node, steps[i], walked));
+                return;
+            }
+            next.insert(next.end(), found.begin(), found.end());
         }
+        walked += (walked.empty() || steps[i].key.empty() ? "" : ".") + step_text(steps[i]);
+        nodes = std::move(next);
     }
     if (removes) {
-        const auto gone = std::ranges::count_if(
-            walk.nodes, [&](Node *node) { return remove(*node, steps.back()); });
+        const auto gone =
+            std::ranges::count_if(nodes, [&](Node *node) { return remove(*node, steps.back()); });
         if (gone == 0)
             problems.add(origin, path,
                          "expected something to take out of the case, there is no such entry");
         return;
     }
-    for (Node *node : walk.nodes) {
+    for (Node *node : nodes) {
         const std::string key = node->key;
         *node = parse_value(value, origin);
         node->key = key;

@@ -43,18 +43,16 @@ void Problems::add(Origin origin, std::string key, std::string text) {
 void Problems::throw_if_any() const {
     if (_problems.empty())
         return;
-    std::vector<std::string> files;
-    const auto rank = [&files](const std::string &file) {
-        return std::ranges::find(files, file) - files.begin();
+    // Files in the order in which they come up.
+    const auto place = [this](const Problem &problem) {
+        const auto same_file = [&](const Problem &other) {
+            return other.origin.file == problem.origin.file;
+        };
+        return std::pair(std::ranges::find_if(_problems, same_file) - _problems.begin(),
+                         problem.origin.line);
     };
-    for (const Problem &problem : _problems)
-        if (rank(problem.origin.file) == std::ssize(files))
-            files.push_back(problem.origin.file);
     std::vector<Problem> sorted = _problems;
-    std::ranges::stable_sort(sorted, [&](const Problem &a, const Problem &b) {
-        return std::pair(rank(a.origin.file), a.origin.line) <
-               std::pair(rank(b.origin.file), b.origin.line);
-    });
+    std::ranges::stable_sort(sorted, {}, place);
     std::string message;
     for (const Problem &problem : sorted) {
         message += message.empty() ? "" : "\n";

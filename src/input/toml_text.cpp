@@ -16,8 +16,9 @@ namespace {
 Node convert(const toml::node &source, const Origin &around) {
     Node node;
     node.origin = around;
-    // Tables that only a dotted key or a deeper header implies have no line of their own.
-    if (source.source().begin.line > 0)
+    // Tables that only a dotted key or a deeper header implies have no line of their own, and what
+    // is given on the command line has none at all.
+    if (around.line > 0 && source.source().begin.line > 0)
         node.origin.line = static_cast<int>(source.source().begin.line);
     if (const toml::table *table = source.as_table()) {
         for (const auto &[key, value] : *table) {
@@ -95,13 +96,6 @@ std::string hint_for_line(std::string_view document, toml::source_index line) {
     return decimal_comma_hint(document.substr(0, document.find_first_of(" \t#")));
 }
 
-/// Gives the whole tree one origin.
-void set_origin(Node &node, const Origin &origin) {
-    node.origin = origin;
-    for (Node &item : node.items)
-        set_origin(item, origin);
-}
-
 } // namespace
 
 Node parse_toml(std::string_view document, const std::string &file) {
@@ -127,9 +121,9 @@ Node parse_value(std::string_view text, const Origin &origin) {
     }
     if (node.key.empty()) {
         node.kind = Node::Kind::text;
+        node.origin = origin;
         node.text = std::string(trimmed(text));
     }
-    set_origin(node, origin);
     return node;
 }
 

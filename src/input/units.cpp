@@ -13,7 +13,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 
 namespace whirl::input {
 namespace {
@@ -22,38 +21,36 @@ namespace {
 enum class AngleRule { never, allowed, required };
 
 struct QuantityInfo {
-    Quantity quantity;
     const char *name;
     const char *unit;
-    AngleRule angle;
+    AngleRule angle = AngleRule::never;
 };
 
+/// In the order of the enumeration.
 constexpr std::array quantities{
-    QuantityInfo{Quantity::dimensionless, "a number", "1", AngleRule::never},
-    QuantityInfo{Quantity::length, "a length", "m", AngleRule::never},
-    QuantityInfo{Quantity::mass, "a mass", "kg", AngleRule::never},
-    QuantityInfo{Quantity::inertia, "an inertia", "kg m2", AngleRule::never},
-    QuantityInfo{Quantity::stiffness, "a stiffness", "N/m", AngleRule::never},
-    QuantityInfo{Quantity::damping, "a damping", "N s/m", AngleRule::never},
-    QuantityInfo{Quantity::tilt_stiffness, "a tilt stiffness", "N m/rad", AngleRule::allowed},
-    QuantityInfo{Quantity::tilt_damping, "a tilt damping", "N m s/rad", AngleRule::allowed},
-    QuantityInfo{Quantity::pressure, "a pressure", "Pa", AngleRule::never},
-    QuantityInfo{Quantity::density, "a density", "kg/m3", AngleRule::never},
-    QuantityInfo{Quantity::angle, "an angle", "rad", AngleRule::required},
-    QuantityInfo{Quantity::angular_speed, "an angular speed", "rad/s", AngleRule::required},
-    QuantityInfo{Quantity::time, "a time", "s", AngleRule::never},
-    QuantityInfo{Quantity::force, "a force", "N", AngleRule::never},
-    QuantityInfo{Quantity::imbalance, "an imbalance", "kg m", AngleRule::never},
-    QuantityInfo{Quantity::torque, "a torque", "N m", AngleRule::never},
-    QuantityInfo{Quantity::acceleration, "an acceleration", "m/s2", AngleRule::never},
-    QuantityInfo{Quantity::rate, "a rate", "1/s", AngleRule::never},
+    QuantityInfo{"a number", "1"},
+    QuantityInfo{"a length", "m"},
+    QuantityInfo{"a mass", "kg"},
+    QuantityInfo{"an inertia", "kg m2"},
+    QuantityInfo{"a stiffness", "N/m"},
+    QuantityInfo{"a damping", "N s/m"},
+    QuantityInfo{"a tilt stiffness", "N m/rad", AngleRule::allowed},
+    QuantityInfo{"a tilt damping", "N m s/rad", AngleRule::allowed},
+    QuantityInfo{"a pressure", "Pa"},
+    QuantityInfo{"a density", "kg/m3"},
+    QuantityInfo{"an angle", "rad", AngleRule::required},
+    QuantityInfo{"an angular speed", "rad/s", AngleRule::required},
+    QuantityInfo{"a time", "s"},
+    QuantityInfo{"a force", "N"},
+    QuantityInfo{"an imbalance", "kg m"},
+    QuantityInfo{"a torque", "N m"},
+    QuantityInfo{"an acceleration", "m/s2"},
+    QuantityInfo{"a rate", "1/s"},
 };
+static_assert(quantities.size() == static_cast<std::size_t>(Quantity::rate) + 1);
 
 const QuantityInfo &info(Quantity quantity) {
-    for (const QuantityInfo &entry : quantities)
-        if (entry.quantity == quantity)
-            return entry;
-    throw std::logic_error("quantity without an entry in the table");
+    return quantities.at(static_cast<std::size_t>(quantity));
 }
 
 /// Owns what a function of the library releases.

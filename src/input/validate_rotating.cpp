@@ -25,10 +25,8 @@ double polar_inertia(const model::Rotor &rotor) {
     double Ip = model::polar_inertia_of(rotor.shaft);
     for (const model::Disc &disc : rotor.discs)
         Ip += disc.Ip;
-    for (const model::Balancer &balancer : rotor.balancers) {
-        const balancers::AddedInertias added = balancers::added_inertias(balancer);
-        Ip += added.parts + added.imbalance + added.own;
-    }
+    for (const model::Balancer &balancer : rotor.balancers)
+        Ip += balancers::added_inertias(balancer).polar();
     return Ip;
 }
 

@@ -23,9 +23,6 @@ std::vector<double> attachment_positions(const model::Rotor &rotor) {
     return positions;
 }
 
-/// Positions closer than this are one node: input rounded to nine digits of the length.
-double merge_distance(const model::Rotor &rotor) { return 1e-9 * rotor.shaft.length(); }
-
 /// Element ends of one segment [start, end], with attachments inside it, ascending.
 std::vector<double> segment_nodes(double start, double end, int elements,
                                   const std::vector<double> &attached, double merge) {
@@ -33,12 +30,12 @@ std::vector<double> segment_nodes(double start, double end, int elements,
     for (int i = 0; i <= elements; ++i)
         nodes.push_back(i == elements ? end : start + (end - start) * i / elements);
     for (const double z : attached) {
-        const bool present = std::any_of(nodes.begin(), nodes.end(),
-                                         [&](double node) { return std::abs(node - z) <= merge; });
+        const bool present =
+            std::ranges::any_of(nodes, [&](double node) { return std::abs(node - z) <= merge; });
         if (z > start && z < end && !present)
             nodes.push_back(z);
     }
-    std::sort(nodes.begin(), nodes.end());
+    std::ranges::sort(nodes);
     return nodes;
 }
 
@@ -58,7 +55,7 @@ Span span_of(const model::Segment &segment, int index, double start, double z0, 
 } // namespace
 
 int ShaftMesh::node_at(double z) const {
-    const auto after = std::lower_bound(nodes.begin(), nodes.end(), z); // they ascend
+    const auto after = std::ranges::lower_bound(nodes, z); // they ascend
     const auto k = after - nodes.begin();
     const bool before = after == nodes.end() || (k > 0 && z - *(after - 1) <= *after - z);
     return static_cast<int>(before ? k - 1 : k);
@@ -66,7 +63,7 @@ int ShaftMesh::node_at(double z) const {
 
 ShaftMesh make_mesh(const model::Rotor &rotor, int refinement) {
     const std::vector<double> attached = attachment_positions(rotor);
-    const double merge = merge_distance(rotor);
+    const double merge = 1e-9 * rotor.shaft.length(); // input rounded to nine digits is one node
     ShaftMesh mesh;
     mesh.nodes.push_back(0);
     double start = 0;

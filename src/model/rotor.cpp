@@ -20,6 +20,15 @@ bool pedestals_isotropic(const Rotor &rotor) {
     });
 }
 
+using Property = bool (*)(const Eigen::Matrix2d &);
+
+/// Something holds for stiffness and damping of every bearing at every speed, and for its mass.
+bool every_matrix(const Rotor &rotor, Property holds, Property of_mass) {
+    return rotor.every_row([=](const BearingCoefficients &row) {
+        return holds(row.k) && holds(row.c) && of_mass(row.m) && holds(row.kt) && holds(row.ct);
+    });
+}
+
 } // namespace
 
 std::span<const Bearing> Rotor::supports() const {
@@ -32,25 +41,14 @@ std::span<const Bearing> Rotor::seals() const {
 }
 
 bool Rotor::bearings_isotropic() const {
-    return pedestals_isotropic(*this) && every_row([](const BearingCoefficients &row) {
-               return isotropic(row.k) && isotropic(row.c) && isotropic(row.m) &&
-                      isotropic(row.kt) && isotropic(row.ct);
-           });
+    return pedestals_isotropic(*this) && every_matrix(*this, isotropic, isotropic);
 }
 
 bool Rotor::bearings_rotation_invariant() const {
-    return pedestals_isotropic(*this) && every_row([](const BearingCoefficients &row) {
-               return rotation_invariant(row.k) && rotation_invariant(row.c) && isotropic(row.m) &&
-                      rotation_invariant(row.kt) && rotation_invariant(row.ct);
-           });
+    return pedestals_isotropic(*this) && every_matrix(*this, rotation_invariant, isotropic);
 }
 
-bool Rotor::bearings_orthotropic() const {
-    return every_row([](const BearingCoefficients &row) {
-        return diagonal(row.k) && diagonal(row.c) && diagonal(row.m) && diagonal(row.kt) &&
-               diagonal(row.ct);
-    });
-}
+bool Rotor::bearings_orthotropic() const { return every_matrix(*this, diagonal, diagonal); }
 
 bool Rotor::support_masses_isotropic() const {
     return every_row([](const BearingCoefficients &row) { return isotropic(row.m); }) &&

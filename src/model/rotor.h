@@ -3,7 +3,6 @@
 #include "model/attachments.h"
 #include "model/balancer.h"
 #include "model/bearing.h"
-#include "model/disc.h"
 #include "model/shaft.h"
 
 #include <algorithm>

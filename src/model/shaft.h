@@ -1,11 +1,21 @@
 #pragma once
 
-#include "model/material.h"
-
 #include <algorithm>
+#include <string>
 #include <vector>
 
 namespace whirl::model {
+
+/// A linear elastic material.
+struct Material {
+    std::string name;
+    double E = 0;   ///< Young's modulus, Pa
+    double G = 0;   ///< shear modulus, Pa
+    double rho = 0; ///< density, kg/m3
+
+    /// Poisson's ratio of an isotropic material with these moduli.
+    [[nodiscard]] double poisson_ratio() const { return E / (2 * G) - 1; }
+};
 
 /// Which shear coefficient a circular section gets.
 enum class ShearFormula {

@@ -52,9 +52,8 @@ Inertia inertia_of(const model::Shaft &shaft, const mesh::ShaftMesh &mesh) {
 }
 
 Inertia inertia_of(const model::Balancer &balancer) {
-    const balancers::AddedInertias own = balancers::added_inertias(balancer);
     const double mass = balancers::mass_of(balancer);
-    const double polar = own.parts + own.imbalance + own.own;
+    const double polar = balancers::added_inertias(balancer).polar();
     // Point masses and thin rings in one plane: the mean diametral inertia is half the polar one.
     return {mass, mass * balancer.z, mass * balancer.z * balancer.z + polar / 2, polar, 0};
 }
