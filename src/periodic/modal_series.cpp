@@ -152,16 +152,8 @@ void ModalSeries::take_modes(const linalg::GeneralEigen &found) {
     _R.resize(states, states);
     _L.resize(states, states);
     for (Index i = 0; i < states; ++i) {
-        const bool second = found.values(i).imag() < 0;
-        const Index first = second ? i - 1 : i;
-        const bool pair = found.is_pair(first);
-        VectorXcd right = linalg::unpacked(found.right, first, pair);
-        VectorXcd left = linalg::unpacked(found.left, first, pair);
-        if (second) {
-            right = right.conjugate().eval();
-            left = left.conjugate().eval();
-        }
-        right.normalize();
+        const VectorXcd right = vector_of(found, found.right, i).normalized();
+        const VectorXcd left = vector_of(found, found.left, i);
         const Complex dual = left.dot(right);
         if (!(std::abs(dual) > defective * left.norm()))
             throw linalg::SolverError("a mode is defective");
