@@ -1,5 +1,7 @@
 #include "ends/sweep.h"
 
+#include "ends/strands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -28,30 +30,45 @@ double zero_of(const Strand &strand) {
     return (low + high) / 2;
 }
 
-} // namespace
-
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow,
-             double resolved)
-    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
-      _slow(std::move(slow)), _resolved(resolved), _looks_left(most_looks) {
-    Spectrum before = look(speeds.front());
-    for (std::size_t k = 1; k < speeds.size(); ++k) {
-        Spectrum now = look(speeds[k]);
-        through(before, now);
-        before = std::move(now);
+class Sweep {
+  public:
+    Sweep(const AllMotions &motions, int piece, const std::vector<double> &speeds)
+        : _motions(motions), _piece(piece),
+          _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))) {
+        Spectrum before = look(speeds.front());
+        for (std::size_t k = 1; k < speeds.size(); ++k) {
+            Spectrum now = look(speeds[k]);
+            through(before, now);
+            before = std::move(now);
+        }
     }
-}
+
+    Swept found;
+
+  private:
+    const AllMotions &_motions;
+    int _piece;
+    double _scale; ///< largest speed, rad/s
+    int _looks_left = most_looks;
+
+    [[nodiscard]] Spectrum look(double speed);
+    void through(const Spectrum &a, const Spectrum &b);
+    [[nodiscard]] std::optional<double> take(const Spectrum &a, const Spectrum &b,
+                                             const Strands &strands);
+    void take_abrupt(const Spectrum &a, const Spectrum &b);
+};
 
 Spectrum Sweep::look(double speed) {
     --_looks_left;
-    Spectrum out = _at(speed);
-    const auto unknown = std::ranges::count_if(out.roots, [this](const Root &root) {
-        return root.sign() == 0 && _slow(std::abs(root.value));
-    });
-    const auto resolved = std::ranges::count_if(out.roots, [this](const Root &root) {
-        return root.sign() > 0 && std::abs(root.value) <= _resolved;
-    });
-    _counts[speed] = {out.growing(), static_cast<int>(unknown), static_cast<int>(resolved)};
+    Spectrum out = _motions.at(speed, _piece);
+    Count &count = found.counts[speed];
+    count = {};
+    for (const Root &root : out.roots) {
+        const double size = std::abs(root.value);
+        count.growing += root.sign() > 0 ? 1 : 0;
+        count.unknown += root.sign() == 0 && _motions.within_reach(size) ? 1 : 0;
+        count.resolved += root.sign() > 0 && size <= _motions.resolved_up_to() ? 1 : 0;
+    }
     return out;
 }
 
@@ -72,7 +89,7 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
         return;
     }
     if (_looks_left <= 0) {
-        _doubtful.emplace_back(a.speed, b.speed);
+        found.doubtful.emplace_back(a.speed, b.speed);
         return;
     }
     const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
@@ -84,7 +101,7 @@ void Sweep::through(const Spectrum &a, const Spectrum &b) {
 /// becomes of the strands does not explain how many grow at its ends; between two real roots that
 /// pass zero, of which each would lead to the other's speed
 std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
-    std::vector<Change> found;
+    std::vector<Change> changes;
     std::vector<double> standing; // where in the step
     int sum = 0;
     for (const Strand &strand : strands.strands) {
@@ -96,12 +113,12 @@ std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const St
             continue;
         if (value.imag() < 1e-9 * _scale && t > 0 && t < 1)
             standing.push_back(t);
-        found.push_back({a.speed + t * (b.speed - a.speed),
-                         a.speed,
-                         b.speed,
-                         {value.real(), std::abs(value.imag())},
-                         gain,
-                         strand.from->sign() * strand.to->sign() != 0});
+        changes.push_back({a.speed + t * (b.speed - a.speed),
+                           a.speed,
+                           b.speed,
+                           {value.real(), std::abs(value.imag())},
+                           gain,
+                           strand.from->sign() * strand.to->sign() != 0});
     }
     if (sum != b.growing() - a.growing())
         return strands.middle;
@@ -109,7 +126,7 @@ std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const St
     for (std::size_t k = 1; k < standing.size(); ++k)
         if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
             return (standing[k] + standing[k - 1]) / 2;
-    _changes.insert(_changes.end(), found.begin(), found.end());
+    found.changes.insert(found.changes.end(), changes.begin(), changes.end());
     return std::nullopt;
 }
 
@@ -128,7 +145,13 @@ void Sweep::take_abrupt(const Spectrum &a, const Spectrum &b) {
         change.value = best->value;
         change.undamped = fewer.nearest(best->value).sign() == 0;
     }
-    _changes.push_back(change);
+    found.changes.push_back(change);
+}
+
+} // namespace
+
+Swept swept(const AllMotions &motions, int piece, const std::vector<double> &speeds) {
+    return Sweep(motions, piece, speeds).found;
 }
 
 } // namespace whirl::ends
