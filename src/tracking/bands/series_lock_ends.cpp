@@ -108,7 +108,7 @@ bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double w
 bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Count &b) {
     constexpr double steepest = 1.5;
     const double width = b.speed - a.speed;
-    return slowest(a) + slowest(b) < steepest * std::abs(width) && slows_down(solver, a, width) &&
+    return slowest(a) + slowest(b) < steepest * width && slows_down(solver, a, width) &&
            slows_down(solver, b, -width);
 }
 
@@ -118,7 +118,7 @@ int modes_in_play(const Count &a, const Count &b) {
     constexpr int more = 4;
     constexpr double above = 1.5;
     const double speed = std::max(std::abs(a.speed), std::abs(b.speed));
-    const double width = std::abs(b.speed - a.speed);
+    const double width = b.speed - a.speed;
     // In a part as wide as a good share of the speed all turn slowly.
     const double fastest = width < 0.05 * speed ? HUGE_VAL : 2 * speed;
     double highest = speed;
@@ -146,7 +146,7 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
     if (a.motions != b.motions)
         if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted)) {
             ends.push_back(*end);
-            const double beside = std::copysign(end->outside - end->speed, b.speed - a.speed);
+            const double beside = std::abs(end->outside - end->speed);
             add_series_ends(solver, a, count_at(solver, end->speed - beside, wanted), wanted,
                             halves + 1, ends);
             add_series_ends(solver, count_at(solver, end->speed + beside, wanted), b, wanted,

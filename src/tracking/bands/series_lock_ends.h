@@ -1,6 +1,5 @@
 #pragma once
 
-#include "tracking/bands/lock_count.h"
 #include "tracking/bands/locked_whirl.h"
 
 #include <optional>
