@@ -72,6 +72,17 @@ MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool b
     return out;
 }
 
+/// Number of the term that the motion turns with on average over the period.
+Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {
+    const Eigen::Index n = M.rows();
+    const MatrixXcd q = states.topRows(n);
+    const MatrixXcd weighted = linalg::times(M.cast<Complex>().eval(), q);
+    const MatrixXcd rates = states.bottomRows(n);
+    const Complex mean =
+        weighted.conjugate().cwiseProduct(rates).sum() / weighted.conjugate().cwiseProduct(q).sum();
+    return static_cast<Eigen::Index>(std::lround((mean - value).imag() / (2 * speed)));
+}
+
 } // namespace
 
 double frequency_of(const MatrixXd &M, const MatrixXcd &states) {
@@ -114,21 +125,6 @@ std::vector<FloquetSeries> floquet_series(const System &system, double speed, in
     }
     return out;
 }
-
-namespace {
-
-/// Number of the term that the motion turns with on average over the period.
-Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {
-    const Eigen::Index n = M.rows();
-    const MatrixXcd q = states.topRows(n);
-    const MatrixXcd weighted = linalg::times(M.cast<Complex>().eval(), q);
-    const MatrixXcd rates = states.bottomRows(n);
-    const Complex mean =
-        weighted.conjugate().cwiseProduct(rates).sum() / weighted.conjugate().cwiseProduct(q).sum();
-    return static_cast<Eigen::Index>(std::lround((mean - value).imag() / (2 * speed)));
-}
-
-} // namespace
 
 std::optional<FloquetSeries> centred_series(const System &system, double speed, int steps,
                                             const FloquetMotion &motion) {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <map>
 #include <optional>
 #include <vector>
 

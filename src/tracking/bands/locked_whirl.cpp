@@ -9,7 +9,6 @@
 #include "reduction/projection.h"
 #include "results/formulation.h"
 #include "tracking/bands/double_root.h"
-#include "tracking/bands/series_lock_ends.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace whirl::tracking {
@@ -65,5 +66,11 @@ struct BandEnd {
 /// whoever follows a motion into them.)
 [[nodiscard]] std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from,
                                                   double to, int wanted);
+
+/// An end of a band of locked motion in a part over which the number of these changes, for a Hill
+/// series: its motions have no vectors over the equations of one speed to begin a double root with.
+/// Of several ends in it one is found.
+[[nodiscard]] std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver,
+                                                   const Count &from, const Count &to, int wanted);
 
 } // namespace whirl::tracking

@@ -1,6 +1,5 @@
-#include "tracking/bands/series_lock_ends.h"
-
 #include "tracking/bands/branch_point.h"
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>
@@ -49,32 +48,6 @@ double slowest(const Count &count) {
                ? std::abs(count.speed)
                : turn_in_rotor(count.others.front(), count.speed, results::Form::hill);
 }
-
-} // namespace
-
-std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
-                                     const Count &to, int wanted) {
-    const bool leaves = from.motions > to.motions;
-    const Count &inside = leaves ? from : to;
-    const Count &outside = leaves ? to : from;
-    const std::optional<BranchPoint> found = branch_point(
-        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
-            const Count here = count_at(solver, speed, wanted);
-            if (here.motions > outside.motions)
-                return std::nullopt;
-            return slowest(here) * slowest(here);
-        });
-    if (!found)
-        return std::nullopt;
-    LockEnd end = at_branch_point(found->inside, inside.speed > outside.speed);
-    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
-    if (!real)
-        return std::nullopt;
-    end.real = *real;
-    return end;
-}
-
-namespace {
 
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
 /// Motions on higher multiples than these stand in the rotor as copies that hardly deflect: they
@@ -159,6 +132,28 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
 }
 
 } // namespace
+
+std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
+                                     const Count &to, int wanted) {
+    const bool leaves = from.motions > to.motions;
+    const Count &inside = leaves ? from : to;
+    const Count &outside = leaves ? to : from;
+    const std::optional<BranchPoint> found = branch_point(
+        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
+            const Count here = count_at(solver, speed, wanted);
+            if (here.motions > outside.motions)
+                return std::nullopt;
+            return slowest(here) * slowest(here);
+        });
+    if (!found)
+        return std::nullopt;
+    LockEnd end = at_branch_point(found->inside, inside.speed > outside.speed);
+    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
+    if (!real)
+        return std::nullopt;
+    end.real = *real;
+    return end;
+}
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, const modes::Spectrum &from,
                                const modes::Spectrum &to) {

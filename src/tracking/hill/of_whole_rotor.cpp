@@ -3,7 +3,6 @@
 #include "modes/hill/series_modes_near.h"
 #include "results/damping.h"
 #include "tracking/bands/locked_whirl.h"
-#include "tracking/crossing_step.h"
 
 #include <algorithm>
 #include <cmath>
