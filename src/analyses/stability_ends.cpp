@@ -52,11 +52,9 @@ results::Verdict verdict_of(const std::vector<stability::Motion> &motions) {
 
 /// All speeds at which the number of growing motions changes, where they tell all there is to tell
 /// of the unstable bands: every motion is damped or grows, and was followed throughout.
-/// @param grid   range of speeds, its ends alone matter
 /// @param steps  of the range to begin with
-std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions,
-                                            const std::vector<double> &grid, int steps) {
-    ends::EndsFound found = ends::find_ends(motions, grid.front(), grid.back(), {}, steps);
+std::optional<ends::EndsFound> certain_ends(const ends::AllMotions &motions, int steps) {
+    ends::EndsFound found = ends::find_ends(motions, {}, steps);
     if (found.undamped || !found.doubtful.empty())
         return std::nullopt;
     return found;
@@ -80,10 +78,8 @@ std::vector<ends::WholeMotion> add_bands_and_ends(stability::BandFinder &finder,
                         "unstable band narrower than that may be missing there",
                         from, to));
     const stability::SpeedInterval range{grid.front(), grid.back()};
-    ends::EndsFound found =
-        motions != nullptr
-            ? ends::find_ends(*motions, range.first, range.second, looks(result.unstable))
-            : ends::multiplier_ends(at, grid, result.unstable);
+    ends::EndsFound found = motions != nullptr ? ends::find_ends(*motions, looks(result.unstable))
+                                               : ends::multiplier_ends(at, grid, result.unstable);
     if (!found.doubtful.empty())
         notes.push_back(fmt::format("the number of growing motions is in doubt at {} speeds, the "
                                     "first of them {:.10g} rad/s: ends inside of unstable bands "
@@ -178,7 +174,7 @@ void add_growth(const ends::AllMotions &motions, results::StabilityResult &resul
 BandsBetween bands_between_ends(stability::BandFinder &finder, const std::vector<double> &grid) {
     if (finder.model().form != results::Form::hill)
         try {
-            if (const auto found = certain_ends({finder, grid}, grid, ends::few_steps))
+            if (const auto found = certain_ends({finder, grid}, ends::few_steps))
                 return {{ends::bands_of(*found, {grid.front(), grid.back()}), {}},
                         std::move(found->roots)};
         } catch (const linalg::SolverError &) { // the search for bands has other ways
@@ -207,8 +203,7 @@ std::vector<ends::WholeMotion> search_bands(stability::BandFinder &finder,
                                             const ends::AllMotions *motions,
                                             const std::vector<double> &grid,
                                             results::StabilityResult &result) {
-    auto found =
-        motions != nullptr ? certain_ends(*motions, grid, ends::usual_steps) : std::nullopt;
+    auto found = motions != nullptr ? certain_ends(*motions, ends::usual_steps) : std::nullopt;
     if (found) {
         result.unstable = ends::bands_of(*found, {grid.front(), grid.back()});
         result.ends = std::move(found->ends);

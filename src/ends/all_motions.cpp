@@ -1,7 +1,6 @@
 #include "ends/all_motions.h"
 
 #include "assembly/frequency_scales.h"
-#include "balancers/linear_element.h"
 #include "ends/resolved_reach.h"
 #include "modes/zero_modes.h"
 #include "stability/motion_reach.h"
@@ -53,9 +52,6 @@ bool is_that(const WholeMotion &found, const Root &root) {
                parallel * found.right.norm() * root.right.norm();
 }
 
-/// Numbers in all spectra that are remembered: some 60 MB.
-constexpr double most_remembered = 8e6;
-
 } // namespace
 
 AllMotions::AllMotions(const assembly::Discretization &discretization, results::Form form,
@@ -63,12 +59,9 @@ AllMotions::AllMotions(const assembly::Discretization &discretization, results::
                        std::shared_ptr<const Eigen::MatrixXd> shapes, double from, double to)
     : _discretization(discretization), _form(form), _shapes(std::move(shapes)),
       _whole(discretization, form,
-             results::in_rotating_axes(form)
-                 ? balancers::balancer_elements(discretization.rotor(), arrangement)
-                 : std::vector<balancers::BalancerElement>{}),
-      _rotor(std::make_unique<RotorPieces>(_whole, _shapes.get(),
-                                           borders(discretization.rotor(), from, to),
-                                           synchronous::table_speeds(discretization.rotor()))),
+             balancers::balancer_elements(discretization.rotor(), arrangement)),
+      _rotor(_whole, _shapes.get(), borders(discretization.rotor(), from, to),
+             synchronous::table_speeds(discretization.rotor())),
       _slow(assembly::support_scale(discretization)), _from(from), _to(to) {
     if (!results::in_rotating_axes(form)) {
         const double speed = to != 0 ? to : from;
@@ -97,7 +90,7 @@ double AllMotions::reach() const {
 
 Spectrum AllMotions::at(double speed, int piece) const {
     const double shift = 0.31 * std::max(std::abs(speed), _slow);
-    Spectrum out = all_roots(_rotor->at(speed, piece), speed, shift, _zeros);
+    Spectrum out = all_roots(_rotor.at(speed, piece), speed, shift, _zeros);
     constexpr double beyond = 10; // of all that is looked at
     std::erase_if(out.roots, [&](const Root &root) {
         return is_lost(root, shift, beyond * std::max(least_reach(), _slow));
@@ -105,20 +98,8 @@ Spectrum AllMotions::at(double speed, int piece) const {
     return out;
 }
 
-Spectrum AllMotions::remembered_at(double speed, int piece) const {
-    const auto known = _remembered.find({piece, speed});
-    if (known != _remembered.end())
-        return known->second;
-    Spectrum out = at(speed, piece);
-    // Each root has two complex vectors of half as many entries as there are roots; and matrices.
-    const auto numbers = static_cast<double>(4 * out.roots.size() * out.roots.size());
-    if (static_cast<double>(_remembered.size()) * numbers < most_remembered)
-        _remembered.emplace(std::pair(piece, speed), out);
-    return out;
-}
-
 WholeMotion AllMotions::lifted(const Root &root, double speed) const {
-    return {speed, root.value, _rotor->lifted(root.right), _rotor->lifted(root.left), root.rate};
+    return {speed, root.value, _rotor.lifted(root.right), _rotor.lifted(root.left), root.rate};
 }
 
 void AllMotions::count_resolved() {

@@ -9,10 +9,8 @@
 #include "stability/band_finder.h"
 
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace whirl::ends {
@@ -37,20 +35,14 @@ class AllMotions {
     /// @param finder  must outlive this
     /// @param speeds  ascending, over the range
     AllMotions(stability::BandFinder &finder, const std::vector<double> &speeds);
-    ~AllMotions() = default;
     AllMotions(const AllMotions &) = delete;
     AllMotions &operator=(const AllMotions &) = delete;
-    AllMotions(AllMotions &&) = delete;
-    AllMotions &operator=(AllMotions &&) = delete;
 
-    [[nodiscard]] int pieces() const { return _rotor->pieces(); }
-    [[nodiscard]] const RotorPieces &rotor() const { return *_rotor; }
+    [[nodiscard]] const RotorPieces &rotor() const { return _rotor; }
     /// Without those that rounding does not tell from infinitely fast ones.
     /// @param piece  of the range between table rows, which decides what the rates are at a row
     [[nodiscard]] Spectrum at(double speed, int piece) const;
-    [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor->piece_of(speed)); }
-    /// As at(), remembered for another search through the same speeds as far as there is room.
-    [[nodiscard]] Spectrum remembered_at(double speed, int piece) const;
+    [[nodiscard]] Spectrum at(double speed) const { return at(speed, _rotor.piece_of(speed)); }
 
     /// A root as a motion of the whole rotor to begin with.
     [[nodiscard]] WholeMotion lifted(const Root &root, double speed) const;
@@ -87,15 +79,14 @@ class AllMotions {
     results::Form _form;
     std::shared_ptr<const Eigen::MatrixXd> _shapes;
     modes::FormMatrices _whole;
-    std::unique_ptr<RotorPieces> _rotor;
+    RotorPieces _rotor;
     double _resolved = std::numeric_limits<double>::infinity();
     bool _drives_all = false; ///< something drives motions of every frequency
     double _slow = 0;         ///< of the order of the motions on the supports, 1/s
     double _from, _to;
     mutable std::optional<double> _reach; ///< once it was asked for
     int _zeros = 0;
-    mutable std::optional<Spectrum> _told;                          ///< the last one
-    mutable std::map<std::pair<int, double>, Spectrum> _remembered; ///< of a piece and a speed
+    mutable std::optional<Spectrum> _told; ///< the last one
 
     [[nodiscard]] double least_reach() const;
     /// As at(); of fast motions that rounding of the decomposition hides it is told by the whole

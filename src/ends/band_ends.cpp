@@ -66,52 +66,6 @@ bool overlap(const SpeedInterval &a, const SpeedInterval &b) {
     return std::max(a.first, b.first) < std::min(a.second, b.second);
 }
 
-} // namespace
-
-std::vector<SpeedInterval> bands_of(const EndsFound &found, const SpeedInterval &range) {
-    std::vector<SpeedInterval> out;
-    double start = range.first;
-    bool unstable = found.growing_from > 0;
-    for (const StabilityEnd &end : found.ends) {
-        if (!begins_or_ends_growth(end))
-            continue;
-        if (unstable)
-            out.emplace_back(start, end.speed);
-        start = end.speed;
-        unstable = end.growing_above > 0;
-    }
-    if (unstable)
-        out.emplace_back(start, range.second);
-    return out;
-}
-
-std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &bands,
-                              const MotionsAt &at, results::Form form, const SpeedInterval &range) {
-    snap(found.ends, bands);
-    const std::vector<SpeedInterval> by_ends = bands_of(found, range);
-    for (const SpeedInterval &band : bands)
-        if (std::ranges::none_of(by_ends, [&](const auto &other) { return overlap(band, other); }))
-            take_up(found.ends, band, at, form, range);
-    const std::vector<SpeedInterval> all = bands_of(found, range);
-    std::vector<double> unexplained;
-    for (const SpeedInterval &band : bands)
-        for (const double edge : {band.first, band.second})
-            if (std::ranges::none_of(all, [&](const SpeedInterval &other) {
-                    return near(edge, other.first) || near(edge, other.second);
-                }))
-                unexplained.push_back(edge);
-    if (unexplained.empty())
-        bands = all;
-    // The number may change there without growth ceasing: bands differ, the list does not.
-    std::erase_if(unexplained, [&](double edge) {
-        return std::ranges::any_of(found.ends,
-                                   [edge](const auto &end) { return near(end.speed, edge); });
-    });
-    return unexplained;
-}
-
-namespace {
-
 /// A count at a speed, and the motions behind it.
 struct Look {
     double speed = 0;
@@ -211,6 +165,48 @@ class CountSearch {
 };
 
 } // namespace
+
+std::vector<SpeedInterval> bands_of(const EndsFound &found, const SpeedInterval &range) {
+    std::vector<SpeedInterval> out;
+    double start = range.first;
+    bool unstable = found.growing_from > 0;
+    for (const StabilityEnd &end : found.ends) {
+        if (!begins_or_ends_growth(end))
+            continue;
+        if (unstable)
+            out.emplace_back(start, end.speed);
+        start = end.speed;
+        unstable = end.growing_above > 0;
+    }
+    if (unstable)
+        out.emplace_back(start, range.second);
+    return out;
+}
+
+std::vector<double> reconcile(EndsFound &found, std::vector<SpeedInterval> &bands,
+                              const MotionsAt &at, results::Form form, const SpeedInterval &range) {
+    snap(found.ends, bands);
+    const std::vector<SpeedInterval> by_ends = bands_of(found, range);
+    for (const SpeedInterval &band : bands)
+        if (std::ranges::none_of(by_ends, [&](const auto &other) { return overlap(band, other); }))
+            take_up(found.ends, band, at, form, range);
+    const std::vector<SpeedInterval> all = bands_of(found, range);
+    std::vector<double> unexplained;
+    for (const SpeedInterval &band : bands)
+        for (const double edge : {band.first, band.second})
+            if (std::ranges::none_of(all, [&](const SpeedInterval &other) {
+                    return near(edge, other.first) || near(edge, other.second);
+                }))
+                unexplained.push_back(edge);
+    if (unexplained.empty())
+        bands = all;
+    // The number may change there without growth ceasing: bands differ, the list does not.
+    std::erase_if(unexplained, [&](double edge) {
+        return std::ranges::any_of(found.ends,
+                                   [edge](const auto &end) { return near(end.speed, edge); });
+    });
+    return unexplained;
+}
 
 EndsFound multiplier_ends(const MotionsAt &at, const std::vector<double> &speeds,
                           const std::vector<SpeedInterval> &bands) {

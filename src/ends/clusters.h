@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ends/groups.h"
 #include "ends/spectrum.h"
 
 #include <vector>

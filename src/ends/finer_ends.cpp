@@ -17,20 +17,13 @@ double likeness(const Eigen::VectorXcd &a, const Eigen::VectorXcd &b,
     return std::norm(product(a, b)) / std::abs(product(a, a) * product(b, b));
 }
 
-std::vector<balancers::BalancerElement> balancers_of(const model::Rotor &rotor, results::Form form,
-                                                     const balancers::Arrangement &arrangement) {
-    if (!results::in_rotating_axes(form))
-        return {};
-    return balancers::balancer_elements(rotor, arrangement);
-}
-
 } // namespace
 
 FinerEnds::FinerEnds(const assembly::Discretization &discretization, results::Form form,
                      const balancers::Arrangement &arrangement)
     : _discretization(discretization),
       _finer(discretization.rotor(), mesh_error::finer_order(discretization.order())),
-      _matrices(_finer, form, balancers_of(discretization.rotor(), form, arrangement)),
+      _matrices(_finer, form, balancers::balancer_elements(discretization.rotor(), arrangement)),
       _places(discretization.places_in(_finer)) {}
 
 Eigen::VectorXcd FinerEnds::embedded(const Eigen::VectorXcd &vector) const {

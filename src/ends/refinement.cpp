@@ -15,7 +15,6 @@ using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
 
-constexpr int most_steps = 25;
 constexpr double converged = 1e-13;
 
 /// Steps have become nothing, or as small as rounding leaves them, or the next one will: errors are
@@ -98,26 +97,47 @@ bool iterate(const modes::QuadraticAt &p, Complex l, WholeMotion &m, Factors &lu
     return true;
 }
 
-/// At an eigenvalue itself the factorisation can fail: a little beside it does as well.
-bool iterate_near(const modes::QuadraticAt &p, Complex l, double scale, WholeMotion &m,
-                  Factors &lu) {
-    return iterate(p, l, m, lu) || iterate(p, l + 1e-10 * scale, m, lu);
+/// Newton's method, with better vectors at each step.
+/// @param scale    of speed and root, 1/s
+/// @param correct  moves the speed or the root of a motion by the forms of its vectors, and says
+/// how
+///                 far, relative; not finite: it goes nowhere
+template <class Correct>
+std::optional<WholeMotion> corrected(const modes::FormMatrices &whole, WholeMotion m, double scale,
+                                     const Correct &correct) {
+    constexpr int most_steps = 25;
+    Settled settled;
+    Factors factors;
+    modes::QuadraticAt problem = whole.at(m.speed);
+    for (int step = 0; step < most_steps; ++step) {
+        // At an eigenvalue itself the factorisation can fail: a little beside it does as well.
+        if (!iterate(problem, m.value, m, factors) &&
+            !iterate(problem, m.value + 1e-10 * scale, m, factors))
+            return std::nullopt;
+        const Forms f = forms(problem, m.value, m);
+        const double speed = m.speed;
+        const double change = correct(f, m);
+        if (!std::isfinite(change))
+            return std::nullopt;
+        m.rate = -f.by_speed / f.by_root;
+        if (settled(change)) {
+            m.noise = noise_of(problem, m, f.by_root);
+            return m;
+        }
+        if (m.speed != speed)
+            problem = whole.at(m.speed);
+    }
+    return std::nullopt;
 }
 
 } // namespace
 
 std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const WholeMotion &guess,
                                        bool standing) {
-    WholeMotion m = guess;
-    double w = standing ? 0 : guess.value.imag();
-    const double scale = std::max(std::abs(guess.speed), std::abs(w));
-    Settled settled;
-    Factors factors;
-    for (int step = 0; step < most_steps; ++step) {
-        const modes::QuadraticAt problem = whole.at(m.speed);
-        if (!iterate_near(problem, {0, w}, scale, m, factors))
-            return std::nullopt;
-        const Forms f = forms(problem, {0, w}, m);
+    WholeMotion start = guess;
+    start.value = {0, standing ? 0 : guess.value.imag()};
+    const double scale = std::max(std::abs(guess.speed), std::abs(start.value));
+    return corrected(whole, start, scale, [&](const Forms &f, WholeMotion &m) {
         const Complex of_w = Complex(0, 1) * f.by_root;
         double change = 0;
         double change_w = 0;
@@ -128,46 +148,24 @@ std::optional<WholeMotion> on_the_axis(const modes::FormMatrices &whole, const W
             change = -(std::conj(of_w) * f.value).imag() / determinant;
             change_w = (std::conj(f.by_speed) * f.value).imag() / determinant;
         }
-        if (!std::isfinite(change) || !std::isfinite(change_w))
-            return std::nullopt;
         m.speed += change;
-        w += change_w;
-        m.value = {0, w};
-        m.rate = -f.by_speed / f.by_root;
-        if (std::abs(m.speed - guess.speed) > 0.5 * std::abs(guess.speed))
-            return std::nullopt;
-        if (settled(std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale)))) {
-            m.noise = noise_of(problem, m, f.by_root);
-            return m;
-        }
-    }
-    return std::nullopt;
+        m.value = {0, m.value.imag() + change_w};
+        if (!(std::abs(m.speed - guess.speed) <= 0.5 * std::abs(guess.speed)))
+            return HUGE_VAL;
+        return std::max(std::abs(change / m.speed), std::abs(change_w) / (100 * scale));
+    });
 }
 
 std::optional<WholeMotion> at_its_speed(const modes::FormMatrices &whole,
                                         const WholeMotion &guess) {
-    WholeMotion m = guess;
-    const modes::QuadraticAt problem = whole.at(guess.speed);
     const double scale = std::max(std::abs(guess.speed), std::abs(guess.value));
-    Settled settled;
-    Factors factors;
-    for (int step = 0; step < most_steps; ++step) {
-        if (!iterate_near(problem, m.value, scale, m, factors))
-            return std::nullopt;
-        const Forms f = forms(problem, m.value, m);
+    return corrected(whole, guess, scale, [&](const Forms &f, WholeMotion &m) {
         Complex change = -f.value / f.by_root;
         if (guess.value.imag() == 0) // of a real root both vectors are real but for rounding
             change = change.real();
-        if (!std::isfinite(std::abs(change)))
-            return std::nullopt;
         m.value += change;
-        m.rate = -f.by_speed / f.by_root;
-        if (settled(std::abs(change / m.value))) {
-            m.noise = noise_of(problem, m, f.by_root);
-            return m;
-        }
-    }
-    return std::nullopt;
+        return std::abs(change / m.value);
+    });
 }
 
 } // namespace whirl::ends

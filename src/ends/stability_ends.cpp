@@ -47,28 +47,23 @@ struct Found {
 
 class EndSearch {
   public:
-    EndSearch(const AllMotions &motions, double from, double to, const std::vector<double> &looks,
-              int steps)
+    EndSearch(const AllMotions &motions, const std::vector<double> &looks, int steps)
         : _motions(motions) {
+        const RotorPieces &rotor = motions.rotor();
+        const double from = rotor.from(0);
+        const double to = rotor.to(rotor.pieces() - 1);
         const double top = std::max(std::abs(from), std::abs(to));
-        for (int piece = 0; piece < motions.pieces(); ++piece) {
-            const SpectrumAt at = [&, piece](double speed) {
-                return motions.remembered_at(speed, piece);
-            };
-            const double low = motions.rotor().from(piece);
-            const double high = motions.rotor().to(piece);
-            const auto speeds = base_speeds(low, high, looks, top, (to - from) / steps);
+        for (int piece = 0; piece < rotor.pieces(); ++piece) {
+            const auto speeds =
+                base_speeds(rotor.from(piece), rotor.to(piece), looks, top, (to - from) / steps);
             if (speeds.size() < 2)
                 continue;
-            const Sweep sweep(
-                at, speeds, [&](double size) { return motions.within_reach(size); },
-                motions.resolved_up_to());
-            for (const Change &change : sweep.changes())
+            const Swept range = swept(motions, piece, speeds);
+            for (const Change &change : range.changes)
                 if (std::abs(change.speed) > 1.01 * at_rest * top)
                     take(change, piece);
-            _counts.insert(sweep.counts().begin(), sweep.counts().end());
-            _out.doubtful.insert(_out.doubtful.end(), sweep.doubtful().begin(),
-                                 sweep.doubtful().end());
+            _counts.insert(range.counts.begin(), range.counts.end());
+            _out.doubtful.insert(_out.doubtful.end(), range.doubtful.begin(), range.doubtful.end());
         }
     }
 
@@ -242,9 +237,8 @@ class EndSearch {
 
 } // namespace
 
-EndsFound find_ends(const AllMotions &motions, double from, double to,
-                    const std::vector<double> &looks, int steps) {
-    return EndSearch(motions, from, to, looks, steps).ends();
+EndsFound find_ends(const AllMotions &motions, const std::vector<double> &looks, int steps) {
+    return EndSearch(motions, looks, steps).ends();
 }
 
 } // namespace whirl::ends

@@ -27,12 +27,12 @@ struct EndsFound {
     bool undamped = false;
 };
 
-/// Every speed between two at which the number of growing motions changes. All eigenvalues of the
+/// Every speed of the range at which the number of growing motions changes. All eigenvalues of the
 /// reduced rotor are followed through the range (sweep.h); each change is found again with the
 /// whole rotor, as a root (refinement.h), relative 1e-12 but for rounding.
 /// @param looks  speeds that should be looked at, as inside of bands known already
 /// @param steps  to begin with
-[[nodiscard]] EndsFound find_ends(const AllMotions &motions, double from, double to,
-                                  const std::vector<double> &looks, int steps = usual_steps);
+[[nodiscard]] EndsFound find_ends(const AllMotions &motions, const std::vector<double> &looks,
+                                  int steps = usual_steps);
 
 } // namespace whirl::ends

@@ -2,11 +2,12 @@
 
 #include "ends/clusters.h"
 #include "ends/coupling.h"
-#include "ends/groups.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
 
 namespace whirl::ends {
@@ -149,6 +150,86 @@ std::optional<double> passing(const Strand &a, const Strand &b, const Course &of
     return std::nullopt;
 }
 
+/// Numbers of roots at both ends of a step that belong together.
+using Group = std::pair<std::vector<int>, std::vector<int>>;
+
+/// The best partner must be better than the next by this factor.
+constexpr double clearly = 0.35;
+
+/// Of the entries of a row or a column the place of the least, and the one after it.
+struct Best {
+    Eigen::Index index = 0;
+    double next = HUGE_VAL;
+};
+template <class Entries> Best best_of(const Entries &entries) {
+    Best out;
+    const double least = entries.minCoeff(&out.index);
+    for (Eigen::Index k = 0; k < entries.size(); ++k)
+        if (k != out.index)
+            out.next = std::min(out.next, std::max(least, entries(k)));
+    return out;
+}
+
+/// Which of the roots at both ends of a step could be one motion: groups, each of one root at
+/// either end where that is clear.
+class Groups {
+  public:
+    /// @param off  misfit of each root at the one end with each at the other
+    explicit Groups(Eigen::MatrixXd off)
+        : _rows(off.rows()), _group(static_cast<std::size_t>(off.rows() + off.cols())) {
+        std::iota(_group.begin(), _group.end(), 0);
+        take_clear_pairs(off);
+        const Eigen::VectorXd of_row = off.rowwise().minCoeff() / clearly;
+        const Eigen::VectorXd of_column = off.colwise().minCoeff() / clearly;
+        for (Eigen::Index j = 0; j < off.cols(); ++j)
+            for (Eigen::Index i = 0; i < _rows; ++i)
+                if (std::isfinite(off(i, j)) &&
+                    (off(i, j) <= of_row(i) || off(i, j) <= of_column(j)))
+                    join(i, j);
+    }
+
+    [[nodiscard]] std::vector<Group> all() const {
+        std::map<int, Group> groups;
+        const auto rows = static_cast<int>(_rows);
+        for (int k = 0; k < static_cast<int>(_group.size()); ++k) {
+            auto &[first, second] = groups[_group[static_cast<std::size_t>(k)]];
+            (k < rows ? first : second).push_back(k < rows ? k : k - rows);
+        }
+        std::vector<Group> out;
+        for (auto &[number, group] : groups)
+            out.push_back(std::move(group));
+        return out;
+    }
+
+  private:
+    Eigen::Index _rows;
+    std::vector<int> _group; ///< of each row and of each column behind them, a number
+
+    void join(Eigen::Index i, Eigen::Index j) {
+        const int before = _group[static_cast<std::size_t>(i)];
+        std::ranges::replace(_group, before, _group[static_cast<std::size_t>(_rows + j)]);
+    }
+    /// The best partner of each other, by far: nobody else's from then on.
+    void take_clear_pairs(Eigen::MatrixXd &off) {
+        std::vector<Best> of_column;
+        for (Eigen::Index j = 0; j < off.cols(); ++j)
+            of_column.push_back(best_of(off.col(j)));
+        std::vector<std::pair<Eigen::Index, Eigen::Index>> pairs;
+        for (Eigen::Index i = 0; i < _rows; ++i) {
+            const Best row = best_of(off.row(i));
+            const Best &column = of_column[static_cast<std::size_t>(row.index)];
+            const double own = off(i, row.index);
+            if (column.index == i && own <= clearly * std::min(row.next, column.next))
+                pairs.emplace_back(i, row.index);
+        }
+        for (const auto &[i, j] : pairs) {
+            join(i, j);
+            off.row(i).setConstant(HUGE_VAL);
+            off.col(j).setConstant(HUGE_VAL);
+        }
+    }
+};
+
 } // namespace
 
 Complex Strand::at(double t) const {
@@ -177,7 +258,7 @@ Strands followed(const Spectrum &from, const Spectrum &to) {
                                  : misfit(between(static_cast<int>(i), static_cast<int>(j)));
     }
     const ClusterStep of_step{from.speed, to.speed, is_long(from.speed, to.speed)};
-    for (const auto &[of_from, of_to] : groups_of(std::move(off))) {
+    for (const auto &[of_from, of_to] : Groups(std::move(off)).all()) {
         if (of_from.size() == 1 && of_to.size() == 1) {
             out.strands.push_back(between(of_from.front(), of_to.front()));
             continue;

@@ -1,5 +1,7 @@
 #include "ends/sweep.h"
 
+#include "ends/strands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -28,107 +30,122 @@ double zero_of(const Strand &strand) {
     return (low + high) / 2;
 }
 
+class Sweep {
+  public:
+    Sweep(const AllMotions &motions, int piece, const std::vector<double> &speeds)
+        : _motions(motions), _piece(piece),
+          _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))) {
+        Spectrum before = look(speeds.front());
+        for (std::size_t k = 1; k < speeds.size(); ++k) {
+            Spectrum now = look(speeds[k]);
+            through(before, now);
+            before = std::move(now);
+        }
+    }
+
+    Swept found;
+
+  private:
+    const AllMotions &_motions;
+    int _piece;
+    double _scale; ///< largest speed, rad/s
+    int _looks_left = most_looks;
+
+    Spectrum look(double speed) {
+        --_looks_left;
+        Spectrum out = _motions.at(speed, _piece);
+        Count &count = found.counts[speed];
+        count = {};
+        for (const Root &root : out.roots) {
+            const double size = std::abs(root.value);
+            count.growing += root.sign() > 0 ? 1 : 0;
+            count.unknown += root.sign() == 0 && _motions.within_reach(size) ? 1 : 0;
+            count.resolved += root.sign() > 0 && size <= _motions.resolved_up_to() ? 1 : 0;
+        }
+        return out;
+    }
+
+    void through(const Spectrum &a, const Spectrum &b) {
+        const double step = b.speed - a.speed;
+        const double size = std::max(std::abs(a.speed), std::abs(b.speed));
+        const Strands strands = followed(a, b);
+        std::optional<double> cut = look_at(strands, a, b, _scale);
+        if (!cut) {
+            cut = take(a, b, strands);
+            if (!cut)
+                return;
+        }
+        if (step < minute * size && a.growing() == b.growing())
+            return;
+        if (step < least * size) {
+            take_abrupt(a, b);
+            return;
+        }
+        if (_looks_left <= 0) {
+            found.doubtful.emplace_back(a.speed, b.speed);
+            return;
+        }
+        const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
+        through(a, middle);
+        through(middle, b);
+    }
+
+    /// @returns where to look before the changes of a step can be told: in the middle, where what
+    /// becomes of the strands does not explain how many grow at its ends; between two real roots
+    /// that pass zero, of which each would lead to the other's speed
+    std::optional<double> take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
+        std::vector<Change> changes;
+        std::vector<double> standing; // where in the step
+        int sum = 0;
+        for (const Strand &strand : strands.strands) {
+            const int gain = (strand.to->sign() > 0 ? 1 : 0) - (strand.from->sign() > 0 ? 1 : 0);
+            sum += gain;
+            const double t = gain != 0 ? zero_of(strand) : 0;
+            const std::complex<double> value = strand.at(t);
+            if (gain == 0 || value.imag() < -1e-9 * _scale)
+                continue;
+            if (value.imag() < 1e-9 * _scale && t > 0 && t < 1)
+                standing.push_back(t);
+            changes.push_back({a.speed + t * (b.speed - a.speed),
+                               a.speed,
+                               b.speed,
+                               {value.real(), std::abs(value.imag())},
+                               gain,
+                               strand.from->sign() * strand.to->sign() != 0});
+        }
+        if (sum != b.growing() - a.growing())
+            return strands.middle;
+        std::ranges::sort(standing);
+        for (std::size_t k = 1; k < standing.size(); ++k)
+            if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
+                return (standing[k] + standing[k - 1]) / 2;
+        found.changes.insert(found.changes.end(), changes.begin(), changes.end());
+        return std::nullopt;
+    }
+
+    /// Of the roots that grow at the one end that which has just begun to.
+    void take_abrupt(const Spectrum &a, const Spectrum &b) {
+        const int gain = b.growing() - a.growing();
+        const Spectrum &more = gain > 0 ? b : a;
+        const Spectrum &fewer = gain > 0 ? a : b;
+        const Root *best = nullptr;
+        for (const Root &root : more.roots)
+            if (root.sign() > 0 && root.value.imag() >= 0 &&
+                (best == nullptr || root.value.real() < best->value.real()))
+                best = &root;
+        Change change{(a.speed + b.speed) / 2, a.speed, b.speed, 0, gain, false, false};
+        if (best != nullptr) {
+            change.value = best->value;
+            change.undamped = fewer.nearest(best->value).sign() == 0;
+        }
+        found.changes.push_back(change);
+    }
+};
+
 } // namespace
 
-Sweep::Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow,
-             double resolved)
-    : _at(at), _scale(std::max(std::abs(speeds.front()), std::abs(speeds.back()))),
-      _slow(std::move(slow)), _resolved(resolved), _looks_left(most_looks) {
-    Spectrum before = look(speeds.front());
-    for (std::size_t k = 1; k < speeds.size(); ++k) {
-        Spectrum now = look(speeds[k]);
-        through(before, now);
-        before = std::move(now);
-    }
-}
-
-Spectrum Sweep::look(double speed) {
-    --_looks_left;
-    Spectrum out = _at(speed);
-    const auto unknown = std::ranges::count_if(out.roots, [this](const Root &root) {
-        return root.sign() == 0 && _slow(std::abs(root.value));
-    });
-    const auto resolved = std::ranges::count_if(out.roots, [this](const Root &root) {
-        return root.sign() > 0 && std::abs(root.value) <= _resolved;
-    });
-    _counts[speed] = {out.growing(), static_cast<int>(unknown), static_cast<int>(resolved)};
-    return out;
-}
-
-void Sweep::through(const Spectrum &a, const Spectrum &b) {
-    const double step = b.speed - a.speed;
-    const double size = std::max(std::abs(a.speed), std::abs(b.speed));
-    const Strands strands = followed(a, b);
-    std::optional<double> cut = look_at(strands, a, b, _scale);
-    if (!cut) {
-        cut = take(a, b, strands);
-        if (!cut)
-            return;
-    }
-    if (step < minute * size && a.growing() == b.growing())
-        return;
-    if (step < least * size) {
-        take_abrupt(a, b);
-        return;
-    }
-    if (_looks_left <= 0) {
-        _doubtful.emplace_back(a.speed, b.speed);
-        return;
-    }
-    const Spectrum middle = look(a.speed + std::clamp(*cut, 1e-3, 1 - 1e-3) * step);
-    through(a, middle);
-    through(middle, b);
-}
-
-/// @returns where to look before the changes of a step can be told: in the middle, where what
-/// becomes of the strands does not explain how many grow at its ends; between two real roots that
-/// pass zero, of which each would lead to the other's speed
-std::optional<double> Sweep::take(const Spectrum &a, const Spectrum &b, const Strands &strands) {
-    std::vector<Change> found;
-    std::vector<double> standing; // where in the step
-    int sum = 0;
-    for (const Strand &strand : strands.strands) {
-        const int gain = (strand.to->sign() > 0 ? 1 : 0) - (strand.from->sign() > 0 ? 1 : 0);
-        sum += gain;
-        const double t = gain != 0 ? zero_of(strand) : 0;
-        const std::complex<double> value = strand.at(t);
-        if (gain == 0 || value.imag() < -1e-9 * _scale)
-            continue;
-        if (value.imag() < 1e-9 * _scale && t > 0 && t < 1)
-            standing.push_back(t);
-        found.push_back({a.speed + t * (b.speed - a.speed),
-                         a.speed,
-                         b.speed,
-                         {value.real(), std::abs(value.imag())},
-                         gain,
-                         strand.from->sign() * strand.to->sign() != 0});
-    }
-    if (sum != b.growing() - a.growing())
-        return strands.middle;
-    std::ranges::sort(standing);
-    for (std::size_t k = 1; k < standing.size(); ++k)
-        if ((standing[k] - standing[k - 1]) * (b.speed - a.speed) > minute * std::abs(b.speed))
-            return (standing[k] + standing[k - 1]) / 2;
-    _changes.insert(_changes.end(), found.begin(), found.end());
-    return std::nullopt;
-}
-
-/// Of the roots that grow at the one end that which has just begun to.
-void Sweep::take_abrupt(const Spectrum &a, const Spectrum &b) {
-    const int gain = b.growing() - a.growing();
-    const Spectrum &more = gain > 0 ? b : a;
-    const Spectrum &fewer = gain > 0 ? a : b;
-    const Root *best = nullptr;
-    for (const Root &root : more.roots)
-        if (root.sign() > 0 && root.value.imag() >= 0 &&
-            (best == nullptr || root.value.real() < best->value.real()))
-            best = &root;
-    Change change{(a.speed + b.speed) / 2, a.speed, b.speed, 0, gain, false, false};
-    if (best != nullptr) {
-        change.value = best->value;
-        change.undamped = fewer.nearest(best->value).sign() == 0;
-    }
-    _changes.push_back(change);
+Swept swept(const AllMotions &motions, int piece, const std::vector<double> &speeds) {
+    return Sweep(motions, piece, speeds).found;
 }
 
 } // namespace whirl::ends

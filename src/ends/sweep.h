@@ -1,18 +1,13 @@
 #pragma once
 
-#include "ends/spectrum.h"
-#include "ends/strands.h"
+#include "ends/all_motions.h"
+#include "stability/unstable_bands.h"
 
-#include <functional>
+#include <complex>
 #include <map>
-#include <utility>
 #include <vector>
 
 namespace whirl::ends {
-
-using SpectrumAt = std::function<Spectrum(double speed)>;
-/// Whether motions of this |l|, 1/s, are slow enough to be known to grow or not.
-using SlowEnough = std::function<bool(double size)>;
 
 /// A speed at which a motion begins or ceases to grow, as cubics between looks place it.
 struct Change {
@@ -32,40 +27,19 @@ struct Count {
     int resolved = 0; ///< growing ones that the mesh resolves
 };
 
+/// What a range of speeds shows.
+struct Swept {
+    std::vector<Change> changes;
+    std::map<double, Count> counts;                   ///< at all speeds looked at
+    std::vector<stability::SpeedInterval> doubtful{}; ///< steps in which motions were not followed
+};
+
 /// Follows all eigenvalues of a rotor through a range of speeds, with steps that are halved until
 /// what values and rates at both ends say of the real parts in between can be trusted, so that
 /// nothing depends on the steps one begins with: a motion that grows for a part of a step is seen,
 /// whatever the others do.
-class Sweep {
-  public:
-    /// @param speeds  ascending, to begin with
-    /// @param resolved  |l| up to which motions are counted as resolved, 1/s
-    Sweep(const SpectrumAt &at, const std::vector<double> &speeds, SlowEnough slow,
-          double resolved);
-
-    [[nodiscard]] const std::vector<Change> &changes() const { return _changes; }
-    /// At all speeds looked at.
-    [[nodiscard]] const std::map<double, Count> &counts() const { return _counts; }
-    /// Steps in which motions could not be followed.
-    [[nodiscard]] const std::vector<std::pair<double, double>> &doubtful() const {
-        return _doubtful;
-    }
-
-  private:
-    const SpectrumAt &_at;
-    std::vector<Change> _changes;
-    std::map<double, Count> _counts;
-    std::vector<std::pair<double, double>> _doubtful;
-    double _scale = 0; ///< largest speed, rad/s
-    SlowEnough _slow;
-    double _resolved;
-    int _looks_left;
-
-    [[nodiscard]] Spectrum look(double speed);
-    void through(const Spectrum &a, const Spectrum &b);
-    [[nodiscard]] std::optional<double> take(const Spectrum &a, const Spectrum &b,
-                                             const Strands &strands);
-    void take_abrupt(const Spectrum &a, const Spectrum &b);
-};
+/// @param piece   of the range between table rows
+/// @param speeds  in it, ascending, to begin with
+[[nodiscard]] Swept swept(const AllMotions &motions, int piece, const std::vector<double> &speeds);
 
 } // namespace whirl::ends

@@ -1,6 +1,7 @@
 #include "linalg/dense/products.h"
 #include "periodic/half_turn.h"
 #include "periodic/monodromy.h"
+#include "periodic/step_maps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,48 +17,43 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using linalg::Rows;
 
-/// The displacements and rates of motions over the period, of each a column for each step; without
-/// its growth and turn, so that they repeat.
-struct OverPeriod {
-    MatrixXcd displacements, rates;
-
-    [[nodiscard]] double frequency(const MatrixXd &M) const {
-        const auto square = [&M](const MatrixXcd &x) {
-            const MatrixXd real = x.real();
-            const MatrixXd imag = x.imag();
-            const MatrixXd by_real = linalg::times(M, real);
-            const MatrixXd by_imag = linalg::times(M, imag);
-            return std::hypot(real.cwiseProduct(by_real).sum() + imag.cwiseProduct(by_imag).sum(),
-                              real.cwiseProduct(by_imag).sum() - imag.cwiseProduct(by_real).sum());
-        };
-        return std::sqrt(square(rates) / std::max(square(displacements), 1e-300));
-    }
-};
-
-std::vector<OverPeriod> over_period(const std::vector<FloquetMotion> &motions,
-                                    const std::vector<Rows> &along, double length) {
-    const Eigen::Index n = along.front().rows() / 2;
+/// (q, q') of motions over the period, of each a column for each step; without its growth and turn,
+/// so that they repeat.
+std::vector<MatrixXcd> over_period(const std::vector<FloquetMotion> &motions,
+                                   const std::vector<Rows> &along, double length) {
+    const Eigen::Index rows = along.front().rows();
     const std::ptrdiff_t count = std::ssize(motions);
-    Rows start(2 * n, 2 * count);
-    Rows now(2 * n, 2 * count);
+    Rows start(rows, 2 * count);
+    Rows now(rows, 2 * count);
     for (Eigen::Index i = 0; i < count; ++i)
         start.middleCols(2 * i, 2) << motions[static_cast<std::size_t>(i)].shape.real(),
             motions[static_cast<std::size_t>(i)].shape.imag();
-    std::vector<OverPeriod> out(motions.size());
-    for (OverPeriod &one : out)
-        for (MatrixXcd *x : {&one.displacements, &one.rates})
-            x->resize(n, std::ssize(along));
+    std::vector<MatrixXcd> out(motions.size(), MatrixXcd(rows, std::ssize(along)));
     for (Eigen::Index step = 0; step < std::ssize(along); ++step) {
         linalg::set_product(along[static_cast<std::size_t>(step)], start, now);
         for (Eigen::Index i = 0; i < count; ++i) {
-            OverPeriod &one = out[static_cast<std::size_t>(i)];
             const Complex back = std::exp(-motions[static_cast<std::size_t>(i)].value *
                                           (length * static_cast<double>(step)));
-            const Eigen::VectorXcd state =
+            out[static_cast<std::size_t>(i)].col(step) =
                 back * (now.col(2 * i) + Complex(0, 1) * now.col(2 * i + 1));
-            one.displacements.col(step) = state.head(n);
-            one.rates.col(step) = state.tail(n);
         }
+    }
+    return out;
+}
+
+/// The same of one motion, by steps of its own.
+MatrixXcd over_period(const System &system, double speed, int steps, const FloquetMotion &motion) {
+    const double length = period(speed) / steps;
+    const StepMaps maps(system, speed, length);
+    const Complex back = std::exp(-motion.value * length);
+    MatrixXcd out(2 * system.size(), steps);
+    Rows state(2 * system.size(), 2); // real and imaginary parts
+    Rows next = state;
+    out.col(0) = motion.shape;
+    for (int step = 0; step + 1 < steps; ++step) {
+        state << out.col(step).real(), out.col(step).imag();
+        maps.set_end(step * length, state, next);
+        out.col(step + 1) = back * (next.col(0) + Complex(0, 1) * next.col(1));
     }
     return out;
 }
@@ -76,38 +72,6 @@ MatrixXcd fourier(Eigen::Index steps, Eigen::Index from, Eigen::Index to, bool b
     return out;
 }
 
-} // namespace
-
-std::vector<FloquetSeries> floquet_series(const System &system, double speed, int steps,
-                                          double fastest) {
-    std::vector<Rows> along;
-    const MatrixXd turn = half_turn(system, speed, steps, &along);
-    const MatrixXd M = system.steady(speed).M;
-    const int most = (steps - 1) / 2;
-    const MatrixXcd all = fourier(steps, -most, most, speed < 0);
-    std::vector<FloquetMotion> motions = motions_of(system, speed, turn);
-    std::erase_if(motions, [](const FloquetMotion &motion) { return motion.value.imag() < 0; });
-    const std::vector<OverPeriod> all_over = over_period(motions, along, period(speed) / steps);
-    std::vector<FloquetSeries> out;
-    for (std::size_t i = 0; i < motions.size(); ++i) {
-        const FloquetMotion &motion = motions[i];
-        const OverPeriod &over = all_over[i];
-        const double frequency = over.frequency(M);
-        if (frequency > fastest)
-            continue;
-        constexpr int more = 6;
-        constexpr double beyond = 3; // on average over the terms it is as fast as its frequency
-        const int K =
-            std::min(most, static_cast<int>(beyond * frequency / (2 * std::abs(speed))) + more);
-        const MatrixXcd waves = all.middleCols(most - K, 2 * K + 1);
-        out.push_back({motion.value, motion.noise,
-                       system.scales().asDiagonal() * linalg::times(over.displacements, waves)});
-    }
-    return out;
-}
-
-namespace {
-
 /// Number of the term that the motion turns with on average over the period.
 Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value, double speed) {
     const Eigen::Index n = M.rows();
@@ -121,12 +85,53 @@ Eigen::Index mean_term(const MatrixXd &M, const MatrixXcd &states, Complex value
 
 } // namespace
 
+double frequency_of(const MatrixXd &M, const MatrixXcd &states) {
+    const auto square = [&M](const MatrixXcd &x) {
+        const MatrixXd real = x.real();
+        const MatrixXd imag = x.imag();
+        const MatrixXd by_real = linalg::times(M, real);
+        const MatrixXd by_imag = linalg::times(M, imag);
+        return std::hypot(real.cwiseProduct(by_real).sum() + imag.cwiseProduct(by_imag).sum(),
+                          real.cwiseProduct(by_imag).sum() - imag.cwiseProduct(by_real).sum());
+    };
+    const Eigen::Index n = M.rows();
+    return std::sqrt(square(states.bottomRows(n)) / std::max(square(states.topRows(n)), 1e-300));
+}
+
+std::vector<FloquetSeries> floquet_series(const System &system, double speed, int steps,
+                                          double fastest) {
+    std::vector<Rows> along;
+    const MatrixXd turn = monodromy(system, speed, steps, &along);
+    const MatrixXd M = system.steady(speed).M;
+    const int most = (steps - 1) / 2;
+    const MatrixXcd all = fourier(steps, -most, most, speed < 0);
+    std::vector<FloquetMotion> motions = motions_of(system, speed, turn);
+    std::erase_if(motions, [](const FloquetMotion &motion) { return motion.value.imag() < 0; });
+    const std::vector<MatrixXcd> states = over_period(motions, along, period(speed) / steps);
+    std::vector<FloquetSeries> out;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const FloquetMotion &motion = motions[i];
+        const double frequency = frequency_of(M, states[i]);
+        if (frequency > fastest)
+            continue;
+        constexpr int more = 6;
+        constexpr double beyond = 3; // on average over the terms it is as fast as its frequency
+        const int K =
+            std::min(most, static_cast<int>(beyond * frequency / (2 * std::abs(speed))) + more);
+        const MatrixXcd waves = all.middleCols(most - K, 2 * K + 1);
+        const MatrixXcd displacements = states[i].topRows(M.rows());
+        out.push_back({motion.value, motion.noise,
+                       system.scales().asDiagonal() * linalg::times(displacements, waves)});
+    }
+    return out;
+}
+
 std::optional<FloquetSeries> centred_series(const System &system, double speed, int steps,
                                             const FloquetMotion &motion) {
     constexpr double nothing = 1e-10;
     constexpr Eigen::Index first = 12;
     constexpr Eigen::Index most = 400;
-    const MatrixXcd states = along_half_turn(system, speed, steps, motion);
+    const MatrixXcd states = over_period(system, speed, steps, motion);
     if (!states.allFinite())
         return std::nullopt;
     const Eigen::Index middle = mean_term(system.steady(speed).M, states, motion.value, speed);

@@ -32,6 +32,17 @@ Complex product(const MatrixXcd &a, const MatrixXcd &b) {
     return a.conjugate().cwiseProduct(b).sum();
 }
 
+/// s - 2 i k speed - l of all modes, a column for each term.
+MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
+    MatrixXcd out(steady.size(), terms);
+    const Index middle = terms / 2;
+    for (Index k = 0; k < terms; ++k)
+        out.col(k) = steady.array() - (l + Complex(0, 2 * speed * static_cast<double>(k - middle)));
+    // At a mode that the supports do not touch.
+    const double least = 1e-14 * (std::abs(l) + std::abs(speed));
+    return (out.array().abs() > least).select(out, least);
+}
+
 } // namespace
 
 /// (d_k x_k - acts f_k) = r_k with f_k = up seen x_k-1 + down seen x_k+1 for all terms.
@@ -152,16 +163,8 @@ void ModalSeries::take_modes(const linalg::GeneralEigen &found) {
     _R.resize(states, states);
     _L.resize(states, states);
     for (Index i = 0; i < states; ++i) {
-        const bool second = found.values(i).imag() < 0;
-        const Index first = second ? i - 1 : i;
-        const bool pair = found.is_pair(first);
-        VectorXcd right = linalg::unpacked(found.right, first, pair);
-        VectorXcd left = linalg::unpacked(found.left, first, pair);
-        if (second) {
-            right = right.conjugate().eval();
-            left = left.conjugate().eval();
-        }
-        right.normalize();
+        const VectorXcd right = vector_of(found, found.right, i).normalized();
+        const VectorXcd left = vector_of(found, found.left, i);
         const Complex dual = left.dot(right);
         if (!(std::abs(dual) > defective * left.norm()))
             throw linalg::SolverError("a mode is defective");
@@ -169,21 +172,6 @@ void ModalSeries::take_modes(const linalg::GeneralEigen &found) {
         _L.row(i) = left.adjoint() / dual;
     }
 }
-
-namespace {
-
-/// s - 2 i k speed - l of all modes, a column for each term.
-MatrixXcd off(const VectorXcd &steady, double speed, Complex l, Index terms) {
-    MatrixXcd out(steady.size(), terms);
-    const Index middle = terms / 2;
-    for (Index k = 0; k < terms; ++k)
-        out.col(k) = steady.array() - (l + Complex(0, 2 * speed * static_cast<double>(k - middle)));
-    // At a mode that the supports do not touch.
-    const double least = 1e-14 * (std::abs(l) + std::abs(speed));
-    return (out.array().abs() > least).select(out, least);
-}
-
-} // namespace
 
 MatrixXcd ModalSeries::solve(Complex l, const MatrixXcd &right) const {
     return Chain{_acts, _seen, _up, _down, off(_steady, _speed, l, right.cols()).cwiseInverse()}

@@ -25,14 +25,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using linalg::Rows;
 
-double frequency_of(const MatrixXd &M, const Eigen::VectorXcd &state) {
-    const Eigen::Index n = M.rows();
-    const auto square = [&M](const auto &x) { return std::abs(x.dot(M * x)); };
-    const Eigen::VectorXcd q = state.head(n);
-    const Eigen::VectorXcd v = state.tail(n);
-    return std::sqrt(square(v) / std::max(square(q), 1e-300));
-}
-
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// As FloquetMotion::action says, of an equation that conserves it.
@@ -64,7 +56,7 @@ Eigen::VectorXd weights_of(const System::Steady &steady, double speed) {
     return out;
 }
 
-MatrixXd half_turn(const System &system, double speed, int steps, std::vector<Rows> *along) {
+MatrixXd monodromy(const System &system, double speed, int steps, std::vector<Rows> *along) {
     if (along == nullptr)
         if (std::optional<MatrixXd> found = half_turn_by_windows(system, speed, steps))
             return *std::move(found);
@@ -85,23 +77,6 @@ MatrixXd half_turn(const System &system, double speed, int steps, std::vector<Ro
     return state;
 }
 
-MatrixXcd along_half_turn(const System &system, double speed, int steps,
-                          const FloquetMotion &motion) {
-    const double length = period(speed) / steps;
-    const StepMaps maps(system, speed, length);
-    const Complex back = std::exp(-motion.value * length);
-    MatrixXcd out(2 * system.size(), steps);
-    Rows state(2 * system.size(), 2); // real and imaginary parts
-    Rows next = state;
-    out.col(0) = motion.shape;
-    for (int step = 0; step + 1 < steps; ++step) {
-        state << out.col(step).real(), out.col(step).imag();
-        maps.set_end(step * length, state, next);
-        out.col(step + 1) = back * (next.col(0) + Complex(0, 1) * next.col(1));
-    }
-    return out;
-}
-
 std::vector<FloquetMotion> motions_of(const System &system, double speed,
                                       const MatrixXd &monodromy) {
     const System::Steady steady = system.steady(speed);
@@ -112,13 +87,10 @@ std::vector<FloquetMotion> motions_of(const System &system, double speed,
     const bool conserves = system.conserves(speed);
     std::vector<FloquetMotion> out;
     for (Eigen::Index i = 0; i < turn.cols(); ++i) {
-        const bool second = found.values(i).imag() < 0; // of a conjugate pair
-        const Eigen::Index first = second ? i - 1 : i;
-        const bool pair = found.is_pair(first);
         const Complex multiplier = found.values(i);
-        const double right = linalg::packed_norm(found.right, first, pair);
-        const double sharp =
-            std::abs(found.products(i)) / (right * linalg::packed_norm(found.left, first, pair));
+        const Eigen::VectorXcd right = vector_of(found, found.right, i);
+        const Eigen::VectorXcd left = vector_of(found, found.left, i);
+        const double sharp = std::abs(found.products(i)) / (right.norm() * left.norm());
         const double drowned = 10 * epsilon * size / std::max(sharp, epsilon);
         constexpr double known = 1e-3; // of a multiplier
         if (!(drowned < known * std::abs(multiplier)))
@@ -126,9 +98,7 @@ std::vector<FloquetMotion> motions_of(const System &system, double speed,
         FloquetMotion motion;
         motion.value = std::log(multiplier) / period(speed);
         motion.noise = drowned / std::abs(multiplier) / period(speed);
-        motion.state = linalg::unpacked(found.right, first, pair) / right;
-        if (second)
-            motion.state = motion.state.conjugate().eval();
+        motion.state = right.normalized();
         motion.shape = weights.cwiseInverse().cwiseProduct(motion.state);
         motion.frequency = frequency_of(steady.M, motion.shape);
         if (conserves)
@@ -136,10 +106,6 @@ std::vector<FloquetMotion> motions_of(const System &system, double speed,
         out.push_back(std::move(motion));
     }
     return out;
-}
-
-MatrixXd monodromy(const System &system, double speed, int steps) {
-    return half_turn(system, speed, steps, nullptr);
 }
 
 std::vector<FloquetMotion> floquet_motions(const System &system, double speed, int steps) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linalg/lanes/row_products.h"
 #include "periodic/system.h"
 
 #include <Eigen/Core>
@@ -16,8 +17,10 @@ namespace whirl::periodic {
 /// Motions of frequencies up to steps * resolved_angle * |speed| / pi are exact to 2e-12 a step,
 /// slower ones to rounding; much faster ones die out.
 /// @param speed  not zero, rad/s
+/// @param along  where to put the states at the beginning of each step, or none
 /// @throws linalg::SolverError where the steps meet a singular matrix
-[[nodiscard]] Eigen::MatrixXd monodromy(const System &system, double speed, int steps);
+[[nodiscard]] Eigen::MatrixXd monodromy(const System &system, double speed, int steps,
+                                        std::vector<linalg::Rows> *along = nullptr);
 
 /// A free motion exp(l t) u(t), u of period pi / |speed|.
 struct FloquetMotion {

@@ -65,11 +65,11 @@ System::System(const assembly::Discretization &discretization, double bearing_sp
     _turning_C = {small(all[0]), small(all[1])};
     _turning_K = {small(all[2]), small(all[3])};
     _turning_Ks = {small(all[4]), small(all[5])};
-    _places = shapes != nullptr ? reduction::Projection(*shapes).loads(picked) : picked;
-    const Eigen::MatrixXd every = Eigen::MatrixXd::Identity(unknowns, unknowns);
-    _unknowns = shapes != nullptr
-                    ? Eigen::MatrixXd(reduction::Projection(*shapes).loads(every).transpose())
-                    : every;
+    const auto loads = [shapes](const Eigen::MatrixXd &columns) {
+        return shapes != nullptr ? reduction::Projection(*shapes).loads(columns) : columns;
+    };
+    _places = loads(picked);
+    _unknowns = loads(Eigen::MatrixXd::Identity(unknowns, unknowns)).transpose();
     _root_K_whole = Sparse(system.K.view()).diagonal().cwiseAbs().cwiseSqrt();
     _root_M_whole = Sparse(system.M.view()).diagonal().cwiseAbs().cwiseSqrt();
     scale(linalg::scales_at(assembly::support_scale(discretization), _M.diagonal(), _K.diagonal()));

@@ -1,15 +1,13 @@
 #include "periodic/whole_root.h"
 
 #include "assembly/hill_system.h"
-#include "assembly/rotating_system.h"
-#include "linalg/sparse_factor.h"
 #include "linalg/unit_scales.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <utility>
 
 namespace whirl::periodic {
 
@@ -18,7 +16,6 @@ namespace {
 using Complex = std::complex<double>;
 using Sparse = Eigen::SparseMatrix<double>;
 using ComplexSparse = Eigen::SparseMatrix<Complex>;
-using Factor = linalg::SparseFactor<Complex>;
 
 /// Values of l^2 a2 + l a1 + a0 and of its derivative.
 struct Quadratic {
@@ -36,10 +33,6 @@ Eigen::VectorXcd start_vector(Eigen::Index size) {
                          0.5 * std::cos(2.3 * static_cast<double>(i)));
     return out.normalized();
 }
-
-} // namespace
-
-namespace {
 
 /// Terms of a motion as those from -N to N, over unknowns divided by d; without any, numbers
 /// without a pattern.
@@ -100,57 +93,24 @@ class WholeRotor::Series {
 
     [[nodiscard]] Eigen::Index size() const { return _n * (2 * _harmonics + 1); }
 
-    /// Columns from the first to the last, each from the top.
     [[nodiscard]] ComplexSparse at(Complex l) const {
-        const Eigen::Index blocks = 2 * _harmonics + 1;
-        ComplexSparse out(size(), size());
-        out.reserve(blocks * (_rotor.M.nonZeros() + _rotor.D.nonZeros() + _rotor.K.nonZeros() +
-                              2 * (_C[0].nonZeros() + _K[0].nonZeros())));
-        for (Eigen::Index block = 0; block < blocks; ++block) {
-            const Complex w = exponent(l, block);
-            const ComplexSparse own = w * w * _rotor.M + w * _rotor.D + _rotor.K.cast<Complex>();
-            const std::array<ComplexSparse, 2> beside{w * _C[0] + _K[0], w * _C[1] + _K[1]};
-            for (Eigen::Index j = 0; j < _n; ++j) {
-                out.startVec(block * _n + j);
-                if (block > 0)
-                    insert(out, beside[0], j, block - 1, block);
-                insert(out, own, j, block, block);
-                if (block + 1 < blocks)
-                    insert(out, beside[1], j, block + 1, block);
-            }
-        }
-        out.finalize();
-        return out;
+        return assembled(
+            l,
+            [this](Complex w) -> ComplexSparse {
+                return w * w * _rotor.M + w * _rotor.D + _rotor.K.cast<Complex>();
+            },
+            [this](Complex w, std::size_t side) -> ComplexSparse {
+                return w * _C[side] + _K[side];
+            });
     }
-
-    /// The derivative by l, times a vector.
-    [[nodiscard]] Eigen::VectorXcd slope(Complex l, const Eigen::VectorXcd &x) const {
-        Eigen::VectorXcd out = Eigen::VectorXcd::Zero(x.size());
-        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
-            const auto here = x.segment(block * _n, _n);
-            out.segment(block * _n, _n) +=
-                2.0 * exponent(l, block) * (_rotor.M * here) + _rotor.D * here;
-            if (block > 0)
-                out.segment((block - 1) * _n, _n) += _C[0] * here;
-            if (block < 2 * _harmonics)
-                out.segment((block + 1) * _n, _n) += _C[1] * here;
-        }
-        return out;
-    }
-    /// The adjoint of the derivative, times a vector.
-    [[nodiscard]] Eigen::VectorXcd adjoint_slope(Complex l, const Eigen::VectorXcd &y) const {
-        Eigen::VectorXcd out(y.size());
-        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
-            const auto here = y.segment(block * _n, _n);
-            auto into = out.segment(block * _n, _n);
-            into = std::conj(2.0 * exponent(l, block)) * (_rotor.M.transpose() * here) +
-                   _rotor.D.transpose() * here;
-            if (block > 0)
-                into += _C[0].adjoint() * y.segment((block - 1) * _n, _n);
-            if (block < 2 * _harmonics)
-                into += _C[1].adjoint() * y.segment((block + 1) * _n, _n);
-        }
-        return out;
+    /// The derivative by l.
+    [[nodiscard]] ComplexSparse slope(Complex l) const {
+        return assembled(
+            l,
+            [this](Complex w) -> ComplexSparse {
+                return 2.0 * w * _rotor.M + _rotor.D.cast<Complex>();
+            },
+            [this](Complex, std::size_t side) { return _C[side]; });
     }
 
     /// y^H (l^2 A2 + l A1 + A0) x
@@ -187,6 +147,28 @@ class WholeRotor::Series {
     [[nodiscard]] Complex exponent(Complex l, Eigen::Index block) const {
         return l + Complex(0, 2 * static_cast<double>(block - _harmonics) * _rotor.speed);
     }
+    /// Columns from the first to the last, each from the top.
+    /// @param own     on the diagonal, of the exponent of a term
+    /// @param beside  to the row above and below, besides of the side
+    template <class Own, class Beside>
+    [[nodiscard]] ComplexSparse assembled(Complex l, const Own &own, const Beside &beside) const {
+        ComplexSparse out(size(), size());
+        out.reserve((2 * _harmonics + 1) *
+                    (_rotor.M.nonZeros() + _rotor.D.nonZeros() + _rotor.K.nonZeros() +
+                     2 * (_C[0].nonZeros() + _K[0].nonZeros())));
+        for (Eigen::Index block = 0; block <= 2 * _harmonics; ++block) {
+            const Complex w = exponent(l, block);
+            const std::array<ComplexSparse, 3> rows{beside(w, 0), own(w), beside(w, 1)};
+            for (Eigen::Index j = 0; j < _n; ++j) {
+                out.startVec(block * _n + j);
+                for (Eigen::Index row = std::max<Eigen::Index>(block - 1, 0);
+                     row <= std::min<Eigen::Index>(block + 1, 2 * _harmonics); ++row)
+                    insert(out, rows[static_cast<std::size_t>(row - block + 1)], j, row, block);
+            }
+        }
+        out.finalize();
+        return out;
+    }
     void insert(ComplexSparse &to, const ComplexSparse &block, Eigen::Index j, Eigen::Index row,
                 Eigen::Index column) const {
         for (ComplexSparse::InnerIterator entry(block, j); entry; ++entry)
@@ -201,56 +183,48 @@ class WholeRotor::Iteration {
     /// @param factor  knows the pattern, or nothing yet
     Iteration(const Series &series, Complex guess, double scale, double near,
               const Eigen::VectorXcd &start, Factor &factor)
-        : _series(series), _factor(factor), _value(guess), _scale(scale), _near(near),
-          _right(start), _left(_right) {}
+        : _series(series), _factor(factor), _root{guess, start, start}, _scale(scale), _near(near) {
+    }
 
-    /// @returns whether it settled
-    bool settle() {
+    /// The root, or nothing where it does not settle.
+    std::optional<Root> settled() {
         constexpr int factorisations = 5;
         for (int k = 0; k < factorisations; ++k) {
             _jumped = false;
             if (settle_with_one())
-                return true;
+                return std::move(_root);
             if (!_jumped)
                 _factor.forget_pivots();
         }
-        return false;
+        return std::nullopt;
     }
-    [[nodiscard]] Complex value() const { return _value; }
-    [[nodiscard]] const Eigen::VectorXcd &right() const { return _right; }
-    [[nodiscard]] const Eigen::VectorXcd &left() const { return _left; }
-    [[nodiscard]] double noise() const { return _noise; }
 
   private:
     const Series &_series;
     Factor &_factor;
-    Complex _value;
+    Root _root;
     double _scale, _near;
     bool _jumped = false; ///< farther than that: to go on from there
-    Eigen::VectorXcd _right, _left;
-    double _noise = 0;
 
     bool settle_with_one() {
-        if (!_factor.factorize(_series.at(_value)) &&
-            !_factor.factorize(_series.at(_value + 1e-9 * _scale))) // at the root itself
+        const Complex at = _root.value;
+        if (!_factor.factorize(_series.at(at)) &&
+            !_factor.factorize(_series.at(at + 1e-9 * _scale))) // at the root itself
             return false;
-        const Complex at = _value;
+        const ComplexSparse slope = _series.slope(at);
         constexpr int solves = 6;
         for (int step = 0; step < solves; ++step) {
-            _right = _series.slope(at, _right);
-            _factor.solve(_right);
-            _right.normalize();
-            _left = _series.adjoint_slope(at, _left).conjugate();
-            _factor.solve_transposed(_left);
-            _left = _left.conjugate().normalized();
-            const Complex before = _value;
-            if (!_right.allFinite() || !_left.allFinite() || !improve())
+            _root.terms = _factor.solution(slope * _root.terms).normalized();
+            _root.left = _factor.adjoint_solution(slope.adjoint() * _root.left).normalized();
+            const Complex before = _root.value;
+            if (!_root.terms.allFinite() || !_root.left.allFinite() || !improve())
                 return false;
-            _jumped = std::abs(_value - before) > _near;
+            const double moved = std::abs(_root.value - before);
+            _jumped = moved > _near;
             if (_jumped)
                 return false;
             // Where two roots meet, rounding leaves no more than its noise.
-            if (std::abs(_value - before) <= std::max(1e-13 * _scale, _noise))
+            if (moved <= std::max(1e-13 * _scale, _root.noise))
                 return true;
         }
         return false;
@@ -258,64 +232,49 @@ class WholeRotor::Iteration {
 
     /// The root next to the last one of y^H (l^2 A2 + l A1 + A0) x = 0.
     bool improve() {
-        const Quadratic form = _series.form(_left, _right);
+        const Quadratic form = _series.form(_root.left, _root.terms);
         for (int step = 0; step < 20; ++step) {
-            const Complex change = -form.at(_value) / form.slope(_value);
+            const Complex change = -form.at(_root.value) / form.slope(_root.value);
             if (!std::isfinite(std::abs(change)))
                 return false;
-            _value += change;
+            _root.value += change;
             if (std::abs(change) <= 1e-14 * _scale)
                 break;
         }
         // Rounding of every entry, as the root feels it; scaled, the stiffness is of the size 1.
         constexpr double rounding = 10 * std::numeric_limits<double>::epsilon();
-        _noise = rounding / std::abs(form.slope(_value));
+        _root.noise = rounding / std::abs(form.slope(_root.value));
         return true;
     }
-};
-
-struct WholeRotor::Factors {
-    std::map<int, Factor> with_harmonics;
 };
 
 WholeRotor::WholeRotor(const assembly::Discretization &discretization,
                        std::vector<balancers::BalancerElement> balancers)
     : _discretization(discretization), _balancers(std::move(balancers)),
-      _tables(discretization.rotor().bearings_depend_on_speed()),
-      _factors(std::make_unique<Factors>()) {
+      _tables(discretization.rotor().bearings_depend_on_speed()) {
     if (!_tables)
         _matrices = assembled(0);
 }
 
-WholeRotor::~WholeRotor() = default;
-
 WholeRotor::Matrices WholeRotor::assembled(double bearing_speed) const {
-    const assembly::RotatingSystem s =
+    assembly::RotatingSystem rotating =
         assembly::assemble_rotating(_discretization, bearing_speed, _balancers);
-    const assembly::TurningSupports t =
-        assembly::turning_supports(_discretization, bearing_speed, s.M.size());
-    return {s.M.view(),
-            s.C.view(),
-            s.Cs.view(),
-            s.K.view(),
-            s.Ks.view(),
-            s.Kss.view(),
-            {t.C.cosine.view(), t.C.sine.view()},
-            {t.K.cosine.view(), t.K.sine.view()},
-            {t.Ks.cosine.view(), t.Ks.sine.view()}};
+    const int unknowns = rotating.M.size();
+    return {std::move(rotating),
+            assembly::turning_supports(_discretization, bearing_speed, unknowns)};
 }
 
 WholeRotor::AtSpeed WholeRotor::at(double speed) const {
     const Matrices now = _tables ? assembled(speed) : Matrices{};
-    const Matrices &m = _tables ? now : _matrices;
+    const auto &[rotating, turning] = _tables ? now : _matrices;
     return {speed,
-            m.M,
-            m.C + speed * m.Cs,
-            m.K + speed * (m.Ks + speed * m.Kss),
-            m.turning_C.cosine,
-            m.turning_C.sine,
-            m.turning_K.cosine + speed * m.turning_Ks.cosine,
-            m.turning_K.sine + speed * m.turning_Ks.sine};
+            rotating.M.view(),
+            rotating.C.view() + speed * rotating.Cs.view(),
+            rotating.K.view() + speed * (rotating.Ks.view() + speed * rotating.Kss.view()),
+            turning.C.cosine.view(),
+            turning.C.sine.view(),
+            turning.K.cosine.view() + speed * turning.Ks.cosine.view(),
+            turning.K.sine.view() + speed * turning.Ks.sine.view()};
 }
 
 Complex WholeRotor::change(const Root &root, double speed, const WholeRotor &other,
@@ -361,12 +320,11 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
         const Series series(problem, N);
         const Eigen::VectorXcd start = start_vector(terms, d, N);
         Factor large(true); // too large to be kept
-        Iteration iteration(series, guess, scale, near, start,
-                            N <= usual ? _factors->with_harmonics.try_emplace(N, true).first->second
-                                       : large);
-        if (!iteration.settle())
+        Factor &factor = N <= usual ? _factors.try_emplace(N, true).first->second : large;
+        std::optional<Root> root = Iteration(series, guess, scale, near, start, factor).settled();
+        if (!root)
             return std::nullopt;
-        const Eigen::VectorXcd &x = iteration.right();
+        const Eigen::VectorXcd &x = root->terms;
         const double end = end_of(x, n);
         if (end > nothing) {
             if (N > known && N <= usual)
@@ -377,10 +335,9 @@ std::optional<WholeRotor::Root> WholeRotor::next_to(double speed, Complex guess,
             _beyond = std::max(margin, _beyond - 1);
         if (guided && !(std::norm(start.dot(x)) > mostly * with_terms(x, n, terms.cols())))
             return std::nullopt;
-        Root root{iteration.value(), x, iteration.left(), iteration.noise()};
         for (int k = 0; k <= 2 * N; ++k)
-            for (Eigen::VectorXcd *terms : {&root.terms, &root.left})
-                terms->segment(k * n, n) = d.cwiseProduct(terms->segment(k * n, n)).eval();
+            for (Eigen::VectorXcd *vector : {&root->terms, &root->left})
+                vector->segment(k * n, n) = d.cwiseProduct(vector->segment(k * n, n)).eval();
         return root;
     }
     _beyond = margin;

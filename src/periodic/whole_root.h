@@ -1,13 +1,14 @@
 #pragma once
 
 #include "assembly/discretization.h"
+#include "assembly/rotating_system.h"
 #include "balancers/linear_element.h"
+#include "linalg/sparse_factor.h"
 
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 
 #include <complex>
-#include <memory>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -23,11 +24,6 @@ class WholeRotor {
   public:
     WholeRotor(const assembly::Discretization &discretization,
                std::vector<balancers::BalancerElement> balancers);
-    ~WholeRotor();
-    WholeRotor(const WholeRotor &) = delete;
-    WholeRotor &operator=(const WholeRotor &) = delete;
-    WholeRotor(WholeRotor &&) = delete;
-    WholeRotor &operator=(WholeRotor &&) = delete;
 
     struct Root {
         std::complex<double> value; ///< l, 1/s, on the strip that the guess is in
@@ -55,22 +51,19 @@ class WholeRotor {
     [[nodiscard]] std::complex<double> slope(const Root &root, double speed) const;
 
   private:
-    using Sparse = Eigen::SparseMatrix<double>;
+    using Factor = linalg::SparseFactor<std::complex<double>>;
     const assembly::Discretization &_discretization;
     std::vector<balancers::BalancerElement> _balancers;
     bool _tables;
 
     /// Bearings as at one speed.
     struct Matrices {
-        Sparse M, C, Cs, K, Ks, Kss;
-        struct Pair {
-            Sparse cosine, sine;
-        };
-        Pair turning_C, turning_K, turning_Ks;
+        assembly::RotatingSystem rotating;
+        assembly::TurningSupports turning;
     };
     Matrices _matrices; ///< with tables: not used
-    struct Factors;     ///< their pattern and order of elimination, one for each N
-    std::unique_ptr<Factors> _factors;
+    /// Their pattern and order of elimination, by the number of harmonics.
+    mutable std::map<int, Factor> _factors;
     mutable int _beyond = 4; ///< harmonics that the roots before needed beyond their frequency
     [[nodiscard]] Matrices assembled(double bearing_speed) const;
     struct AtSpeed;

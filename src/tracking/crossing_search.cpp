@@ -18,13 +18,16 @@ int side_of(const modes::WhirlMode &mode, double speed, double multiple) {
     return std::abs(distance) <= resolved * target ? 0 : distance > 0 ? 1 : -1;
 }
 
-StepEnd end_of(const modes::Spectrum &spectrum, const Rates &rates, std::size_t place,
-               double multiple, bool towards_higher) {
+bool stands(results::Form form, const modes::WhirlMode &mode, double speed, double multiple) {
+    return multiple == 1 && results::in_rotating_axes(form) && locked(mode, speed);
+}
+
+StepEnd end_of(const modes::Spectrum &spectrum, const Eigen::VectorXcd &rates, std::size_t place,
+               double multiple) {
     const modes::WhirlMode &mode = spectrum.modes[place];
     const double target = multiple * std::abs(spectrum.speed);
     const double turn = std::signbit(spectrum.speed) ? -multiple : multiple;
-    const auto i = static_cast<Eigen::Index>(place);
-    const double rate = (towards_higher ? rates.above : rates.below)(i).imag();
+    const double rate = rates(static_cast<Eigen::Index>(place)).imag();
     return {spectrum.speed, mode.eigenvalue.imag() - target, rate - turn,
             resolved * std::max(target, mode.eigenvalue.imag())};
 }
@@ -63,7 +66,7 @@ void CrossingSearch::find_lock_ends(const Node &a, const Node &b, int line) {
     if (known || tried || from * to <= 0)
         return;
     _tried.emplace_back(from, to);
-    for (const LockEnd &end : lock_ends(_solver, from, to, 1, wanted_of(a, b)))
+    for (const LockEnd &end : lock_ends(_solver, from, to, wanted_of(a, b)))
         if (line == no_line)
             take_lock_end(end, a, b);
         else
@@ -141,13 +144,12 @@ void CrossingSearch::take_lock_end(const LockEnd &end, int line) {
 
 StepEnd CrossingSearch::end(const Node &node, std::size_t place, bool towards_higher) const {
     const modes::ModeBasis &basis = node.snapshot.basis;
-    return end_of(node.snapshot.spectrum, {basis.rate_below, basis.rate_above}, place, _multiple,
-                  towards_higher);
+    return end_of(node.snapshot.spectrum, towards_higher ? basis.rate_above : basis.rate_below,
+                  place, _multiple);
 }
 
 bool CrossingSearch::held(const Node &node, std::size_t place) const {
-    return _multiple == 1 && results::in_rotating_axes(_solver.form()) &&
-           locked(mode_at(node, place), node.snapshot.spectrum.speed);
+    return stands(_solver.form(), mode_at(node, place), node.snapshot.spectrum.speed, _multiple);
 }
 
 /// Of the two whirls of a motion in rotating axes, at the spin speed plus and minus the

@@ -14,9 +14,14 @@ namespace whirl::tracking {
 /// -1, 0 or 1: a mode's frequency is below a multiple of the spin speed, on it, or above.
 [[nodiscard]] int side_of(const modes::WhirlMode &mode, double speed, double multiple);
 
+/// The mode stands still in the rotor, and so on this multiple, the spin speed itself.
+[[nodiscard]] bool stands(results::Form form, const modes::WhirlMode &mode, double speed,
+                          double multiple);
+
 /// Distance of a mode of a spectrum from a multiple of the spin speed.
-[[nodiscard]] StepEnd end_of(const modes::Spectrum &spectrum, const Rates &rates, std::size_t place,
-                             double multiple, bool towards_higher);
+/// @param rates  of its modes, towards lower or higher speeds
+[[nodiscard]] StepEnd end_of(const modes::Spectrum &spectrum, const Eigen::VectorXcd &rates,
+                             std::size_t place, double multiple);
 
 /// Crossings of all lines with one multiple.
 class CrossingSearch {

@@ -10,7 +10,6 @@
 #include "tracking/crossing_nodes.h"
 #include "tracking/crossing_search.h"
 #include "tracking/crossing_step.h"
-#include "tracking/followed_crossings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +27,11 @@ std::vector<double> kinks(const model::Rotor &rotor, double from, double to) {
     const std::vector<double> bends = rotor.table_bends();
     std::set<double> out(bends.begin(), bends.end());
     out.insert(0);
-    return {out.upper_bound(std::min(from, to)), out.lower_bound(std::max(from, to))};
+    return {out.upper_bound(from), out.lower_bound(to)};
 }
 
 bool inside(const Locked &interval, double a, double b) {
-    return interval.from <= std::min(a, b) && interval.to >= std::max(a, b);
+    return interval.from <= a && interval.to >= b;
 }
 
 bool same_band(const Locked &a, const Locked &b) {
@@ -42,7 +41,7 @@ bool same_band(const Locked &a, const Locked &b) {
 }
 
 bool overlap_of(const Locked &interval, double a, double b) {
-    return interval.from <= std::max(a, b) && interval.to >= std::min(a, b);
+    return interval.from <= b && interval.to >= a;
 }
 
 /// The steps of the sweep, looked into where a line may cross.
@@ -58,14 +57,11 @@ class Sweep {
         const int wanted = bands ? wanted_for_bands() : 0;
         if (bands)
             find_bands(search, wanted);
-        const std::vector<FollowedCrossing> plain = followed_crossings(_nodes, multiple);
-        for (const FollowedCrossing &crossing : plain)
-            search.take(crossing.line, crossing.speed, crossing.real);
         for (std::size_t k = 0; k < _nodes.count(); ++k) {
             if (any_on(k, multiple))
                 search.visit(_nodes.bare(k));
             if (k + 1 < _nodes.count())
-                look_into(search, k, multiple, rides, plain);
+                look_into(search, k, multiple, rides);
         }
         drop_on_rides(rides, multiple, hill(), out.found);
         out.locked.insert(out.locked.end(), rides.begin(), rides.end());
@@ -89,14 +85,13 @@ class Sweep {
                                                std::vector<results::Crossing> &found) const {
         if (!hill())
             return riding_intervals(_nodes, multiple);
-        const auto ends = std::minmax({_nodes.speed(0), _nodes.speed(_nodes.count() - 1)});
         std::vector<Locked> rides;
         for (const RidingBand &band : riding_bands(_nodes, multiple)) {
             const Locked &interval = band.interval;
             rides.push_back(interval);
             for (const auto &[speed, real] :
                  {std::pair(interval.from, band.real_from), std::pair(interval.to, band.real_to)})
-                if (speed > ends.first && speed < ends.second) {
+                if (speed > _nodes.speed(0) && speed < _nodes.speed(_nodes.count() - 1)) {
                     const double frequency = multiple * std::abs(speed);
                     found.push_back({multiple, speed, frequency, interval.mode,
                                      results::damping_of({real, frequency})});
@@ -157,8 +152,7 @@ class Sweep {
     }
 
     void look_into(CrossingSearch &search, std::size_t k, double multiple,
-                   const std::vector<Locked> &rides,
-                   const std::vector<FollowedCrossing> &known) const {
+                   const std::vector<Locked> &rides) const {
         const std::vector<double> rows =
             kinks(_nodes.solver().discretization().rotor(), _nodes.speed(k), _nodes.speed(k + 1));
         std::vector<Link> links = _nodes.links(k);
@@ -167,11 +161,6 @@ class Sweep {
                 return (ride.mode == link.line &&
                         inside(ride, _nodes.speed(k), _nodes.speed(k + 1))) ||
                        (hill() && passes(ride, link, k));
-            });
-        });
-        std::erase_if(links, [&](const Link &link) {
-            return std::ranges::any_of(known, [&](const FollowedCrossing &crossing) {
-                return crossing.step == k && crossing.line == link.line;
             });
         });
         emerge(search, k, multiple);
@@ -212,7 +201,7 @@ class Sweep {
             if (_nodes.solver().by_matrix())
                 more = lock_ends(_nodes.solver(), here, next);
             else if (locked_motions(here) != locked_motions(next))
-                more = lock_ends(_nodes.solver(), from, to, 1, wanted);
+                more = lock_ends(_nodes.solver(), from, to, wanted);
             ends.insert(ends.end(), more.begin(), more.end());
         }
         return ends;
@@ -234,7 +223,7 @@ class Sweep {
     [[nodiscard]] bool any_on(std::size_t k, double multiple) const {
         const modes::Spectrum &spectrum = _nodes.spectrum(k);
         for (std::size_t i = 0; i < spectrum.modes.size(); ++i) {
-            const StepEnd here = end_of(spectrum, _nodes.rates(k), i, multiple, true);
+            const StepEnd here = end_of(spectrum, _nodes.rates(k).above, i, multiple);
             if (!(std::abs(here.distance) > here.tolerance))
                 return true;
         }
@@ -246,14 +235,12 @@ class Sweep {
         const modes::Spectrum &first = _nodes.spectrum(k);
         const modes::Spectrum &second = _nodes.spectrum(k + 1);
         return std::ranges::any_of(links, [&](const Link &link) {
-            if (multiple == 1 && results::in_rotating_axes(_nodes.solver().form()) &&
-                locked(first.modes[link.from], first.speed) !=
-                    locked(second.modes[link.to], second.speed))
-                return true;
-            const bool rising = second.speed > first.speed;
-            const StepEnd here = end_of(first, _nodes.rates(k), link.from, multiple, rising);
-            const StepEnd there = end_of(second, _nodes.rates(k + 1), link.to, multiple, !rising);
-            return where_to_look(rising ? here : there, rising ? there : here, 0).has_value();
+            const results::Form form = _nodes.solver().form();
+            const StepEnd here = end_of(first, _nodes.rates(k).above, link.from, multiple);
+            const StepEnd there = end_of(second, _nodes.rates(k + 1).below, link.to, multiple);
+            return stands(form, first.modes[link.from], first.speed, multiple) !=
+                       stands(form, second.modes[link.to], second.speed, multiple) ||
+                   where_to_look(here, there, 0).has_value();
         });
     }
 
@@ -271,8 +258,9 @@ class Sweep {
             if (hill() && _nodes.speed(first ? k + 1 : k) == 0)
                 continue;
             const auto place = static_cast<std::size_t>(l.place[present]);
-            const StepEnd end =
-                end_of(_nodes.spectrum(present), _nodes.rates(present), place, multiple, first);
+            const Rates &rates = _nodes.rates(present);
+            const StepEnd end = end_of(_nodes.spectrum(present), first ? rates.above : rates.below,
+                                       place, multiple);
             if ((why == Absence::overdamped || why == Absence::divergent) && end.distance > 0)
                 search.follow_to_zero(_nodes.full(present), _nodes.full(first ? k + 1 : k),
                                       static_cast<int>(line));
@@ -281,17 +269,10 @@ class Sweep {
 
     void step(CrossingSearch &search, std::size_t k, const std::vector<double> &rows,
               const std::vector<Link> &links) const {
-        const Node a = _nodes.full(k);
-        const Node b = _nodes.full(k + 1);
-        const bool rising = a.snapshot.spectrum.speed < b.snapshot.spectrum.speed;
-        const Node &low = rising ? a : b;
-        const Node &high = rising ? b : a;
+        const Node low = _nodes.full(k);
+        const Node high = _nodes.full(k + 1);
         if (rows.empty()) {
-            std::vector<Link> upwards = links;
-            if (!rising)
-                for (Link &link : upwards)
-                    std::swap(link.from, link.to);
-            search.search(low, high, upwards);
+            search.search(low, high, links);
             return;
         }
         std::vector<Node> nodes{low};

@@ -23,6 +23,7 @@ struct Crossings {
 /// a line turns back within a step. Where a line stays on a multiple (motions that stand still in
 /// an asymmetric rotor; a free rotor with Ip = m Id) that is an interval, of which only ends inside
 /// the range are crossings. A line at zero frequency (a free rigid motion) crosses nothing.
+/// @param spectra  ascending by speed
 [[nodiscard]] Crossings crossings(const modes::SpectrumSolver &solver, const Tracking &tracking,
                                   const std::vector<modes::Spectrum> &spectra,
                                   const std::vector<double> &multiples);

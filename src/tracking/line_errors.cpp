@@ -131,17 +131,6 @@ void leave_confirmed(std::vector<std::optional<double>> &errors, const Line &lin
             errors[k].reset();
 }
 
-/// Of the confirmed mode of a line alone, beside others that are not.
-std::optional<double> refined_error(const mesh_error::FinerModel &finer, const Line &line,
-                                    const modes::Spectrum &spectrum, std::size_t k) {
-    if (!confirmed(line, spectrum, k))
-        return std::nullopt;
-    modes::Spectrum one = spectrum;
-    one.modes = {spectrum.modes[static_cast<std::size_t>(line.place[k])]};
-    const std::vector<double> found = finer.errors_by_refinement(one);
-    return found.empty() ? std::nullopt : std::optional(found.front());
-}
-
 /// Of the modes on lines, the finer ones found from them; infinite for others. None where they are
 /// not found.
 std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
@@ -162,16 +151,6 @@ std::vector<double> refined_errors(const mesh_error::FinerModel &finer,
     for (std::size_t i = 0; i < places.size(); ++i)
         all[places[i]] = some[i];
     return all;
-}
-
-/// Of the modes on lines; infinite for others, or of these as well.
-/// @param singly  of each mode the finer one can be found from it
-std::vector<double> errors_at(const mesh_error::FinerModel &finer, const std::vector<Line> &lines,
-                              const modes::Spectrum &spectrum, std::size_t k, bool singly) {
-    std::vector<double> out;
-    if (singly)
-        out = refined_errors(finer, lines, spectrum, k);
-    return out.empty() ? finer.errors(spectrum) : out;
 }
 
 /// Motions of Hill's series so slow that those of a finer mesh are far away beside the copies of
@@ -208,6 +187,7 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
         return errors;
     }
     const mesh_error::FinerModel finer(rotor, solver);
+    // Of each mode the finer one can be found from it.
     const bool singly = solver.follows() || results::in_rotating_axes(solver.form());
     std::set<std::size_t> probes{0, spectra.size() / 2, spectra.size() - 1};
     if (const std::size_t slow = slowest_probed(solver, spectra); series && slow < spectra.size())
@@ -215,21 +195,25 @@ LineErrors line_errors(const model::Rotor &rotor, const modes::SpectrumSolver &s
     for (const std::size_t k : probes) {
         if (many_terms(solver, spectra[k]))
             continue;
-        if (!all_confirmed(spectra[k])) {
+        const auto take = [&](std::size_t i, const std::vector<double> &of_modes) {
+            if (!of_modes.empty() && lines[i].place[k] != Line::absent)
+                errors[i][k] = of_modes[static_cast<std::size_t>(lines[i].place[k])];
+        };
+        if (!all_confirmed(spectra[k])) { // each alone, beside others that are not
             for (std::size_t i = 0; i < lines.size(); ++i)
-                errors[i][k] = refined_error(finer, lines[i], spectra[k], k);
+                if (confirmed(lines[i], spectra[k], k))
+                    take(i, refined_errors(finer, {lines[i]}, spectra[k], k));
             continue;
         }
+        std::vector<double> all;
+        if (singly)
+            all = refined_errors(finer, lines, spectra[k], k);
         // Without those found singly Hill's series of the finer mesh is large; at rest there is
         // none.
-        const bool others = series && singly && k > 0 && spectra.front().speed == 0;
-        const std::vector<double> all = others ? refined_errors(finer, lines, spectra[k], k)
-                                               : errors_at(finer, lines, spectra[k], k, singly);
-        if (all.empty())
-            continue;
+        if (all.empty() && !(series && k > 0 && spectra.front().speed == 0))
+            all = finer.errors(spectra[k]);
         for (std::size_t i = 0; i < lines.size(); ++i)
-            if (lines[i].place[k] != Line::absent)
-                errors[i][k] = all[static_cast<std::size_t>(lines[i].place[k])];
+            take(i, all);
     }
     const mesh_error::ShapeResidual residual(solver.discretization(), solver.form());
     for (std::size_t i = 0; i < lines.size(); ++i) {

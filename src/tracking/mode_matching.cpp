@@ -51,9 +51,9 @@ void join(Matching &matching, Eigen::Index i, Eigen::Index j) {
     matching.from[static_cast<std::size_t>(j)] = static_cast<int>(i);
 }
 
-Matching nothing_matched(const Eigen::MatrixXd &overlap) {
-    return {std::vector<int>(static_cast<std::size_t>(overlap.rows()), Matching::none),
-            std::vector<int>(static_cast<std::size_t>(overlap.cols()), Matching::none), false};
+Matching nothing_matched(const Snapshot &a, const Snapshot &b) {
+    return {std::vector<int>(a.spectrum.modes.size(), Matching::none),
+            std::vector<int>(b.spectrum.modes.size(), Matching::none), false};
 }
 
 bool is_sure(const Eigen::MatrixXd &overlap, Eigen::Index i, Eigen::Index j) {
@@ -164,8 +164,7 @@ std::optional<Matching> continued(const Snapshot &a, const Snapshot &b) {
     if (count == 0 || count != b.spectrum.modes.size() || !a.basis.is_complex() ||
         !a.basis.copies.empty() || is_zero(a.spectrum, 0) || is_zero(b.spectrum, 0))
         return std::nullopt;
-    Matching out{std::vector<int>(count, Matching::none), std::vector<int>(count, Matching::none),
-                 false};
+    Matching out = nothing_matched(a, b);
     for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(count); ++i) {
         const int j = expected_at(a, b, i);
         if (j == Matching::none || out.from[static_cast<std::size_t>(j)] != Matching::none ||
@@ -188,7 +187,7 @@ Matching match_by_vectors(const Snapshot &a, const Snapshot &b, int important) {
     if (const std::optional<Matching> plain = continued(a, b))
         return *plain;
     const Eigen::MatrixXd overlap = overlaps_of(a, b);
-    Matching out = nothing_matched(overlap);
+    Matching out = nothing_matched(a, b);
     Candidates candidates;
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)
         for (Eigen::Index j = 0; j < overlap.cols(); ++j)
@@ -229,7 +228,7 @@ bool may_veer(const Snapshot &a, const Snapshot &b, const Matching &matching, in
 
 Matching match_by_groups(const Snapshot &a, const Snapshot &b) {
     const Eigen::MatrixXd overlap = overlaps_of(a, b);
-    Matching out = nothing_matched(overlap);
+    Matching out = nothing_matched(a, b);
     for (Eigen::Index i = 0; i < overlap.rows(); ++i)
         for (Eigen::Index j = 0; j < overlap.cols(); ++j)
             if (is_sure(overlap, i, j))

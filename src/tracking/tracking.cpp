@@ -16,10 +16,16 @@ constexpr int deepest = 8;
 /// Speeds solved within one step: five events.
 constexpr int most_in_step = 40;
 
+/// Modes of one speed in another.
+struct Followed {
+    std::vector<int> to;            ///< places, or Matching::none
+    std::vector<Absence> lost_from; ///< why a mode of the first has no continuation
+    std::vector<Absence> lost_to;   ///< why a mode of the second has no origin
+};
+
 /// Of two steps one after the other.
-ModeFollower::Followed joined(const ModeFollower::Followed &first,
-                              const ModeFollower::Followed &second) {
-    ModeFollower::Followed out;
+Followed joined(const Followed &first, const Followed &second) {
+    Followed out;
     out.to.assign(first.to.size(), Matching::none);
     out.lost_from = first.lost_from;
     out.lost_to = second.lost_to;
@@ -39,9 +45,8 @@ ModeFollower::Followed joined(const ModeFollower::Followed &first,
     return out;
 }
 
-ModeFollower::Followed plain(const Matching &matching, const modes::Spectrum &a,
-                             const modes::Spectrum &b) {
-    ModeFollower::Followed out;
+Followed plain(const Matching &matching, const modes::Spectrum &a, const modes::Spectrum &b) {
+    Followed out;
     out.to = matching.to;
     out.lost_from.assign(matching.to.size(), Absence::none);
     out.lost_to.assign(matching.from.size(), Absence::none);
@@ -79,7 +84,7 @@ class GrowingLines {
         _after.push_back(Absence::none);
     }
 
-    void step(std::size_t speed, const ModeFollower::Followed &followed) {
+    void step(std::size_t speed, const Followed &followed) {
         const std::vector<std::size_t> last = std::move(_now);
         _now.assign(followed.lost_to.size(), 0);
         std::vector<bool> continued(followed.lost_to.size(), false);
@@ -111,75 +116,93 @@ class GrowingLines {
     std::vector<std::size_t> _now; ///< line of each mode of the last speed
 };
 
+/// Follows modes from one speed to another, with more speeds in between where it must.
+class ModeFollower {
+  public:
+    /// @param important  that many of the lowest modes must be followed
+    /// @param budget     speeds that may be solved beside those given, in all
+    /// @param finest     steps that are no longer are not halved to tell crossings from veerings
+    /// @param out        where gaps are noted, and that the budget did not suffice
+    ModeFollower(const modes::SpectrumSolver &solver, int important, int budget, double finest,
+                 Tracking &out)
+        : _solver(solver), _important(important), _budget(budget), _finest(finest), _out(out) {}
+
+    /// With the vectors of its modes.
+    [[nodiscard]] Snapshot snapshot(modes::Spectrum spectrum) const {
+        modes::ModeBasis basis = _solver.basis(spectrum);
+        return {std::move(spectrum), std::move(basis)};
+    }
+
+    /// Modes of a in b. Where overlaps are ambiguous the step is halved, down to 1/256 of it, and
+    /// there settled by groups of modes.
+    [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b) {
+        _left_in_step = most_in_step;
+        Followed out = follow(a, b, 0);
+        keep_larger_parts(a, b, out.to);
+        return out;
+    }
+
+  private:
+    const modes::SpectrumSolver &_solver;
+    int _important;
+    int _budget;
+    double _finest; // rad/s
+    int _left_in_step = 0;
+    Tracking &_out;
+
+    [[nodiscard]] Followed follow(const Snapshot &a, const Snapshot &b, int depth) {
+        const Matching direct = match_by_vectors(a, b, _important);
+        const bool last = depth == deepest || _budget <= 0 || _left_in_step <= 0;
+        const bool planar = results::is_planar(_solver.form());
+        const bool fine = std::abs(b.spectrum.speed - a.spectrum.speed) <= _finest;
+        if (!direct.ambiguous && (last || fine || !may_veer(a, b, direct, _important, planar)))
+            return plain(direct, a.spectrum, b.spectrum);
+        if (last) {
+            _out.cut_short = _out.cut_short || _budget <= 0;
+            return settle(a, b);
+        }
+        const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
+        const auto wanted =
+            static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
+        if (_solver.by_matrix() && !_solver.by_matrix(middle, wanted))
+            return settle(a, b);
+        --_budget;
+        --_left_in_step;
+        std::optional<Snapshot> between;
+        try {
+            between = snapshot(_solver.at(middle, wanted));
+        } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
+            return settle(a, b);
+        }
+        const Followed first = follow(a, *between, depth + 1);
+        return joined(first, follow(*between, b, depth + 1));
+    }
+
+    [[nodiscard]] Followed settle(const Snapshot &a, const Snapshot &b) {
+        Followed out = plain(match_by_groups(a, b), a.spectrum, b.spectrum);
+        const auto note = [&](const modes::Spectrum &spectrum, const std::vector<Absence> &lost) {
+            for (std::size_t i = 0; i < lost.size() && static_cast<int>(i) < _important; ++i)
+                if (lost[i] == Absence::lost)
+                    _out.gaps.push_back(
+                        {a.spectrum.speed, b.spectrum.speed, spectrum.modes[i].eigenvalue.imag()});
+        };
+        note(a.spectrum, out.lost_from);
+        note(b.spectrum, out.lost_to);
+        return out;
+    }
+};
+
 } // namespace
-
-Snapshot ModeFollower::snapshot(modes::Spectrum spectrum) const {
-    modes::ModeBasis basis = _solver.basis(spectrum);
-    return {std::move(spectrum), std::move(basis)};
-}
-
-void ModeFollower::note_gaps(const Snapshot &a, const Snapshot &b, const Followed &followed) {
-    const auto note = [&](const modes::Spectrum &spectrum, std::size_t i, Absence why) {
-        if (why == Absence::lost && static_cast<int>(i) < _important)
-            _gaps.push_back(
-                {a.spectrum.speed, b.spectrum.speed, spectrum.modes[i].eigenvalue.imag()});
-    };
-    for (std::size_t i = 0; i < followed.lost_from.size(); ++i)
-        note(a.spectrum, i, followed.lost_from[i]);
-    for (std::size_t j = 0; j < followed.lost_to.size(); ++j)
-        note(b.spectrum, j, followed.lost_to[j]);
-}
-
-ModeFollower::Followed ModeFollower::settle(const Snapshot &a, const Snapshot &b) {
-    Followed out = plain(match_by_groups(a, b), a.spectrum, b.spectrum);
-    note_gaps(a, b, out);
-    return out;
-}
-
-ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b, int depth) {
-    const Matching direct = match_by_vectors(a, b, _important);
-    const bool last = depth == deepest || _budget <= 0 || _left_in_step <= 0;
-    const bool planar = results::is_planar(_solver.form());
-    const bool fine = std::abs(b.spectrum.speed - a.spectrum.speed) <= _finest;
-    if (!direct.ambiguous && (last || fine || !may_veer(a, b, direct, _important, planar)))
-        return plain(direct, a.spectrum, b.spectrum);
-    if (last) {
-        _cut_short = _cut_short || _budget <= 0;
-        return settle(a, b);
-    }
-    const double middle = (a.spectrum.speed + b.spectrum.speed) / 2;
-    const auto wanted =
-        static_cast<int>(std::max(a.spectrum.modes.size(), b.spectrum.modes.size()));
-    if (_solver.by_matrix() && !_solver.by_matrix(middle, wanted))
-        return settle(a, b);
-    --_budget;
-    --_left_in_step;
-    std::optional<Snapshot> between;
-    try {
-        between = snapshot(_solver.at(middle, wanted));
-    } catch (const model::AnalysisFailure &) { // a speed that nobody asked for
-        return settle(a, b);
-    }
-    const Followed first = follow(a, *between, depth + 1);
-    return joined(first, follow(*between, b, depth + 1));
-}
-
-ModeFollower::Followed ModeFollower::follow(const Snapshot &a, const Snapshot &b) {
-    _left_in_step = most_in_step;
-    Followed out = follow(a, b, 0);
-    keep_larger_parts(a, b, out.to);
-    return out;
-}
 
 Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spectrum> &spectra,
                int important, std::optional<int> most_between) {
     // Most steps need none; an event (modes veer, or turn real) needs eight.
     const int budget = most_between.value_or(100 + 4 * static_cast<int>(spectra.size()));
     constexpr double finest = 1.0 / 400; // of the range, whatever its grid
-    ModeFollower follower(solver, important, budget,
-                          finest * std::abs(spectra.back().speed - spectra.front().speed));
-    GrowingLines lines(spectra.size());
     Tracking out;
+    ModeFollower follower(solver, important, budget,
+                          finest * std::abs(spectra.back().speed - spectra.front().speed), out);
+    GrowingLines lines(spectra.size());
     Snapshot a = follower.snapshot(spectra.front());
     for (std::size_t i = 0; i < a.spectrum.modes.size(); ++i)
         lines.begin(0, i, Absence::none);
@@ -191,8 +214,6 @@ Tracking track(const modes::SpectrumSolver &solver, const std::vector<modes::Spe
         a = std::move(b);
     }
     out.lines = lines.finished();
-    out.gaps = follower.gaps();
-    out.cut_short = follower.cut_short();
     return out;
 }
 

@@ -180,8 +180,7 @@ ends::EndsFound ends_of(const Drawn &drawn, const assembly::Discretization &d, d
     model.order = drawn.rotor.shaft.order;
     stability::BandFinder finder(model, arrangement);
     const auto shapes = finder.good_shapes(model::SpeedRange{from, to, 11}.values());
-    return ends::find_ends(ends::AllMotions(d, drawn.form, arrangement, shapes, from, to), from, to,
-                           {});
+    return ends::find_ends(ends::AllMotions(d, drawn.form, arrangement, shapes, from, to), {});
 }
 
 // Every third rotor has no turning asymmetry; every sixth has finer elements (no ends among those

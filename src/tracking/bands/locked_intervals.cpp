@@ -1,6 +1,5 @@
 #include "tracking/bands/locked_intervals.h"
 
-#include "results/formulation.h"
 #include "tracking/crossing_search.h"
 
 #include <algorithm>
@@ -125,10 +124,8 @@ std::vector<Locked> of_one_sense(const SweepNodes &sweep, const std::vector<Band
 
 bool on_multiple(const modes::SpectrumSolver &solver, const modes::WhirlMode &mode, double speed,
                  double multiple) {
-    const bool stands =
-        multiple == 1 && results::in_rotating_axes(solver.form()) && locked(mode, speed);
     // At rest a motion without a frequency is on every multiple; nothing else is known of it.
-    return !stands && side_of(mode, speed, multiple) == 0;
+    return !stands(solver.form(), mode, speed, multiple) && side_of(mode, speed, multiple) == 0;
 }
 
 /// Follows one line over its speeds on a multiple.
@@ -147,7 +144,7 @@ class Ride {
             const double a = k > 0 ? end_between(k, k - 1) : _sweep.speed(k);
             const double b =
                 last + 1 < _sweep.count() ? end_between(last, last + 1) : _sweep.speed(last);
-            out.push_back({_multiple, _line, std::min(a, b), std::max(a, b)});
+            out.push_back({_multiple, _line, a, b});
             k = last;
         }
     }
@@ -197,10 +194,8 @@ class Ride {
 std::vector<Locked> standing_intervals(const SweepNodes &sweep, std::vector<BandEnd> ends,
                                        int wanted) {
     std::ranges::sort(ends, {}, &BandEnd::speed);
-    double low = sweep.speed(0);
-    double high = sweep.speed(sweep.count() - 1);
-    if (low > high)
-        std::swap(low, high);
+    const double low = sweep.speed(0);
+    const double high = sweep.speed(sweep.count() - 1);
     std::vector<Locked> out;
     for (const auto &[a, b] :
          {std::pair(low, std::min(high, 0.0)), std::pair(std::max(low, 0.0), high)}) {

@@ -9,8 +9,6 @@
 #include "reduction/projection.h"
 #include "results/formulation.h"
 #include "tracking/bands/double_root.h"
-#include "tracking/bands/lock_count.h"
-#include "tracking/bands/series_lock_ends.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>
@@ -35,15 +33,13 @@ std::vector<DoubleRoot> roots_between(const modes::SpectrumSolver &solver, const
                                       const Count &b) {
     constexpr std::size_t most = 6;
     const auto problem_at = [&solver](double speed) { return solver.problem_at(speed); };
-    const double low = std::min(a.speed, b.speed);
-    const double high = std::max(a.speed, b.speed);
     std::vector<DoubleRoot> out;
     for (const Count *from : {&a, &b})
         for (std::size_t i = 0; i < std::min(most, from->others.size()); ++i) {
             const modes::WhirlMode &mode = from->others[i];
             const auto root = double_root(problem_at, from->speed, mode.rotating_value.real(),
-                                          mode.rotating_vector.real(), high - low);
-            if (root && root->speed > low && root->speed < high && whirls(*root) &&
+                                          mode.rotating_vector.real(), b.speed - a.speed);
+            if (root && root->speed > a.speed && root->speed < b.speed && whirls(*root) &&
                 std::ranges::none_of(out, [&](const DoubleRoot &other) {
                     // Without damping motions that grow and die out alike meet at one speed.
                     return std::abs(other.speed - root->speed) < 1e-9 * std::abs(other.speed) &&
@@ -68,16 +64,14 @@ LockEnd end_of(const DoubleRoot &root) {
 bool explained(const modes::SpectrumSolver &solver, const Count &a, const Count &b, int wanted,
                const std::vector<DoubleRoot> &roots) {
     constexpr double together = 1e-8; // as where motions meet that grow and die out alike
-    const Count &low = a.speed < b.speed ? a : b;
-    const Count &high = a.speed < b.speed ? b : a;
     const auto opened =
         std::ranges::count_if(roots, [](const DoubleRoot &root) { return root.opens; });
-    if (roots.empty() || low.motions + 2 * opened - std::ssize(roots) != high.motions)
+    if (roots.empty() || a.motions + 2 * opened - std::ssize(roots) != b.motions)
         return false;
-    std::ptrdiff_t expected = low.motions;
+    std::ptrdiff_t expected = a.motions;
     for (std::size_t i = 0; i <= roots.size(); ++i) {
-        const double from = i == 0 ? low.speed : roots[i - 1].speed;
-        const double to = i == roots.size() ? high.speed : roots[i].speed;
+        const double from = i == 0 ? a.speed : roots[i - 1].speed;
+        const double to = i == roots.size() ? b.speed : roots[i].speed;
         const bool at_one_speed = to - from < together * std::abs(to);
         if (!at_one_speed && count_at(solver, (from + to) / 2, wanted).motions != expected)
             return false;
@@ -108,7 +102,7 @@ void add_ends(const modes::SpectrumSolver &solver, const Count &a, const Count &
     add_ends(solver, middle, b, wanted, halves + 1, ends);
 }
 
-/// Ends among the parts between speeds of one sign, in ascending or descending order.
+/// Ends among the parts between speeds of one sign, ascending.
 std::vector<LockEnd> ends_among(const modes::SpectrumSolver &solver,
                                 const std::vector<double> &speeds, int wanted) {
     std::vector<LockEnd> ends;
@@ -148,12 +142,10 @@ std::vector<double> standing_speeds(const modes::SpectrumSolver &solver, int wan
     return speeds;
 }
 
-std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double from, double to,
+std::vector<LockEnd> ends_over(const modes::SpectrumSolver &solver, double low, double high,
                                int wanted) {
     constexpr int parts = 200;
     constexpr double closely = 1e-7;
-    const double low = std::min(from, to);
-    const double high = std::max(from, to);
     const double margin = 1e-3 * (high - low) / parts;
     const std::vector<double> standing = standing_speeds(solver, wanted);
     std::vector<LockEnd> all;
@@ -238,13 +230,29 @@ std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum) {
         spectrum.modes, [&](const modes::WhirlMode &mode) { return locked(mode, spectrum.speed); });
 }
 
+Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum) {
+    const double speed = spectrum.speed;
+    Count out{speed, 0, spectrum.modes};
+    const auto others =
+        std::partition(out.others.begin(), out.others.end(),
+                       [speed](const modes::WhirlMode &mode) { return !locked(mode, speed); });
+    out.motions = std::distance(others, out.others.end());
+    out.others.erase(others, out.others.end());
+    const auto turn = [&](const modes::WhirlMode &mode) {
+        return turn_in_rotor(mode, speed, solver.form());
+    };
+    std::ranges::sort(out.others, {}, turn);
+    return out;
+}
+
+Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted) {
+    return count_of(solver, solver.at(speed, wanted, modes::Errors::of_right_vectors));
+}
+
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from, double to,
-                               int parts, int wanted) {
+                               int wanted) {
     return by_few_shapes(solver, from, to, wanted, [=](const modes::SpectrumSolver &rotor) {
-        std::vector<double> speeds;
-        for (int part = 0; part <= parts; ++part)
-            speeds.push_back(from + (to - from) * part / parts);
-        return ends_among(rotor, speeds, wanted);
+        return ends_among(rotor, {from, to}, wanted);
     });
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace whirl::tracking {
@@ -16,6 +17,16 @@ namespace whirl::tracking {
 
 /// How many motions of a spectrum do.
 [[nodiscard]] std::ptrdiff_t locked_motions(const modes::Spectrum &spectrum);
+
+/// A speed, how many motions are locked there, and the others, those that turn least first.
+struct Count {
+    double speed = 0;
+    std::ptrdiff_t motions = 0;
+    std::vector<modes::WhirlMode> others;
+};
+[[nodiscard]] Count count_of(const modes::SpectrumSolver &solver, const modes::Spectrum &spectrum);
+/// Of the `wanted` lowest modes at a speed.
+[[nodiscard]] Count count_at(const modes::SpectrumSolver &solver, double speed, int wanted);
 
 /// How fast a motion turns as seen from the rotor, rad/s; of a Hill series, where every motion has
 /// copies 2 speed apart, the slowest of them.
@@ -36,13 +47,12 @@ struct BandEnd {
     int line = 0;
 };
 
-/// Ends of such bands between two speeds of one sign, neither of them 0: where the number of locked
-/// motions among the `wanted` lowest modes changes between one and the next of as many equal parts,
-/// and two real eigenvalues in rotating axes meet and part as a branch point does. (A number may
-/// also change where a motion is too heavily damped to count as whirl, and by rounding where
-/// motions of the balls hardly differ.)
+/// Ends of such bands between two speeds of one sign, ascending, neither of them 0, over which the
+/// number of locked motions among the `wanted` lowest modes changes: where two real eigenvalues in
+/// rotating axes meet and part as a branch point does. (A number may also change where a motion is
+/// too heavily damped to count as whirl, and by rounding where motions of the balls hardly differ.)
 [[nodiscard]] std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, double from,
-                                             double to, int parts, int wanted);
+                                             double to, int wanted);
 
 /// The same for a solver by_matrix() between two of its spectra, of speeds of one sign: also bands
 /// that open and close between them.
@@ -56,5 +66,11 @@ struct BandEnd {
 /// whoever follows a motion into them.)
 [[nodiscard]] std::vector<LockEnd> lock_ends_over(const modes::SpectrumSolver &solver, double from,
                                                   double to, int wanted);
+
+/// An end of a band of locked motion in a part over which the number of these changes, for a Hill
+/// series: its motions have no vectors over the equations of one speed to begin a double root with.
+/// Of several ends in it one is found.
+[[nodiscard]] std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver,
+                                                   const Count &from, const Count &to, int wanted);
 
 } // namespace whirl::tracking

@@ -1,7 +1,6 @@
 #include "tracking/bands/riding_bands.h"
 
 #include "tracking/bands/branch_point.h"
-#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_search.h"
 
 #include <algorithm>
@@ -51,9 +50,8 @@ class BandSearch {
     std::vector<Sides> _nodes;
     std::vector<RidingBand> _bands;
 
-    /// Still in the rotor, on the spin speed itself.
     [[nodiscard]] bool stands(const modes::WhirlMode &mode, double speed) const {
-        return _multiple == 1 && locked(mode, speed);
+        return tracking::stands(results::Form::hill, mode, speed, _multiple);
     }
     [[nodiscard]] Sides sides(const modes::Spectrum &spectrum) const {
         Sides out{spectrum.speed};

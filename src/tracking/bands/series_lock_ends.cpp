@@ -1,6 +1,5 @@
-#include "tracking/bands/series_lock_ends.h"
-
 #include "tracking/bands/branch_point.h"
+#include "tracking/bands/locked_whirl.h"
 #include "tracking/crossing_step.h"
 
 #include <algorithm>
@@ -50,32 +49,6 @@ double slowest(const Count &count) {
                : turn_in_rotor(count.others.front(), count.speed, results::Form::hill);
 }
 
-} // namespace
-
-std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
-                                     const Count &to, int wanted) {
-    const bool leaves = from.motions > to.motions;
-    const Count &inside = leaves ? from : to;
-    const Count &outside = leaves ? to : from;
-    const std::optional<BranchPoint> found = branch_point(
-        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
-            const Count here = count_at(solver, speed, wanted);
-            if (here.motions > outside.motions)
-                return std::nullopt;
-            return slowest(here) * slowest(here);
-        });
-    if (!found)
-        return std::nullopt;
-    LockEnd end = at_branch_point(found->inside, inside.speed > outside.speed);
-    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
-    if (!real)
-        return std::nullopt;
-    end.real = *real;
-    return end;
-}
-
-namespace {
-
 /// Some motion turns less and less towards a speed that far away, so that it may stand before it.
 /// Motions on higher multiples than these stand in the rotor as copies that hardly deflect: they
 /// are not of the bands of 1x, and fast ones pass such multiples at every few speeds.
@@ -108,7 +81,7 @@ bool slows_down(const modes::SpectrumSolver &solver, const Count &from, double w
 bool may_hide_band(const modes::SpectrumSolver &solver, const Count &a, const Count &b) {
     constexpr double steepest = 1.5;
     const double width = b.speed - a.speed;
-    return slowest(a) + slowest(b) < steepest * std::abs(width) && slows_down(solver, a, width) &&
+    return slowest(a) + slowest(b) < steepest * width && slows_down(solver, a, width) &&
            slows_down(solver, b, -width);
 }
 
@@ -118,7 +91,7 @@ int modes_in_play(const Count &a, const Count &b) {
     constexpr int more = 4;
     constexpr double above = 1.5;
     const double speed = std::max(std::abs(a.speed), std::abs(b.speed));
-    const double width = std::abs(b.speed - a.speed);
+    const double width = b.speed - a.speed;
     // In a part as wide as a good share of the speed all turn slowly.
     const double fastest = width < 0.05 * speed ? HUGE_VAL : 2 * speed;
     double highest = speed;
@@ -146,7 +119,7 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
     if (a.motions != b.motions)
         if (const std::optional<LockEnd> end = end_in_series(solver, a, b, wanted)) {
             ends.push_back(*end);
-            const double beside = std::copysign(end->outside - end->speed, b.speed - a.speed);
+            const double beside = std::abs(end->outside - end->speed);
             add_series_ends(solver, a, count_at(solver, end->speed - beside, wanted), wanted,
                             halves + 1, ends);
             add_series_ends(solver, count_at(solver, end->speed + beside, wanted), b, wanted,
@@ -159,6 +132,28 @@ void add_series_ends(const modes::SpectrumSolver &solver, const Count &a, const 
 }
 
 } // namespace
+
+std::optional<LockEnd> end_in_series(const modes::SpectrumSolver &solver, const Count &from,
+                                     const Count &to, int wanted) {
+    const bool leaves = from.motions > to.motions;
+    const Count &inside = leaves ? from : to;
+    const Count &outside = leaves ? to : from;
+    const std::optional<BranchPoint> found = branch_point(
+        inside.speed, outside.speed, resolved, [&](double speed) -> std::optional<double> {
+            const Count here = count_at(solver, speed, wanted);
+            if (here.motions > outside.motions)
+                return std::nullopt;
+            return slowest(here) * slowest(here);
+        });
+    if (!found)
+        return std::nullopt;
+    LockEnd end = at_branch_point(found->inside, inside.speed > outside.speed);
+    const std::optional<double> real = real_at_branch_point(solver, end, wanted);
+    if (!real)
+        return std::nullopt;
+    end.real = *real;
+    return end;
+}
 
 std::vector<LockEnd> lock_ends(const modes::SpectrumSolver &solver, const modes::Spectrum &from,
                                const modes::Spectrum &to) {

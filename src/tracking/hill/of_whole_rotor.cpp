@@ -3,12 +3,12 @@
 #include "modes/hill/series_modes_near.h"
 #include "results/damping.h"
 #include "tracking/bands/locked_whirl.h"
-#include "tracking/crossing_step.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 namespace whirl::tracking {
 
@@ -21,41 +21,40 @@ bool near(std::complex<double> a, std::complex<double> b, double speed) {
     return std::abs(a - b) <= farthest * std::max(std::abs(speed), std::abs(a));
 }
 
-} // namespace
+using Modes = std::vector<std::optional<modes::WhirlMode>>;
 
-modes::WhirlMode OfWholeRotor::of_all_unknowns(const modes::WhirlMode &mode) const {
-    return modes::over_all_unknowns(mode, _few.shapes(), _few.unknowns());
+/// A speed at which a line crosses or a band ends, and the real part there.
+struct Place {
+    double speed = 0; ///< rad/s
+    double real = 0;  ///< 1/s
+};
+/// A mode next to a multiple of the spin speed.
+struct Next {
+    double speed = 0;    ///< rad/s
+    double distance = 0; ///< of its frequency from the multiple, rad/s
+    modes::WhirlMode mode;
+};
+
+/// A mode of the rotor on few shapes as the whole one has it, if it is found next to it.
+std::optional<modes::WhirlMode> of_whole(const WholeAndFew &rotors, double speed,
+                                         const modes::WhirlMode &mode) {
+    const std::vector<modes::WhirlMode> found = rotors.whole.near(
+        speed, {modes::over_all_unknowns(mode, rotors.few.shapes(), rotors.few.unknowns())});
+    return !found.empty() && near(found[0].eigenvalue, mode.eigenvalue, speed)
+               ? std::optional(found[0])
+               : std::nullopt;
 }
 
-bool OfWholeRotor::improve(modes::Spectrum &spectrum, const std::vector<int> &places,
-                           bool all) const {
-    std::vector<modes::WhirlMode> guesses;
-    for (const int place : places)
-        guesses.push_back(spectrum.modes[static_cast<std::size_t>(place)]);
-    const Found found =
-        spectrum.speed == 0 ? at_rest(guesses) : at_speed(spectrum.speed, guesses, all);
-    bool each = true;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        modes::WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(places[i])];
-        if (found[i] && near(found[i]->eigenvalue, mode.eigenvalue, spectrum.speed))
-            mode = *found[i];
-        else
-            mode.confirmed = each = false;
-    }
-    return each;
-}
-
-OfWholeRotor::Found
-OfWholeRotor::at_speed(double speed, const std::vector<modes::WhirlMode> &guesses, bool all) const {
-    Found found(guesses.size());
+/// One by one: those next to their guesses, none of them met from two guesses.
+Modes at_speed(const WholeAndFew &rotors, double speed,
+               const std::vector<modes::WhirlMode> &guesses, bool all) {
+    Modes found(guesses.size());
     for (std::size_t i = 0; i < guesses.size(); ++i) {
-        const std::vector<modes::WhirlMode> one = _whole.near(speed, {of_all_unknowns(guesses[i])});
-        if (!one.empty() && near(one[0].eigenvalue, guesses[i].eigenvalue, speed))
-            found[i] = one[0];
-        else if (all)
+        found[i] = of_whole(rotors, speed, guesses[i]);
+        if (!found[i] && all)
             return found;
     }
-    Found out = found;
+    Modes out = found;
     for (std::size_t i = 0; i < found.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (found[i] && found[j] &&
@@ -66,10 +65,11 @@ OfWholeRotor::at_speed(double speed, const std::vector<modes::WhirlMode> &guesse
 }
 
 /// Of the whole rotor's modes at rest, found at once, the nearest to each of the guesses.
-OfWholeRotor::Found OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &guesses) const {
+Modes at_rest(const WholeAndFew &rotors, const std::vector<modes::WhirlMode> &guesses) {
     constexpr std::size_t more = 4;
-    std::vector<modes::WhirlMode> all = _whole.at(0, static_cast<int>(guesses.size() + more)).modes;
-    Found out(guesses.size());
+    std::vector<modes::WhirlMode> all =
+        rotors.whole.at(0, static_cast<int>(guesses.size() + more)).modes;
+    Modes out(guesses.size());
     for (std::size_t i = 0; i < guesses.size(); ++i) {
         const modes::WhirlMode &guess = guesses[i];
         const auto distance = [&](const modes::WhirlMode &mode) {
@@ -84,12 +84,13 @@ OfWholeRotor::Found OfWholeRotor::at_rest(const std::vector<modes::WhirlMode> &g
     return out;
 }
 
-std::vector<OfWholeRotor::Next> OfWholeRotor::next_to(double multiple, double speed) const {
+/// Of the rotor on few shapes those that do not stand still, the nearest ones first.
+std::vector<Next> next_to(const WholeAndFew &rotors, double multiple, double speed) {
     constexpr std::size_t enough = 8;
     const double target = multiple * std::abs(speed);
     std::vector<Next> out;
-    for (int wanted = _wanted;; wanted *= 2) {
-        const modes::Spectrum few = _few.at(speed, wanted, modes::Errors::of_right_vectors);
+    for (int wanted = rotors.wanted;; wanted *= 2) {
+        const modes::Spectrum few = rotors.few.at(speed, wanted, modes::Errors::of_right_vectors);
         if (static_cast<int>(few.modes.size()) == wanted &&
             few.modes.back().eigenvalue.imag() < 1.5 * target)
             continue;
@@ -103,13 +104,15 @@ std::vector<OfWholeRotor::Next> OfWholeRotor::next_to(double multiple, double sp
     return out;
 }
 
-std::optional<std::pair<OfWholeRotor::Next, OfWholeRotor::Next>>
-OfWholeRotor::leaving(double multiple, double speed, double near, double far) const {
+/// Just outside the end of a band, at one and at four times the distance, the mode that leaves it
+/// there.
+std::optional<std::pair<Next, Next>> leaving(const WholeAndFew &rotors, double multiple,
+                                             double speed, double near, double far) {
     constexpr double most = 0.2; // of twice the distance, and of the speed
     std::optional<std::pair<Next, Next>> out;
     double best = most;
-    const std::vector<Next> there = next_to(multiple, speed + far);
-    for (const Next &a : next_to(multiple, speed + near))
+    const std::vector<Next> there = next_to(rotors, multiple, speed + far);
+    for (const Next &a : next_to(rotors, multiple, speed + near))
         for (const Next &b : there) {
             const double off =
                 std::abs(std::abs(b.distance / a.distance) - 2) / 2 +
@@ -122,34 +125,26 @@ OfWholeRotor::leaving(double multiple, double speed, double near, double far) co
     return out;
 }
 
-std::optional<OfWholeRotor::Next> OfWholeRotor::of_whole(double multiple, const Next &few) const {
-    const std::vector<modes::WhirlMode> whole = _whole.near(few.speed, {of_all_unknowns(few.mode)});
-    if (whole.empty() || !near(whole[0].eigenvalue, few.mode.eigenvalue, few.speed))
+std::optional<Next> of_whole(const WholeAndFew &rotors, double multiple, const Next &few) {
+    const auto whole = of_whole(rotors, few.speed, few.mode);
+    if (!whole)
         return std::nullopt;
-    return Next{few.speed, whole[0].eigenvalue.imag() - multiple * std::abs(few.speed), whole[0]};
+    return Next{few.speed, whole->eigenvalue.imag() - multiple * std::abs(few.speed), *whole};
 }
 
-/// The few shapes' root with what the whole rotor's distance is there, or just beside, and its
-/// slope: a motion on the multiple itself is taken for one that stays there.
-std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, double speed) const {
-    constexpr double beside = 1e-6;
-    const double step = beside * std::abs(speed);
-    std::optional<Place> out = crossing(multiple, speed, speed, step);
-    return out ? out : crossing(multiple, speed, speed + step, step);
-}
-
+/// The few shapes' root with what the whole rotor's distance is there, and its slope.
 /// @param at  where distances are taken, and so far beyond, rad/s
-std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, double speed, double at,
-                                                          double step) const {
-    const std::vector<Next> here = next_to(multiple, at);
+std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double speed, double at,
+                              double step) {
+    const std::vector<Next> here = next_to(rotors, multiple, at);
     if (here.empty())
         return std::nullopt;
     const auto distance = [&](const Next &other) {
         return std::abs(other.mode.eigenvalue - here[0].mode.eigenvalue);
     };
-    const std::vector<Next> all = next_to(multiple, at + step);
+    const std::vector<Next> all = next_to(rotors, multiple, at + step);
     const auto there = std::ranges::min_element(all, {}, distance);
-    const auto whole = of_whole(multiple, here[0]);
+    const auto whole = of_whole(rotors, multiple, here[0]);
     if (there == all.end() || !whole)
         return std::nullopt;
     const double slope = (there->distance - here[0].distance) / step;
@@ -159,15 +154,24 @@ std::optional<OfWholeRotor::Place> OfWholeRotor::crossing(double multiple, doubl
     return Place{speed + change, whole->mode.eigenvalue.real()};
 }
 
+/// The same at the speed, or just beside: a motion on the multiple itself is taken for one that
+/// stays there.
+std::optional<Place> crossing(const WholeAndFew &rotors, double multiple, double speed) {
+    constexpr double beside = 1e-6;
+    const double step = beside * std::abs(speed);
+    std::optional<Place> out = crossing(rotors, multiple, speed, speed, step);
+    return out ? out : crossing(rotors, multiple, speed, speed + step, step);
+}
+
 /// Outside a band the square of the distance is smooth up to its end and beyond: there, what both
 /// rotors differ by moves the end by that over the slope.
-std::optional<OfWholeRotor::Place> OfWholeRotor::band_end(double multiple, double speed,
-                                                          double outwards) const {
-    const auto few = leaving(multiple, speed, outwards / 4, outwards);
+std::optional<Place> end_of_band(const WholeAndFew &rotors, double multiple, double speed,
+                                 double outwards) {
+    const auto few = leaving(rotors, multiple, speed, outwards / 4, outwards);
     if (!few)
         return std::nullopt;
-    const auto near = of_whole(multiple, few->first);
-    const auto far = of_whole(multiple, few->second);
+    const auto near = of_whole(rotors, multiple, few->first);
+    const auto far = of_whole(rotors, multiple, few->second);
     if (!near || !far)
         return std::nullopt;
     const auto square = [](const Next &a) { return a.distance * a.distance; };
@@ -182,7 +186,27 @@ std::optional<OfWholeRotor::Place> OfWholeRotor::band_end(double multiple, doubl
     return Place{speed + change, at_end(near->mode.eigenvalue.real(), far->mode.eigenvalue.real())};
 }
 
-void OfWholeRotor::improve(Crossings &crossed, double low, double high) const {
+} // namespace
+
+bool WholeAndFew::improve(modes::Spectrum &spectrum, const std::vector<int> &places,
+                          bool all) const {
+    std::vector<modes::WhirlMode> guesses;
+    for (const int place : places)
+        guesses.push_back(spectrum.modes[static_cast<std::size_t>(place)]);
+    const Modes found = spectrum.speed == 0 ? at_rest(*this, guesses)
+                                            : at_speed(*this, spectrum.speed, guesses, all);
+    bool each = true;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        modes::WhirlMode &mode = spectrum.modes[static_cast<std::size_t>(places[i])];
+        if (found[i] && near(found[i]->eigenvalue, mode.eigenvalue, spectrum.speed))
+            mode = *found[i];
+        else
+            mode.confirmed = each = false;
+    }
+    return each;
+}
+
+void WholeAndFew::improve(Crossings &crossed, double low, double high) const {
     constexpr double least_part = 0.02; // of the way to the next end of any band
     constexpr double most = 1e-3;       // of the speed
     std::map<std::pair<double, double>, std::optional<Place>> ends; // by multiple and speed
@@ -199,7 +223,7 @@ void OfWholeRotor::improve(Crossings &crossed, double low, double high) const {
             if (speed > low && speed < high && speed != 0 &&
                 ends.count({band.multiple, speed}) == 0)
                 ends[{band.multiple, speed}] =
-                    band_end(band.multiple, speed, side * way(band.multiple, speed));
+                    end_of_band(*this, band.multiple, speed, side * way(band.multiple, speed));
     for (const auto &[end, place] : ends)
         if (!place)
             crossed.unconfirmed.push_back(end.second);
@@ -210,7 +234,7 @@ void OfWholeRotor::improve(Crossings &crossed, double low, double high) const {
                 *speed = end->second->speed;
     for (results::Crossing &c : crossed.found) {
         const auto end = ends.find({c.multiple, c.speed});
-        const auto place = end != ends.end() ? end->second : crossing(c.multiple, c.speed);
+        const auto place = end != ends.end() ? end->second : crossing(*this, c.multiple, c.speed);
         if (!place) {
             if (end == ends.end())
                 crossed.unconfirmed.push_back(c.speed);

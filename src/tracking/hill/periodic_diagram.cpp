@@ -48,11 +48,11 @@ Speeds with_search_speeds(const Speeds &own, const modes::SpectrumSolver &few, i
 std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
                                    const modes::SpectrumSolver &few, const Speeds &speeds,
                                    int modes, const Speeds &multiples, FollowedLines &found) try {
-    const OfWholeRotor whole(solver, few, modes_to_follow(solver.discretization().rotor(), modes));
+    const WholeAndFew rotors{solver, few, modes_to_follow(solver.discretization().rotor(), modes)};
     const double low = found.spectra.front().speed;
     const double high = found.spectra.back().speed;
     Crossings crossed = crossings(few, found.tracking, found.spectra, multiples);
-    whole.improve(crossed, low, high);
+    rotors.improve(crossed, low, high);
     for (std::size_t k = 0; k < found.spectra.size(); ++k) {
         if (!std::binary_search(speeds.begin(), speeds.end(), found.spectra[k].speed))
             continue;
@@ -62,7 +62,7 @@ std::optional<Crossings> completed(const modes::SpectrumSolver &solver,
                 drawn.push_back(line.place[k]);
         const bool slow = std::abs(found.spectra[k].speed) <= few.slow();
         // Near rest copies of all motions lie so close that the one meant may not be found.
-        if (!whole.improve(found.spectra[k], drawn, !slow) && !slow)
+        if (!rotors.improve(found.spectra[k], drawn, !slow) && !slow)
             return std::nullopt;
     }
     return crossed;
